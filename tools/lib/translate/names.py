@@ -29,7 +29,7 @@ from translate.parsing.syntax import Function
 
 # The argument of a function of hashes, or of distributions, without overloads; and hashes by name.
 NOT_OVERLOADED = (("h",), ("k",), ("h", "k"), ("i", "n", "seed"), ("i", "seed"), ("zero",), ("kind",),
-                  ("value", "distribution"), ("distribution", "octaves", "gain"))
+                  ("value", "distribution"), ("distribution", "detail", "gain"))
 OF_A_NAME = "hn_hash_"
 # Functions with other names, where another function or a struct has the name; by its first parameter.
 OTHERS = {("hn_gradient", "cell"): "hn_gradient_lattice", ("hn_place", "p"): "hn_place_of",

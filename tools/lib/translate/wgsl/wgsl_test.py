@@ -15,6 +15,7 @@ from base.thorough import THOROUGH, some
 from base.tree import GLSL, TOOLS, glsl_files
 from catalog.tables.functions import Function, read_functions
 from catalog.tables.glsl import declarations
+from translate.names import NOT_OVERLOADED
 from translate.parsing.tokens import Unknown
 from translate.wgsl.evaluation import evaluations
 from translate.settings import ARITHMETICS, GRADIENTS, HASHES, Settings
@@ -109,6 +110,12 @@ class Names(unittest.TestCase):
         self.assertEqual(names["hn_perlin", ("hn_place2", "float", "uint")], "hn_perlin2_place_phase")
         self.assertEqual(names["hn_i_box", ("hn_place2",)], "hn_i_box_place2")
         self.assertIn("\nstruct hn_place2 {\n", self.modules["HN_FAST"].text())
+
+    def test_parameters_that_keep_a_name_are_those_of_a_function(self):
+        """Else a parameter has another name now, and its function gets dimensions that it does not have."""
+        takes = {tuple(one.at.text for one in function.parameters)
+                 for function in self.modules["HN_FAST"].library.forms.values()}
+        self.assertEqual(set(NOT_OVERLOADED) - takes, set())
 
     def test_a_function_that_is_missing_is_noticed(self):
         module = Module(GLSL, '#include "perlin2d.glsl"\n')
