@@ -1,5 +1,5 @@
 """Commands that make a text of glsl/hashnoise/ have this in common: the names of files, of the user's functions and of
-modules, and where the text goes."""
+modules, the options for the knobs, and where the text goes."""
 
 from __future__ import annotations
 
@@ -7,10 +7,13 @@ import argparse
 import difflib
 import re
 import sys
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from catalog.tables import glsl
+from translate.settings import GRADIENTS, HASHES
 
+ARITHMETICS = ("fast", "fixed", "precise")
 IMPORT_PATH_HELP = "for Bevy and naga_oil: write #define_import_path NAME, so that #import NAME::hn_fbm2 finds it"
 
 
@@ -32,6 +35,24 @@ def function_name(text: str) -> str:
     if not re.fullmatch(r"[A-Za-z_]\w*", text):
         raise argparse.ArgumentTypeError(f"a function has a name such as my_hash, not {text!r}")
     return text
+
+
+def word(before: str) -> Callable[[str], str]:
+    """An argument in lower case: fixed of Fixed, or of HN_FIXED, which is what the library calls it."""
+    return lambda text: text.lower().removeprefix(before)
+
+
+def add_options(parser: argparse.ArgumentParser, possible: Sequence[str], default: str | None, help_: str) -> None:
+    """The options for the knobs. A command gives a reason when it refuses an arithmetic that is not possible."""
+    hashes, gradients = (tuple(map(str.lower, names)) for names in (HASHES, GRADIENTS))
+    parser.add_argument("--arithmetic", type=word("hn_"), choices=ARITHMETICS, default=default,
+                        metavar=f"{{{','.join(possible)}}}", help=help_)
+    parser.add_argument("--hash", type=word("hn_hash_"), choices=hashes, default="lattice", metavar="NAME",
+                        help=f"{', '.join(hashes)} (default: %(default)s)")
+    parser.add_argument("--hash-function", metavar="NAME", type=function_name,
+                        help="with --hash custom: your function, which takes and returns a uint")
+    parser.add_argument("--gradient", type=word("hn_gradient_"), choices=gradients, default="octahedral",
+                        help="default: %(default)s")
 
 
 def check_name(parser: argparse.ArgumentParser, name: str, library: Path) -> None:

@@ -11,7 +11,7 @@ HASHES = ("FNV1", "PARTIAL_FNV1", "JENKINS", "PARTIAL_JENKINS", "MURMUR", "PCG",
 GRADIENTS = ("OCTAHEDRAL", "SINE")
 ARITHMETICS = ("HN_FAST", "HN_FIXED")
 NO_PRECISE = ("HN_PRECISE is not possible in WGSL, which has no precise: a compiler may join or reorder operations on "
-              "floats. Take HN_FIXED, whose bits are the same everywhere")
+              "floats. Take HN_FIXED (--arithmetic fixed), whose bits are the same everywhere")
 
 
 @dataclass(frozen=True)
@@ -26,8 +26,8 @@ class Settings:
         if self == NO_SETTINGS:
             return {}
         if (self.hash == "CUSTOM") != bool(self.hash_function):
-            raise Unknown("the hash CUSTOM and the name of your own belong together: "
-                          "--hash CUSTOM --hash-function my_hash")
+            raise Unknown("the hash custom and the name of your function belong together: "
+                          "--hash custom --hash-function my_hash")
         macros = {"HN_ARITHMETIC": self.arithmetic, "HN_HASH": f"HN_HASH_{self.hash}",
                   "HN_GRADIENT": f"HN_GRADIENT_{self.gradient}"}
         return macros | ({"HN_HASH_FN(k)": f"{self.hash_function}(k)"} if self.hash_function else {})
@@ -43,3 +43,8 @@ class Settings:
 
 
 NO_SETTINGS = Settings("", "", "")
+
+
+def settings_of(arithmetic: str, hash_: str, gradient: str, hash_function: str = "") -> Settings:
+    """By the words that the options take."""
+    return Settings(f"HN_{arithmetic.upper()}", hash_.upper(), gradient.upper(), hash_function)

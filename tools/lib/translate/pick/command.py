@@ -40,18 +40,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from base.tree import GLSL
-from translate.library_file import IMPORT_PATH_HELP, function_name, import_path, imported_as, write
+from translate.library_file import ARITHMETICS, IMPORT_PATH_HELP, add_options, import_path, imported_as, write
 from translate.parsing.tokens import Unknown
 from translate.pick.evaluate import Module
 from translate.pick.program import Program, check_sums, chosen, expanded, facts, heading, listed, origin, over, read
 from translate.pick.shading import LANGUAGES
-from translate.settings import GRADIENTS, HASHES, Settings
+from translate.settings import Settings, settings_of
 
 if TYPE_CHECKING:
     from translate.pick.scalars import Syntax
     from translate.pick.verilog import Made
-
-ARITHMETICS = ("fast", "fixed", "precise")
 
 
 class Syntaxes(Mapping):
@@ -96,7 +94,7 @@ class Choice:
 
     @property
     def knobs(self) -> Settings:
-        return Settings(f"HN_{self.arithmetic.upper()}", self.hash.upper(), self.gradient.upper(), self.hash_function)
+        return settings_of(self.arithmetic, self.hash, self.gradient, self.hash_function)
 
     def options(self) -> list[str]:
         """The options that are given."""
@@ -206,7 +204,6 @@ def positive(text: str) -> str:
 def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="tools/pick", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    hashes = tuple(name.lower() for name in HASHES)
     parser.add_argument("names", nargs="*", metavar="FUNCTION", help="such as hn_perlin2")
     parser.add_argument("--language", choices=(*LANGUAGES, *ALIASES, *SYNTAXES, TSL, VERILOG), default="glsl",
                         help="glsl (the default, and glsl-es is the same) is for 3.30 and later, GLSL ES 3.00 and WebGL2, "
@@ -215,13 +212,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                         " is a header of C99; typescript and javascript are modules; java is for 17 and later; go for"
                         " 1.18 and later; osl is a shader of the first function, too; tsl is a module of nodes for "
                         "three.js; verilog is a pipeline for each function, of integers")
-    parser.add_argument("--arithmetic", choices=ARITHMETICS, help="default: fast, and of verilog fixed")
-    parser.add_argument("--hash", type=str.lower, choices=hashes, default="lattice", metavar="NAME",
-                        help=f"{', '.join(hashes)} (default: %(default)s)")
-    parser.add_argument("--hash-function", metavar="NAME", type=function_name,
-                        help="with --hash custom: your function, which takes and returns a uint")
-    parser.add_argument("--gradient", choices=tuple(name.lower() for name in GRADIENTS), default="octahedral",
-                        help="default: %(default)s")
+    add_options(parser, ARITHMETICS, None, "default: fast, and of verilog fixed")
     parser.add_argument("--noise", metavar="FORM", help="what sums are over, in place of hn_perlin: such as "
                         "hn_simplex3, or for sums with derivatives hn_simplex_d3")
     parser.add_argument("--constants", metavar="NAME=VALUE,...", help="verilog: parameters that are constant, such as "

@@ -590,6 +590,14 @@ class Command(unittest.TestCase):
         without_seed = "highp float hn_value(highp vec2 p) { return hn_value(p, 0u); }\n"
         self.assertEqual(code(shown), text("hn_value2", arithmetic="fixed") + without_seed)
 
+    def test_words_of_options(self) -> None:
+        """Options take the words of the library, too, in any case. The command in the text has the usual ones."""
+        one, *others = (self.call("hn_perlin2", *words.split()) for words in (
+            "--arithmetic fixed --hash pcg --gradient sine", "--arithmetic HN_FIXED --hash PCG --gradient SINE",
+            "--arithmetic Fixed --hash HN_HASH_PCG --gradient hn_gradient_sine"))
+        self.assertIn("by: tools/pick hn_perlin2 --arithmetic fixed --hash pcg --gradient sine\n", one[1])
+        self.assertEqual(others, [one, one])
+
     def test_the_page_says_how_many_functions_there_are(self) -> None:
         """tools/make readme makes its examples."""
         page = (ROOT / "docs" / "guide" / "languages.md").read_text()
@@ -696,7 +704,8 @@ class Command(unittest.TestCase):
                                    (("hn_gulies",), "no function hn_gulies (did you mean hn_gullies2?)"),
                                    (("zzzzzzzz",), "there is no function zzzzzzzz; --list prints them"),
                                    (("hn_perlin",), "there are hn_perlin1, hn_perlin1_place"),
-                                   (("hn_value2", "--hash", "custom"), "--hash-function my_hash"),
+                                   (("hn_value2", "--hash", "custom"), "--hash custom --hash-function my_hash"),
+                                   (("hn_value2", "--hash", "HN_PCG"), "invalid choice: 'hn_pcg'"),
                                    (("hn_value2", "--hash", "custom", "--hash-function", "a-b"), "not 'a-b'"),
                                    (("hn_value2", "--hash", "custom", "--hash-function", "mine", "--language", "c"),
                                     "is of shading languages: glsl"),
@@ -708,6 +717,8 @@ class Command(unittest.TestCase):
                                    (("hn_value2", "--arithmetic", "precise", "--language", "slang"), "out of SPIR-V"),
                                    (("hn_value2", "--arithmetic", "precise", "--language", "godot"), "no `precise`"),
                                    (("hn_value2", "--arithmetic", "precise", "--language", "wgsl"), "Take HN_FIXED"),
+                                   (("hn_value2", "--arithmetic", "HN_PRECISE", "--language", "wgsl"),
+                                    "--arithmetic fixed"),
                                    (("hn_value2", "--noise", "hn_simplex2"), "hn_value(vec2, uint) is no sum"),
                                    (("hn_fbm2", "--noise", "hn_simplex3"), "calls hn_perlin(hn_place3, uint)"),
                                    (("hn_fbm2", "hn_warp2", "--noise", "hn_value2"), "hn_warp("),

@@ -8,9 +8,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from base.tree import GLSL
-from translate.library_file import IMPORT_PATH_HELP, check_name, function_name, import_path, imported_as, write
+from translate.library_file import IMPORT_PATH_HELP, add_options, check_name, import_path, imported_as, write
 from translate.parsing.tokens import Unknown
-from translate.settings import ARITHMETICS, GRADIENTS, HASHES, Settings
+from translate.settings import NO_PRECISE, Settings, settings_of
 from translate.wgsl.module import Module
 
 DESCRIPTION = "Make a WGSL module of a file of the library. For single functions: tools/pick hn_fbm2 --language wgsl."
@@ -18,7 +18,7 @@ EPILOG = """\
 noise2d.glsl is the noise on the plane, and fbm2d.glsl the octave sums on the plane; noise3d.glsl and fbm3d.glsl are
 those in space; hashnoise.glsl is everything. tools/pick --list prints the names of the functions.
 
-  tools/pick whole --language wgsl --arithmetic HN_FIXED fbm2d.glsl > fbm2d.wgsl
+  tools/pick whole --language wgsl --arithmetic fixed fbm2d.glsl > fbm2d.wgsl
   tools/pick whole --language wgsl --import-path hashnoise --out assets/shaders/hashnoise.wgsl
 """
 
@@ -38,14 +38,7 @@ def header(name: str, settings: Settings, path: str) -> str:
 
 
 def parsed_arguments(parser: argparse.ArgumentParser, given: Sequence[str]) -> argparse.Namespace:
-    parser.add_argument("--arithmetic", choices=(*ARITHMETICS, "HN_PRECISE"), default="HN_FAST", metavar="NAME",
-                        help="HN_FAST (the default) or HN_FIXED. WGSL has no HN_PRECISE")
-    parser.add_argument("--hash", choices=HASHES, default="LATTICE", metavar="NAME",
-                        help=f"{', '.join(HASHES)} (default: %(default)s)")
-    parser.add_argument("--hash-function", metavar="NAME", type=function_name,
-                        help="with --hash CUSTOM: your function, which takes and returns a u32")
-    parser.add_argument("--gradient", choices=GRADIENTS, default="OCTAHEDRAL", metavar="NAME",
-                        help="OCTAHEDRAL (the default) or SINE")
+    add_options(parser, ("fast", "fixed"), "fast", "default: %(default)s; WGSL has no precise")
     parser.add_argument("--import-path", metavar="NAME", type=import_path, help=IMPORT_PATH_HELP)
     parser.add_argument("--strip", action="store_true", help="leave out comments, empty lines and indentation")
     parser.add_argument("--glsl", type=Path, default=GLSL, metavar="DIR", help="another copy of the library")
@@ -60,7 +53,13 @@ def main(given: Sequence[str]) -> int:
     parser = argparse.ArgumentParser(prog="tools/pick whole --language wgsl", description=DESCRIPTION, epilog=EPILOG,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     arguments = parsed_arguments(parser, given)
-    settings = Settings(arguments.arithmetic, arguments.hash, arguments.gradient, arguments.hash_function or "")
+    settings = settings_of(arguments.arithmetic, arguments.hash, arguments.gradient, arguments.hash_function or "")
+    try:
+        if arguments.arithmetic == "precise":
+            raise Unknown(NO_PRECISE)
+        settings.macros()
+    except Unknown as error:
+        parser.exit(2, f"{parser.prog}: {error}\n")
     try:
         module = Module(arguments.glsl, f'#include "{arguments.name}"\n', settings)
         text = header(arguments.name, settings, arguments.import_path or "") + module.text(strip=arguments.strip)
