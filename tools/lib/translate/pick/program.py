@@ -30,7 +30,9 @@ if TYPE_CHECKING:
     from catalog.tables.functions import Function as Row
 
 CALL = re.compile(r"(hn_\w+)\((?:hn_(tile|place)\()?(float|vec[234])\)+")
+JOINED = re.compile(r"\w*(,\w*)+")
 STEP = re.compile("hn_(add|next|octaves|mean|density|slopes|shifts)")  # of a loop over octaves
+SUMMED = ("hn_perlin", "hn_perlin_d")  # by sums, at the place of an octave
 Key = tuple[str, tuple[str, ...]]
 
 
@@ -109,6 +111,8 @@ def chosen(module: Module, names: Sequence[str]) -> list[Function]:
     """The functions of these names."""
     found = {name: module.form(name) for name in names}
     for name, function in found.items():
+        if function is None and JOINED.fullmatch(name):
+            raise Unknown(f"{name}: separate functions by blanks, such as hn_fbm2 hn_fbm3")
         if function is None:
             raise Unknown(f"there is no function {name}{_hint(name, module.forms)}")
     return [*found.values()]
@@ -124,7 +128,8 @@ def _hint(name: str, known: dict[str, Function]) -> str:
                      and form.endswith("2_place")), "")
         return f"; there {'are' if len(own) > 1 else 'is'} {', '.join(own)}{tile}"
     functions = {function.name for function in known.values()}
-    near = difflib.get_close_matches(name, sorted({*functions, *known}))
+    bare = {one.removeprefix("hn_"): one for one in {*functions, *known}}  # all have the prefix in common
+    near = [bare[one] for one in difflib.get_close_matches(name.removeprefix("hn_"), sorted(bare))]
     if not near:
         return "; --list prints them"
     if near[0] in functions and near[0] not in known:
@@ -137,26 +142,52 @@ def _hint(name: str, known: dict[str, Function]) -> str:
 def over(module: Module, form: str) -> Module:
     """The library with sums over the noise of this form: hn_simplex3 or, for sums with derivatives, hn_simplex_d3."""
     noise, = chosen(module, [form])
-    dimensions = SIZES.get(noise.types[0]) or int(noise.types[0][-1])
-    types = (f"hn_place{dimensions}", "uint")
+    types = _of_an_octave(noise)
     at_place = module.overload(noise.name, types)
     if at_place is None:
         raise Unknown(f"--noise {form}: there is no {noise.name}({', '.join(types)}), and more an octave has not")
-    for replaced in ("hn_perlin", "hn_perlin_d"):
+    for replaced in SUMMED:
         of_library = module.overload(replaced, types)
         if of_library and of_library.type == at_place.type:
-            with_other = copy.copy(module)
-            with_other.summed = Summed(noise.name, replaced, types)
-            return with_other
+            return _with(module, Summed(noise.name, replaced, types))
     raise Unknown(f"--noise {form} returns {at_place.type}, and a sum's noise returns a float, or derivatives as "
                   "those of hn_perlin_d")
+
+
+def _of_an_octave(function: Function) -> tuple[str, str]:
+    """The parameters of the noise of an octave, in the dimensions of this function."""
+    return f"hn_place{SIZES.get(function.types[0]) or function.types[0][-1]}", "uint"
+
+
+def _with(module: Module, summed: Summed) -> Module:
+    with_other = copy.copy(module)
+    with_other.summed = summed
+    return with_other
+
+
+def not_summed(module: Module, function: Function, summed: Summed) -> str:
+    """Why --noise cannot stand for what this function calls, and which noise it takes: a form of the same one if it has
+    one, else another noise."""
+    types = _of_an_octave(function)
+    for replaced in SUMMED:
+        form = replaced.removeprefix("hn_perlin")
+        of_library = module.overload(replaced, types)
+        names = (f"{summed.name.removesuffix('_d')}{form}", f"hn_simplex{form}")
+        fitting = (name for name in names if of_library and (other := module.overload(name, types))
+                   and other.type == of_library.type)
+        if name := next(fitting, None):
+            root, = Program(_with(module, Summed(name, replaced, types)), [function]).roots
+            if root.evaluation.sums_other_noise:
+                return (f"{wgsl_name(function)} sums {replaced}({', '.join(types)}), for which "
+                        f"--noise {name}{types[0][-1]} stands")
+    return (f"{function.name}({', '.join(function.types)}) is no sum that calls "
+            f"{summed.replaced}({', '.join(summed.types)}), for which --noise could stand")
 
 
 def check_sums(program: Program, summed: Summed) -> None:
     for root in program.roots:
         if not root.evaluation.sums_other_noise:
-            raise Unknown(f"{root.function.name}({', '.join(root.function.types)}) is no sum that calls "
-                          f"{summed.replaced}({', '.join(summed.types)}), for which --noise could stand")
+            raise Unknown(not_summed(program.module, root.function, summed))
 
 
 @dataclass

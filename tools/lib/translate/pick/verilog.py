@@ -20,7 +20,7 @@ from translate.parsing.tokens import Unknown
 from translate.pick import comments
 from translate.pick.circuit import WIDEST, WIRING, Circuit, Gate, Lowering, Unrolled, at_place, width
 from translate.pick.evaluate import Module, dotted
-from translate.pick.program import of_noise
+from translate.pick.program import not_summed, of_noise
 from translate.pick.typer import Typed
 from translate.pick.values import AXES, SIZES, WORD, Constant, Operation, Variable, begin_anew
 
@@ -388,7 +388,7 @@ class Made:
         *_, returned = evaluation.run(self.function, self._arguments())
         result = returned.value
         if module.summed and not evaluation.sums_other_noise:
-            raise Unknown(f"{self.name} is no sum, for whose noise --noise could stand: ask for hn_fbm2 or another sum")
+            raise Unknown(not_summed(module, asked, module.summed))
         if result is None or self.function.type in module.structs:
             raise Unknown(NO_PORT.format(self.name, f"returns {self.function.type}"))
         is_vector = isinstance(result, Operation) and result.kind == "construct" and SIZES[result.type] > 1

@@ -55,6 +55,7 @@ class Texts(unittest.TestCase):
     def test_what_is_no_circuit_is_refused_with_what_would_be_right(self) -> None:
         self.assertRegex(self.refusal("hn_fbm2"), "add --constants octaves=6,lacunarity=2.0,gain=0.5$")
         self.assertRegex(self.refusal("hn_perlin2_phase"), "takes phase, .* add --constants phase=0.25$")
+        self.assertRegex(self.refusal("hn_value2", noise="hn_simplex2"), "is no sum")
         self.assertRegex(self.refusal("hn_position2"), "has no value in whole numbers .*Ask for a noise")
         self.assertRegex(self.refusal("hn_next2"), "takes hn_octaves2, for which a module has no port: ask for")
         self.assertRegex(self.refusal("hn_perlin2", constants="octaves=3"), "no such parameter; it takes place, seed")
