@@ -478,6 +478,16 @@ class Comments(unittest.TestCase):
                      "the metric.", "in [0, 1.1181]", "on average 0.43 and 0.70", "at most 3.53e-6"):
             self.assertIn(part, shown)
 
+    def test_no_constant_is_named_that_a_text_lacks(self) -> None:
+        """Languages of the CPU have numbers."""
+        for language in command.SYNTAXES:
+            for name in ("hn_uniform", "hn_distribution", "hn_distribution_fbm", "hn_cellular2_jitter"):
+                with self.subTest(name, language=language):
+                    shown = self.comment(self.pick([name], command.Choice(language)))
+                    self.assertNotRegex(shown, "HN_(?:METRIC|DISTRIBUTION)_")
+        self.assertIn("of the noise: hn_distribution(9) of perlin2 and so on",
+                      self.comment(self.pick(["hn_uniform"], command.Choice("c"))))
+
     def test_every_parameter_is_named_in_every_language(self) -> None:
         for language in command.SYNTAXES:
             shown = self.comment(self.pick(["hn_fbm2"], command.Choice(language, "fixed")))

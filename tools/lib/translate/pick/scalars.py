@@ -115,13 +115,21 @@ def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: comments.Fa
     return Facts(known.what, known.returns, known.error, shown, call, sets)
 
 
+def _number(module: Module, constant: str) -> str:
+    return module.constant(constant).at.text.rstrip("u")
+
+
 def _of_numbers(text: str, parameter: str, module: Module) -> str:
     """Without constants, and without what GLSL writes behind a number."""
     if parameter in PASSED:
         begin = PASSED[parameter]
-        return ", ".join(f"{module.constant(name).at.text.rstrip('u')} {name.removeprefix(begin).lower()}"
+        return ", ".join(f"{_number(module, name)} {name.removeprefix(begin).lower()}"
                          for name in module.constants if name.startswith(begin))
     text = re.sub(r"any uint: 7u, not 7", "any", text)
+    # hn_distribution(HN_DISTRIBUTION_PERLIN2) is hn_distribution(9) of perlin2.
+    for begin in PASSED.values():
+        text = re.sub(rf"\({begin}(\w+)\)", lambda found, begin=begin: f"({_number(module, f'{begin}{found[1]}')}) of "
+                      f"{found[1].lower()}", text)
     return text.replace("|p|", "the size of a coordinate") if parameter != "p" else text
 
 
