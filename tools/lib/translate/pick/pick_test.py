@@ -485,8 +485,9 @@ class Comments(unittest.TestCase):
                 with self.subTest(name, language=language):
                     shown = self.comment(self.pick([name], command.Choice(language)))
                     self.assertNotRegex(shown, "HN_(?:METRIC|DISTRIBUTION)_")
-        self.assertIn("of the noise: hn_distribution(9) of perlin2 and so on",
-                      self.comment(self.pick(["hn_uniform"], command.Choice("c"))))
+        shown = self.comment(self.pick(["hn_uniform"], command.Choice("c")))
+        self.assertIn("of the noise: hn_distribution(9) of perlin2 and so on", shown)
+        self.assertIn("hn_uniform(0.25f, distribution_x, distribution_y, distribution_z, distribution_w)", shown)
 
     def test_every_parameter_is_named_in_every_language(self) -> None:
         for language in command.SYNTAXES:

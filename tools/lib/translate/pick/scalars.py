@@ -106,7 +106,7 @@ def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: comments.Fa
         if one.at.text == "p":
             eight, *slices = (syntax.float(value) for value in ("8.0", "0.5", "0.25"))
             return ", ".join([*(f"{eight} * {axis}" for axis in taken["p"][:2]), *slices[:max(len(taken["p"]) - 2, 0)]])
-        return (syntax.example_struct if one.is_set else "{}").format(*taken[one.at.text])
+        return (syntax.example_struct if one.is_set else "{}").format(", ".join(taken[one.at.text]))
 
     passed = ", ".join(filter(None, comments.arguments_of(function, argument)))
     shown = {", ".join(taken[one]) or syntax.variable(one): _of_numbers(text, one, module)
