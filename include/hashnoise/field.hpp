@@ -72,7 +72,8 @@ struct Settings {
   std::string fractal{};
   Arithmetic arithmetic = Arithmetic::kFast;
   std::uint32_t seed = 0;
-  // In cells, a number for each axis of the field, not negative; 0 is none, so {8} repeats along x alone.
+  // In cells, along each axis, not negative; 0 is none, so {8} repeats along x alone. Of axes that the field does not
+  // have the numbers do not count.
   std::array<std::int32_t, 4> period{};
 
   // For noises.

@@ -253,14 +253,9 @@ Plan plan_of(int dimensions, const Settings& settings) {
   }
   bool tiled = false;
   for (std::size_t axis = 0; axis < settings.period.size(); ++axis) {
-    const std::int32_t period = settings.period[axis];
-    check(kPeriodRule, period);
-    if (period != 0 && axis >= static_cast<std::size_t>(dimensions)) {
-      refuse("period has a number for the axis " + std::string(1, "xyzw"[axis]) + ", which is not there" +
-             in_dimensions(dimensions));
-    }
-    tiled = tiled || period > 0;
-    plan.options.period[axis] = period;
+    check(kPeriodRule, settings.period[axis]);
+    if (axis < static_cast<std::size_t>(dimensions)) tiled = tiled || settings.period[axis] > 0;
+    plan.options.period[axis] = settings.period[axis];
   }
   check_owners(settings, dimensions, kNoiseRows.at(noise), sum ? &kSumRows.at(*sum) : nullptr, tiled);
   plan.set = chosen(settings.instruction_set);

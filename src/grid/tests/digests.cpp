@@ -53,8 +53,7 @@ void print_all(hashnoise::Arithmetic arithmetic) {
   for (const std::int32_t period : {0, 5}) {
     hashnoise::Settings settings;
     settings.arithmetic = arithmetic;
-    const std::int32_t periods[] = {period, 2 * period, 0, period};
-    std::copy_n(periods, D, settings.period.begin());
+    settings.period = {period, 2 * period, 0, period};
     for (const std::string_view noise : hashnoise::noise_names(D)) {
       settings.noise = noise;
       print<D>(settings);

@@ -647,14 +647,6 @@ TEST(Errors, OfANegativePeriod) {
   }
 }
 
-TEST(Errors, OfAPeriodAlongAnAxisThatIsNotThere) {
-  Settings settings = of("perlin");
-  settings.period = {4, 4, 4, 4};
-  EXPECT_NO_ERROR(error_of<4>(settings));
-  EXPECT_EQ(error_of<3>(settings), "period has a number for the axis w, which is not there in 3D");
-  EXPECT_EQ(error_of<1>(settings), "period has a number for the axis y, which is not there in 1D");
-}
-
 // Octaves of 2.9 would be 2.
 static_assert(std::is_constructible_v<OptionalInt, int> && std::is_assignable_v<OptionalInt&, int>);
 static_assert(std::is_assignable_v<OptionalInt&, std::optional<int>> &&
