@@ -455,16 +455,19 @@ class Headers(unittest.TestCase):
                     self.assertEqual(len(errors), 1)
 
     def test_a_function_of_the_users_has_deleted_calls_in_any_namespace(self) -> None:
-        text = ("#include <hashnoise/hashnoise.hpp>\n{0}\n"
-                "inline float other(hashnoise::vec2 p, hashnoise::uint seed) {{ return hn_perlin(p, seed); }}\n"
-                "HN_ONLY_TYPES_OF_GLSL(other)\n{1}\n"
-                "float f(hashnoise::vec2 p) {{ return {2}other(p, {3}); }}\n")
+        text = "#include <hashnoise/hashnoise.hpp>\n" + "".join(
+            f"{begin}\ninline float other(hashnoise::vec2 p, hashnoise::uint seed) {{ return hn_perlin(p, seed); }}\n"
+            f"HN_ONLY_TYPES_OF_GLSL(other)\n{end}\n"
+            for begin, end in (("", ""), ("namespace mine { namespace detail {}", "}"), ("namespace hashnoise {", "}")))
+        names = ("::other", "mine::other", "hashnoise::other")
         for compiler in COMPILERS:
-            for begin, end, name in (("", "", ""), ("namespace mine { namespace detail {}", "}", "mine::"),
-                                     ("namespace hashnoise {", "}", "hashnoise::")):
-                with self.subTest(compiler=compiler, name=name):
-                    self.assertEqual(messages(compiler, text.format(begin, end, name, "16u"), "-std=c++20"), "")
-                    self.assertIn("write 16u for a seed", messages(compiler, text.format(begin, end, name, "16"), "-std=c++20"))
+            for seed, wrong in (("16u", 0), ("16", len(names))):
+                with self.subTest(compiler=compiler, seed=seed):
+                    called = "".join(f"float f{i}(hashnoise::vec2 p) {{ return {name}(p, {seed}); }}\n"
+                                     for i, name in enumerate(names))
+                    said = messages(compiler, text + called, "-std=c++20")
+                    self.assertEqual(len(re.findall(r"error: .*\bwrite 16u for a seed", said)), wrong, said)
+                    self.assertEqual(said == "", not wrong)
 
     def test_every_function_has_deleted_calls(self) -> None:
         functions = public_functions()
