@@ -286,6 +286,8 @@ class Cli(unittest.TestCase):
     def test_unsupported_is_neither_passed_nor_failed(self):
         done = self.run_case(case="hash.all.lattice.fast.fragment.gl460.driver")
         self.assertEqual(done.returncode, 1)  # a run in which nothing passed shows nothing
+        self.assertIn("no case passed: all that ran are excused or unsupported", done.stderr)
+        self.assertEqual(self.suites()["hn-conform"].get("errors"), "1")
         totals = self.results()["runs"][0]["totals"]
         self.assertEqual({status: count for status, count in totals.items() if count}, {"unsupported": 1})
         self.assertIn("GLSL 4.60 is beyond this context's 4.50", done.stdout)

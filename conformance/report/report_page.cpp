@@ -87,17 +87,16 @@ Json page_driver(const Run& run) {
   }
   counts.push_back({{"text", std::to_string(excused)}, {"label", "excused"}, {"class", excused == 0 ? "faint" : ""}});
   const std::size_t unexpected = unexpected_in(run);
-  const std::size_t absent = run.not_run + run.missing;
-  const bool nothing = unexpected == 0 && absent == 0 && !run.as_expected();
+  const bool nothing = unexpected == 0 && run.is_complete() && !run.as_expected();
   return {{"driver", run.driver},
           {"verdict", unexpected != 0    ? fmt::format("{} not as expected", unexpected)
                       : run.not_run != 0 ? fmt::format("{} not run", run.not_run)
                       : run.missing != 0 ? fmt::format("{} missing", run.missing)
                       : nothing          ? "nothing passed"
                                          : "as expected"},
-          {"class", unexpected != 0 || absent != 0 ? "bad"
-                    : nothing                      ? "faint"
-                                                   : "good"},
+          {"class", unexpected != 0 || !run.is_complete() ? "bad"
+                    : nothing                             ? "faint"
+                                                          : "good"},
           {"renderer", clean_text(run.injected.empty()
                                       ? run.info.renderer
                                       : fmt::format("{}, made to have the fault {}", run.info.renderer, run.injected))},

@@ -108,8 +108,6 @@ Run run_from(const nlohmann::json& json, std::string& where) {
   return run;
 }
 
-bool is_complete(const Run& run) { return run.not_run == 0 && run.missing == 0; }
-
 bool cases_are_right(const Run& run) {
   return std::all_of(run.cases.begin(), run.cases.end(),
                      [](const CaseResult& result) { return hn::as_expected(result); });
@@ -122,12 +120,12 @@ std::size_t Run::count(Status status) const {
       std::count_if(cases.begin(), cases.end(), [&](const CaseResult& c) { return c.outcome.status == status; }));
 }
 
-bool Run::as_expected() const { return is_complete(*this) && count(Status::pass) > 0 && cases_are_right(*this); }
+bool Run::as_expected() const { return is_complete() && count(Status::pass) > 0 && cases_are_right(*this); }
 
 bool nothing_passed(const std::vector<Run>& runs) {
-  return !all_as_expected(runs) &&
-         std::any_of(runs.begin(), runs.end(), [](const Run& run) { return run.absent.empty(); }) &&
-         std::all_of(runs.begin(), runs.end(), [](const Run& run) { return is_complete(run) && cases_are_right(run); });
+  return !all_as_expected(runs) && std::any_of(runs.begin(), runs.end(), [](const Run& run) {
+    return run.absent.empty();
+  }) && std::all_of(runs.begin(), runs.end(), [](const Run& run) { return run.is_complete() && cases_are_right(run); });
 }
 
 bool only_unfinished(const std::vector<Run>& runs) {
@@ -140,7 +138,7 @@ bool all_as_expected(const std::vector<Run>& runs) {
   const bool only_reference = std::all_of(runs.begin(), runs.end(), [](const Run& run) { return run.is_reference(); });
   const auto decides = [&](const Run& run) { return run.as_expected() && (only_reference || !run.is_reference()); };
   return std::any_of(runs.begin(), runs.end(), decides) && std::all_of(runs.begin(), runs.end(), [&](const Run& run) {
-           return is_complete(run) && cases_are_right(run);
+           return run.is_complete() && cases_are_right(run);
          });
 }
 

@@ -40,6 +40,8 @@ struct Run {
 
   bool is_reference() const { return driver == kReferenceCompiler; }
   std::size_t count(Status status) const;
+  // No case was left out at the end of the run, or with a shard.
+  bool is_complete() const { return not_run == 0 && missing == 0; }
   // Everything that could run ran, and was right or is excused; at least one case passed.
   bool as_expected() const;
 };

@@ -37,6 +37,27 @@ TEST(Run, ThatEndedTooEarlyIsNoPass) {
   EXPECT_FALSE(only_unfinished({run}));
 }
 
+TEST(Run, ThatLacksAShardIsNoPass) {
+  hn::Run run = run_of({result("a", Status::pass)});
+  run.missing = 3;
+  EXPECT_FALSE(run.as_expected());
+  EXPECT_FALSE(all_as_expected({run}));
+  EXPECT_EQ(nlohmann::json::parse(results_text({run}))["runs"][0]["missing"], 3);
+}
+
+TEST(Run, InWhichNothingPassedIsNoneThatFailed) {
+  const hn::Run unsupported = run_of({result("a", Status::unsupported)});
+  EXPECT_TRUE(nothing_passed({unsupported}));
+  EXPECT_FALSE(nothing_passed({unsupported, run_of({result("a", Status::pass)})}));
+  EXPECT_FALSE(nothing_passed({unsupported, run_of({result("a", Status::fail)})}));
+  hn::Run unfinished = unsupported;
+  unfinished.not_run = 1;
+  EXPECT_FALSE(nothing_passed({unfinished}));
+  hn::Run absent;
+  absent.absent = "no library";
+  EXPECT_FALSE(nothing_passed({absent}));
+}
+
 TEST(Json, HasTheSchemaOfTheDocumentation) {
   const auto json =
       nlohmann::json::parse(results_text({run_of({result("a.b", Status::pass), result("c.d", Status::fail)})}));
