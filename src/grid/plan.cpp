@@ -37,12 +37,13 @@ std::vector<std::string_view> names_in(const Rows& rows, int dimensions) {
   return names_where(rows, [=](const auto& row) { return has(row, dimensions); });
 }
 
-// The row of a name, or an error that lists the names to choose from, and the nearest one.
-template <typename Rows>
+// The row of a name, or an error that lists the names to choose from, and the nearest one. Only an error needs them.
+template <typename Rows, typename Names>
 std::size_t find(const Rows& rows, const char* what, const std::string& name, int dimensions,
-                 const std::vector<std::string_view>& names) {
+                 const Names& names_to_choose_from) {
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r.name == name; });
   if (row == rows.end() || !has(*row, dimensions)) {
+    const std::vector<std::string_view> names = names_to_choose_from();
     refuse("there is no " + std::string(what) + " " + quoted(name) + in_dimensions(dimensions) +
            detail::suggestion(name, names) + "; there are: " + listed(names));
   }
@@ -239,7 +240,8 @@ Plan plan_of(int dimensions, const Settings& settings) {
   }
   std::optional<SumId> sum;
   if (!settings.fractal.empty()) {
-    sum = static_cast<SumId>(find(kSumRows, "fractal", settings.fractal, dimensions, fractal_names(dimensions)));
+    const auto names = [&] { return fractal_names(dimensions); };
+    sum = static_cast<SumId>(find(kSumRows, "fractal", settings.fractal, dimensions, names));
   }
   // A sum over noises of its own counts as Perlin noise.
   NoiseId noise = sum && kSumRows.at(*sum).takes_noise() ? kSumRows.at(*sum).usual_noise : kPerlin;
@@ -248,7 +250,7 @@ Plan plan_of(int dimensions, const Settings& settings) {
            quoted(settings.noise) + " out");
   }
   if (!settings.noise.empty()) {
-    const auto names = sum ? summands(kSumRows.at(*sum).of, dimensions) : noise_names(dimensions);
+    const auto names = [&] { return sum ? summands(kSumRows.at(*sum).of, dimensions) : noise_names(dimensions); };
     noise = static_cast<NoiseId>(find(kNoiseRows, "noise", settings.noise, dimensions, names));
   }
   bool tiled = false;

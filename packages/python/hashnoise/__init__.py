@@ -61,12 +61,13 @@ _ELSEWHERE = {"snoise": "simplex", "pnoise": "perlin", "cnoise": "perlin", "worl
 def __getattr__(name):
     """Called for a name that there is not: that of GLSL or of another package is meant, or the nearest one."""
     bare = name.removeprefix("hn_")
+    elsewhere = _ELSEWHERE.get(name.rstrip("1234d"))
     if name == "dask":
         meant = "; import hashnoise.dask"
     elif bare == "cellular_phase":
         meant = "; cellular has the option phase"
-    elif name.rstrip("1234d") in _ELSEWHERE:
-        meant = f" (here it is {_ELSEWHERE[name.rstrip('1234d')]})"
+    elif elsewhere:
+        meant = f" (here it is {elsewhere})"
     else:
         meant = f" (did you mean {bare}?)" if bare in __all__ else _suggestion(bare, __all__)
     raise AttributeError(f"module 'hashnoise' has no attribute {name!r}{meant}")

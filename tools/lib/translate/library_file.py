@@ -46,7 +46,7 @@ def add_options(parser: argparse.ArgumentParser, possible: Sequence[str], defaul
     """The options for the knobs. A command gives a reason when it refuses an arithmetic that is not possible."""
     hashes, gradients = (tuple(map(str.lower, names)) for names in (HASHES, GRADIENTS))
     parser.add_argument("--arithmetic", type=word("hn_"), choices=ARITHMETICS, default=default,
-                        metavar=f"{{{','.join(possible)}}}", help=help_)
+                        metavar=f"{{{','.join(map(word('hn_'), possible))}}}", help=help_)
     parser.add_argument("--hash", type=word("hn_hash_"), choices=hashes, default="lattice", metavar="NAME",
                         help=f"{', '.join(hashes)} (default: %(default)s)")
     parser.add_argument("--hash-function", metavar="NAME", type=function_name,

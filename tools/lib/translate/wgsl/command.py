@@ -10,7 +10,7 @@ from pathlib import Path
 from base.tree import GLSL
 from translate.library_file import IMPORT_PATH_HELP, add_options, check_name, import_path, imported_as, write
 from translate.parsing.tokens import Unknown
-from translate.settings import NO_PRECISE, Settings, settings_of
+from translate.settings import ARITHMETICS, NO_PRECISE, Settings, settings_of
 from translate.wgsl.module import Module
 
 DESCRIPTION = "Make a WGSL module of a file of the library. For single functions: tools/pick hn_fbm2 --language wgsl."
@@ -38,7 +38,7 @@ def header(name: str, settings: Settings, path: str) -> str:
 
 
 def parsed_arguments(parser: argparse.ArgumentParser, given: Sequence[str]) -> argparse.Namespace:
-    add_options(parser, ("fast", "fixed"), "fast", "default: %(default)s; WGSL has no precise")
+    add_options(parser, ARITHMETICS, "fast", "default: %(default)s; WGSL has no precise")
     parser.add_argument("--import-path", metavar="NAME", type=import_path, help=IMPORT_PATH_HELP)
     parser.add_argument("--strip", action="store_true", help="leave out comments, empty lines and indentation")
     parser.add_argument("--glsl", type=Path, default=GLSL, metavar="DIR", help="another copy of the library")
