@@ -3,6 +3,7 @@
 not built all of it. Usage: install_test.py CMAKE BUILD SOURCE"""
 
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -104,6 +105,17 @@ class PartsOfABuild(unittest.TestCase):
         self.assertIn("has hashnoise;", said)
         self.assertNotIn("has grid;", said)
         self.assertIn("found: 1;", self.found("nothing-built", "COMPONENTS headers OPTIONAL_COMPONENTS grid other")[1])
+
+    def test_a_version_serves_those_who_ask_for_an_older_one_of_the_same_major_number(self):
+        version_file = self.build / "hashnoise-config-version.cmake"
+        version = re.search(r'PACKAGE_VERSION "(\d+)\.(\d+)', version_file.read_text())
+        major, minor = int(version[1]), int(version[2])
+        later = version_file.read_text().replace(f'"{major}.{minor}.', f'"{major}.{minor + 1}.')
+        version_file.write_text(later)
+        self.installed("later")
+        for wanted, status in ((f"{major}.{minor}", 0), (f"{major}.{minor + 2}", 1), (f"{major + 1}.0", 1)):
+            with self.subTest(wanted):
+                self.assertEqual(self.found("later", required=f"{wanted} REQUIRED")[0], status)
 
     def test_a_component_that_is_missing_is_named(self):
         self.installed("nothing-built")
