@@ -20,15 +20,22 @@ CLI::Validator finite() {
           ""};
 }
 
-// The rule has to live on, as those of rules.hpp do.
+// A whole number. CLI11 takes 010 for 8, so this writes 10 in its place. The rule has to live on, as those of
+// rules.hpp do.
 CLI::Validator within(const hashnoise::grid::Rule& rule) {
-  return {[&rule](const std::string& text) {
+  return {[&rule](std::string& text) {
             double number = 0.0;
-            if (!CLI::detail::lexical_cast(text, number)) return fmt::format("{} is not a number", text);
-            return problem_of(rule, number);
+            if (!CLI::detail::lexical_cast(text, number) || number != std::floor(number)) {
+              return fmt::format("{} is not a whole number {}", text, words_of(rule));
+            }
+            std::string problem = problem_of(rule, number);
+            if (problem.empty()) text = fmt::format("{:.0f}", number);
+            return problem;
           },
           ""};
 }
+
+constexpr hashnoise::grid::Rule kColumnsRule = {"columns", true, 1, kLongestAxis, hashnoise::grid::kNone};
 
 template <typename T>
 void add_number(CLI::App& app, const std::string& name, T& value, const std::string& what) {
@@ -58,16 +65,16 @@ void add_parameters(CLI::App& app, BakeOptions& options, Words& words) {
       ->group(group);
   app.add_option("--seed", settings.seed, "Different seeds give independent fields")
       ->type_name("N")
-      ->check(within(hashnoise::grid::kSeedRule))
+      ->transform(within(hashnoise::grid::kSeedRule))
       ->capture_default_str()
       ->group(group);
-  app.add_option("--period", words.period, "Cells after which the field repeats, along each axis; 0 for none")
+  app.add_option("--period", words.period, "Cells after which the field repeats, along each axis or all; 0 for none")
       ->type_name("X[xY...]")
       ->group(group);
   app.add_option("--octaves", static_cast<std::optional<int>&>(settings.octaves),
                  fmt::format("Of a fractal (default: {})", hashnoise::grid::kOctavesRule.usual))
       ->type_name("N")
-      ->check(within(hashnoise::grid::kOctavesRule))
+      ->transform(within(hashnoise::grid::kOctavesRule))
       ->group(group);
   add_number(app, "--lacunarity", settings.lacunarity,
              fmt::format("Of a fractal: by how much an octave is finer than the one before (default: {})",
@@ -164,15 +171,15 @@ void add_files(CLI::App& app, BakeOptions& options, Words& words) {
   app.add_option("--columns", options.columns,
                  "Slices beside each other in an atlas (default: so that it is about a square)")
       ->type_name("N")
-      ->check(CLI::Range(1, kLongestAxis))
+      ->transform(within(kColumnsRule))
       ->group(group);
   app.add_flag("--json", options.json, "Print in JSON how it was made")->group(group);
   app.add_option("--threads", options.threads, "How many; nothing in the file depends on it (default: all)")
       ->type_name("N")
-      ->check(within(hashnoise::grid::kThreadsRule))
+      ->transform(within(hashnoise::grid::kThreadsRule))
       ->group(group);
   app.add_option(
-         "--instructions", words.instructions,
+         "--instruction-set", words.instruction_set,
          "An instruction set such as avx2 (default: the widest that the processor has); only with --arithmetic fast "
          "values depend on it")
       ->type_name("NAME")

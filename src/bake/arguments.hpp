@@ -25,7 +25,7 @@ struct Words {
   std::optional<std::string> source;
   std::string arithmetic = "fixed";
   std::optional<std::string> metric;
-  std::optional<std::string> instructions;
+  std::optional<std::string> instruction_set;
   std::string format;
   std::string layout;
   std::vector<std::string> ranges;

@@ -58,14 +58,6 @@ std::vector<T> arranged(std::span<const T> values, int width, int height, const 
   return picture;
 }
 
-// heights.exr: heights.007.exr
-std::filesystem::path path_of_slice(const std::filesystem::path& out, int slice, int slices) {
-  const std::size_t digits = std::max<std::size_t>(3, std::to_string(slices - 1).size());
-  std::filesystem::path path = out;
-  path.replace_filename(fmt::format("{}.{:0{}}{}", out.stem().string(), slice, digits, out.extension().string()));
-  return path;
-}
-
 // Names that programs for pictures look for, if there are not more channels than these.
 std::string channel_name(const std::vector<Component>& components, std::size_t index) {
   if (components.size() == 1) return "Y";
@@ -120,7 +112,7 @@ nlohmann::ordered_json settings_of(const BakeOptions& options, hashnoise::Instru
   constexpr std::string_view kArithmetics[] = {"fast", "precise", "fixed"};
   json["arithmetic"] = kArithmetics[static_cast<std::size_t>(settings.arithmetic) - 1];
   // The others have the same bits by all of them.
-  if (settings.arithmetic == Arithmetic::kFast && !options.expression) json["instructions"] = name(set);
+  if (settings.arithmetic == Arithmetic::kFast && !options.expression) json["instruction_set"] = name(set);
   json["seed"] = settings.seed;
   const auto end = settings.period.begin() + static_cast<std::ptrdiff_t>(options.size.size());
   if (std::any_of(settings.period.begin(), end, [](int period) { return period != 0; })) {
@@ -184,24 +176,35 @@ Texts texts_of(const nlohmann::ordered_json& record, const std::string& name_of_
 template <typename T>
 Result<void> write_planes(const BakeOptions& options, std::vector<std::vector<T>> planes, Report& report,
                           nlohmann::ordered_json record, const WriteFile& write) {
+  report.files = files_of(options);
   if (!is_picture(options.format)) {
-    report.files = {options.out};
     return write(options.out, is_texture(options.format) ? ktx2(planes, options.size, texts_of(record, "KTXwriter"))
                                                          : raw_of(std::move(planes)));
   }
-  const bool sliced = options.layout == Layout::slices;
-  const int files = sliced ? report.atlas.slices : 1;
-  for (int slice = 0; slice < files; ++slice) {
-    report.files.push_back(sliced ? path_of_slice(options.out, slice, files) : options.out);
-    if (sliced) record["slice"] = slice;
+  for (int slice = 0; const auto& file : report.files) {
+    if (options.layout == Layout::slices) record["slice"] = slice;
     const auto bytes = picture_of(options, planes, slice, report, texts_of(record, "Software"));
-    if (!bytes) return fail(fmt::format("cannot make {}: {}", report.files.back().string(), bytes.error().text()));
-    HN_DO(write(report.files.back(), *bytes));
+    if (!bytes) return fail(fmt::format("cannot make {}: {}", file.string(), bytes.error().text()));
+    HN_DO(write(file, *bytes));
+    ++slice;
   }
   return {};
 }
 
 }  // namespace
+
+std::vector<std::filesystem::path> files_of(const BakeOptions& options) {
+  if (options.layout != Layout::slices) return {options.out};
+  const int slices = atlas_of(options).slices;
+  const std::size_t digits = std::max<std::size_t>(3, std::to_string(slices - 1).size());
+  std::vector<std::filesystem::path> files;
+  for (int slice = 0; slice < slices; ++slice) {
+    files.push_back(options.out);
+    files.back().replace_filename(
+        fmt::format("{}.{:0{}}{}", options.out.stem().string(), slice, digits, options.out.extension().string()));
+  }
+  return files;
+}
 
 Result<std::vector<Mapping>> mappings_of(const BakeOptions& options, const std::vector<std::string>& components) {
   if (options.format == Format::png && components.size() > kMostInPng) {

@@ -46,6 +46,9 @@ struct Report {
 // error names a component without one, or another misfit of the format. It is known before anything is computed.
 Result<std::vector<Mapping>> mappings_of(const BakeOptions& options, const std::vector<std::string>& components);
 
+// The files that write_files makes. A slice of heights.exr is in heights.007.exr.
+std::vector<std::filesystem::path> files_of(const BakeOptions& options);
+
 // Writes bytes to a file; if it fails, nothing of the file may be left.
 using WriteFile = std::function<Result<void>(const std::filesystem::path& path, std::string_view bytes)>;
 

@@ -154,15 +154,15 @@ void print_record(const hn::BakeOptions& options, const hn::Planes& planes, cons
   auto record = hn::record_of(options, planes, report);
   record["files"] = nlohmann::ordered_json::array();
   for (const auto& file : report.files) record["files"].push_back(file.string());
-  if (!options.expression) record["instructions"] = hashnoise::name(planes.instruction_set);
+  if (!options.expression) record["instruction_set"] = hashnoise::name(planes.instruction_set);
   record["seconds"] = seconds;
   fmt::print("{}\n", hn::dump(record, 1));
 }
 
 int bake(hn::BakeOptions options) {
   const auto start = std::chrono::steady_clock::now();
-  if (const auto possible = make_sure_it_can_be_written(options.out); !possible) {
-    return usage_error(possible.error().text());
+  for (const auto& file : hn::files_of(options)) {
+    if (const auto possible = make_sure_it_can_be_written(file); !possible) return usage_error(possible.error().text());
   }
   std::optional<hn::ExpressionProgram> program;
   if (options.expression) {

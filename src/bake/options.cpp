@@ -97,11 +97,11 @@ Result<void> choose_expression(BakeOptions& options, const Words& words) {
                                                      {"--phase", settings.phase.has_value()},
                                                      {"--jitter", settings.jitter.has_value()},
                                                      {"--metric", words.metric.has_value()},
-                                                     {"--instructions", words.instructions.has_value()}};
+                                                     {"--instruction-set", words.instruction_set.has_value()}};
   for (const auto& [option, is_given] : given) {
     if (!is_given) continue;
     return fail(fmt::format("{} is for a function; {}", option,
-                            option == "--instructions"
+                            option == "--instruction-set"
                                 ? "an expression is compiled for every processor of this kind"
                                 : "write it into the --expression, as in hn_fbm(p, 6, 2.0, 0.5)"));
   }
@@ -169,11 +169,14 @@ Result<void> choose_tile(BakeOptions& options, const std::optional<std::string>&
   using hashnoise::grid::kPeriodRule;
   auto& periods = options.settings.period;
   if (period) {
-    HN_TRY(const auto given, axes_of("--period", *period, static_cast<int>(kPeriodRule.least),
-                                     static_cast<int>(kPeriodRule.most), "8x8"));
+    HN_TRY(auto given, axes_of("--period", *period, static_cast<int>(kPeriodRule.least),
+                               static_cast<int>(kPeriodRule.most), "8x8"));
+    if (given.size() == 1) given.resize(options.size.size(), given.front());
     if (given.size() != options.size.size()) {
-      return fail(fmt::format("--period {} has {} axes, and --size has {}; 0 stands for an axis without a period",
-                              in_quotes(*period), given.size(), options.size.size()));
+      return fail(
+          fmt::format("--period {} has {} axes, and --size has {}; give one number for each, 0 for an axis "
+                      "without a period, or one for all",
+                      in_quotes(*period), given.size(), options.size.size()));
     }
     std::ranges::copy(given, periods.begin());
   }
@@ -315,10 +318,10 @@ Result<void> interpret(BakeOptions& options, const Words& words) {
     }
     HN_TRY(options.settings.metric, chosen<Metric>("--metric", *words.metric, metrics));
   }
-  if (!words.instructions) return {};
+  if (!words.instruction_set) return {};
   std::vector<std::pair<std::string, InstructionSet>> sets;
   for (const InstructionSet set : instruction_sets()) sets.emplace_back(name(set), set);
-  HN_TRY(options.settings.instruction_set, chosen<InstructionSet>("--instructions", *words.instructions, sets));
+  HN_TRY(options.settings.instruction_set, chosen<InstructionSet>("--instruction-set", *words.instruction_set, sets));
   return {};
 }
 
@@ -349,9 +352,8 @@ tl::expected<BakeOptions, Stop> parse_options(int argc, const char* const* argv)
   CLI::App app("Writes a noise, a fractal of it or an expression as a picture, a volume or raw numbers.", "hn-bake");
   app.set_version_flag("--version", library_version());
   app.footer(
-      "Exit status: 0 done, 1 values could not be computed or the file not be written, 2 bad usage, 4 it could not be built, or an expression "
-      "could not, "
-      "130 ended by Ctrl-C (SIGINT), 143 by SIGTERM, 129 by SIGHUP.");
+      "Exit status: 0 done, 1 values could not be computed or the file not be written, 2 bad usage, 4 it could not be "
+      "built, or an expression could not, 130 ended by Ctrl-C (SIGINT), 143 by SIGTERM, 129 by SIGHUP.");
   BakeOptions options;
   Words words;
   add_options(app, options, words);

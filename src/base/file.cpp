@@ -17,9 +17,19 @@ namespace hn {
 namespace {
 
 constexpr int kMostDrafts = 100;  // that earlier processes of this number may have left
+constexpr int kMostLinks = 40;    // behind each other, as in Linux
 
 tl::unexpected<Error> cannot_write(const std::filesystem::path& path, std::string_view why) {
   return fail(fmt::format("cannot write {}: {}", path.string(), why));
+}
+
+// The file that a path leads to, or would lead to: a link may name a file that does not exist yet.
+std::filesystem::path behind_links(std::filesystem::path path) {
+  std::error_code error;
+  for (int links = 0; links < kMostLinks && std::filesystem::is_symlink(path, error); ++links) {
+    path = path.parent_path() / std::filesystem::read_symlink(path, error);
+  }
+  return path;
 }
 
 // An empty file beside the one that it will replace, which no other file has the name of.
@@ -30,13 +40,17 @@ struct Draft {
 };
 Result<Draft> open_draft(const std::filesystem::path& path) {
   std::error_code error;
-  std::filesystem::path target = std::filesystem::canonical(path, error);
-  if (error) target = path;  // it does not exist yet
+  const std::filesystem::path target = behind_links(path);
+  if (std::filesystem::is_symlink(target, error)) return cannot_write(path, std::strerror(ELOOP));
   const std::filesystem::file_status status = std::filesystem::status(target, error);
   const bool is_there = std::filesystem::exists(status);
   // Devices, pipes and sockets would be replaced, too. rename() refuses folders.
   if (is_there && !std::filesystem::is_regular_file(status) && !std::filesystem::is_directory(status)) {
     return cannot_write(path, "it is no regular file");
+  }
+  // rename() needs only a folder that one may write to, and would replace a file that is protected.
+  if (is_there && faccessat(AT_FDCWD, target.c_str(), W_OK, AT_EACCESS) != 0) {
+    return cannot_write(path, std::strerror(errno));
   }
   for (int number = 0; number < kMostDrafts; ++number) {
     const std::filesystem::path draft = fmt::format("{}.{}-{}.part", target.string(), getpid(), number);

@@ -134,14 +134,14 @@ class Bake(unittest.TestCase):
 
     def test_the_bytes_depend_on_nothing_but_the_settings(self):
         sets = ["sse4.1", "avx2", "avx512"]
-        have = [name for name in sets if self.call("perlin", "--size", "1", "--instructions", name, "-o",
+        have = [name for name in sets if self.call("perlin", "--size", "1", "--instruction-set", name, "-o",
                                                    "x.f32").returncode == 0]
         self.assertGreaterEqual(len(have), 1)
         for name in ("a.png", "a.exr", "a.f32", "a.r16"):
             call = ["ridged", "--noise", "simplex", "--size", "333x222", "--seed", "5"]
             self.bake(*call, "-o", name)
             reference = (self.folder / name).read_bytes()
-            for more in (["--threads", "1"], ["--threads", "3"], *(["--instructions", one] for one in have)):
+            for more in (["--threads", "1"], ["--threads", "3"], *(["--instruction-set", one] for one in have)):
                 self.bake(*call, "-o", name, *more)
                 self.assertEqual((self.folder / name).read_bytes(), reference, more)
             self.bake(*call, "-o", name, "--arithmetic", "precise")
@@ -214,7 +214,7 @@ class Bake(unittest.TestCase):
             (["fbm", "-o", "a.png", "--cells", "2.5", "--tile"], "--tile wants whole numbers", "2.5"),
             (["fbm", "-o", "a.png", "--tile", "--period", "8x8"], "--period"),
             (["fbm", "-o", "a.png", "--tile", "--lacunarity", "inf"], "inf is not a number"),
-            (["fbm", "-o", "a.png", "--period", "8"], "--period", "1 axes"),
+            (["fbm", "-o", "a.png", "--period", "8x8x8"], "--period", "3 axes", "or one for all"),
             (["fbm", "-o", "a.png", "--origin", "1"], "--origin"),
             (["fbm", "-o", "a.png", "--range", "1:-1"], "--range", "-1:1"),
             (["fbm", "-o", "a.png", "--range", "1"], "--range"),
@@ -232,7 +232,7 @@ class Bake(unittest.TestCase):
             (["cellular", "-o", "a.png", "--metric", "manhattan"], "--range", "--normalize"),
             (["value_d", "-o", "a.png", "--size", "2x2x2x2"], "at most 4", "--components"),
             (["fbm", "-o", "a.png", "--arithmetic", "fix"], "fixed, precise, fast"),
-            (["fbm", "-o", "a.png", "--instructions", "mmx"], "sse4.1"),
+            (["fbm", "-o", "a.png", "--instruction-set", "mmx"], "sse4.1"),
             (["fbm", "-o", "a.png", "--seed", "-1"], "--seed"),
             (["fbm", "-o", "a.png", "--seed", "4294967296"], "--seed"),
             (["fbm", "-o", "a.png", "--phase", "0.5"], "phase"),
@@ -250,10 +250,10 @@ class Bake(unittest.TestCase):
             (["fbm", "-o", "a.png", "--octaves", "0"], "octaves is 0, and has to be from 1 to 32"),
             (["fbm", "-o", "a.png", "--octaves", "-1"], "octaves is -1, and has to be from 1 to 32"),
             (["fbm", "-o", "a.png", "--octaves", "33"], "octaves is 33, and has to be from 1 to 32"),
-            (["fbm", "-o", "a.png", "--octaves", "2.5"], "--octaves"),
+            (["fbm", "-o", "a.png", "--octaves", "2.5"], "--octaves: 2.5 is not a whole number from 1 to 32"),
             (["fbm", "-o", "a.png", "--octaves", "99999999999"], "octaves is 99999999999, and has to be"),
             (["fbm", "-o", "a.png", "--threads", "0"], "threads is 0, and has to be from 1 to 1024"),
-            (["fbm", "-o", "a.png", "--seed", "x"], "--seed", "x is not a number"),
+            (["fbm", "-o", "a.png", "--seed", "x"], "--seed", "x is not a whole number from 0 to 4294967295"),
             (["fbm", "-o", "a.png", "--gain", "-0.5"], "gain is -0.5, and has to be a finite number of 0 or more"),
             (["fbm", "-o", "a.png", "--period", "-1x4"], "--period", "from 0 to 2147483647"),
             (["fbm", "-o", "a.png", "--detail", "33"], "detail is 33, and has to be from 0 to 32"),
@@ -278,6 +278,24 @@ class Bake(unittest.TestCase):
         ):
             with self.subTest(arguments=arguments):
                 self.assert_usage(arguments, *parts)
+
+    def test_a_slice_that_cannot_be_written_ends_it_before_the_work(self):
+        (self.folder / "a.001.png").mkdir()
+        done = self.call("perlin", "--size", "4x4x4", "--layout", "slices", "-o", "a.png")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("--out a.001.png: it is a folder", done.stderr)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["a.001.png"])
+        (self.folder / "b.png").mkdir()  # no file of that name is made
+        self.bake("perlin", "--size", "4x4x4", "--layout", "slices", "-o", "b.png")
+
+    def test_a_number_is_decimal(self):
+        self.assertEqual(json.loads(self.bake("fbm", "--size", "4", "--seed", "010", "--octaves", "08", "-o", "a.png",
+                                              "--json").stdout)["settings"]["seed"], 10)
+
+    def test_one_period_is_for_all_axes(self):
+        self.bake("fbm", "--size", "20x10", "--period", "8", "-o", "a.f32")
+        self.bake("fbm", "--size", "20x10", "--period", "8x8", "-o", "b.f32")
+        self.assertEqual((self.folder / "a.f32").read_bytes(), (self.folder / "b.f32").read_bytes())
 
     def test_more_than_fits(self):
         for size in ("500000000x500000000", "500000000x500000000x500000000x500000000"):

@@ -53,7 +53,7 @@ class Expressions(unittest.TestCase):
             ([*VALUE, "--wave", "2x1", "-o", "a.exr"], "--wave is for a function"),
             ([*VALUE, "--phase", "0.5", "-o", "a.exr"], "--phase is for a function"),
             ([*VALUE, "--metric", "squared", "-o", "a.exr"], "--metric is for a function"),
-            ([*VALUE, "--instructions", "sse4.1", "-o", "a.exr"], "--instructions is for a function"),
+            ([*VALUE, "--instruction-set", "sse4.1", "-o", "a.exr"], "--instruction-set is for a function"),
             (["fbm", *VALUE, "-o", "a.exr"], '"fbm"', "in place of a function"),
             (["fbm", "--source", "a.glsl", "-o", "a.exr"], "for an --expression"),
             (["-o", "a.exr"], "a function is missing"),

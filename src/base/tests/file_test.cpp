@@ -70,6 +70,36 @@ TEST(File, BehindALinkIsWrittenAndTheLinkStays) {
   EXPECT_EQ(read_file(folder.path() / "target").value(), "behind");
 }
 
+TEST(File, BehindALinkIsMadeIfThereIsNone) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("second", folder.path() / "first");
+  std::filesystem::create_symlink(folder.path() / "file", folder.path() / "second");
+  ASSERT_TRUE(write_file(folder.path() / "first", "x"));
+  EXPECT_EQ(names_in(folder.path()), (std::set<std::string>{"first", "second", "file"}));
+  EXPECT_EQ(read_file(folder.path() / "file").value(), "x");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "second"));
+  std::filesystem::create_symlink("circle", folder.path() / "circle");
+  EXPECT_FALSE(write_file(folder.path() / "circle", "x"));
+}
+
+TEST(File, ThatIsProtectedIsNotReplaced) {
+  const TemporaryFolder folder;
+  folder.write("file", "before");
+  const std::filesystem::path file = folder.path() / "file";
+  std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
+  std::filesystem::permissions(file, std::filesystem::perms::owner_read | std::filesystem::perms::others_read);
+  const uid_t user = geteuid();
+  constexpr uid_t kNobody = 65534;
+  if (user == 0 && seteuid(kNobody) != 0) GTEST_SKIP() << "root may write to everything";
+  const auto written = write_file(file, "x");
+  const auto tried = try_to_write(file);
+  ASSERT_EQ(seteuid(user), 0);
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().text(), "cannot write " + file.string() + ": Permission denied");
+  EXPECT_FALSE(tried);
+  EXPECT_EQ(read_file(file).value(), "before");
+}
+
 TEST(File, KeepsItsMode) {
   const TemporaryFolder folder;
   folder.write("file", "before");
