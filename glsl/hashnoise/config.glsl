@@ -77,7 +77,7 @@
 #endif
 #ifdef GL_ES
 #if HN_I_VERSION < 300
-#error hashnoise needs GLSL ES 3.00 or later: write #version 300 es
+#error hashnoise needs GLSL ES 3.00 or later: the version line has to be 300 es
 #endif
 #define HN_I_BITCAST 1
 #define HN_I_HAS_PRECISE (HN_I_VERSION >= 320)
@@ -85,7 +85,7 @@
 #define HN_I_HIGHP_HERE precision highp float;
 #else
 #if HN_I_VERSION < 130
-#error hashnoise needs GLSL 1.30 or later: write #version 130
+#error hashnoise needs GLSL 1.30 or later: the version line has to be 130
 #endif
 #define HN_I_BITCAST (HN_I_VERSION >= 330)
 #define HN_I_HAS_PRECISE (HN_I_VERSION >= 400)
@@ -158,7 +158,7 @@
 #endif
 
 #if HN_ARITHMETIC == HN_PRECISE && !HN_I_HAS_PRECISE
-#error HN_PRECISE needs GLSL 4.00, GLSL ES 3.20, HLSL or C++: write #version 400 or #version 320 es, or take HN_FIXED
+#error HN_PRECISE needs GLSL 4.00, GLSL ES 3.20, HLSL or C++: let the version line be 400 or 320 es, or take HN_FIXED
 #endif
 
 // Stands before the type of every computed float: each operation is rounded on its own, in the order that is written.
