@@ -14,24 +14,24 @@ import {
   kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kRenderers, kSums, kTints, kViews, kWarps,
 } from "./tables.js";
 
-// name: [label, from, to, step].
+// name: [label, step, from, to]. Without ends a slider has those of its setting.
 const kSliders = {
-  octaves: ["Octaves", 1, 12, 1],
-  lacunarity: ["Lacunarity", 1, 4, 0.01],
-  gain: ["Gain", 0, 1, 0.01],
-  strength: ["Strength", 0, 8, 0.05],
-  jitter: ["Jitter", 0, 1, 0.01],
-  phase: ["Phase", 0, 1, 0.01],
-  z: ["Slice at z", -8, 8, 0.01],
-  w: ["Slice at w", -8, 8, 0.01],
-  lean: ["Slice leans", 0, 0.25, 0.01],
-  amplitude: ["Amplitude", 0, 8, 0.05],
-  contrast: ["Contrast", 0.25, 4, 0.05],
-  turn: ["Turn", 0, 1, 0.01],
-  tilt: ["Tilt", 0.02, 0.25, 0.01],
-  steep: ["Relief", 0, 1, 0.01],
-  weight: ["Weight", -2, 2, 0.05],
-  offset: ["Offset", -2, 2, 0.05],
+  octaves: ["Octaves", 1],
+  lacunarity: ["Lacunarity", 0.01],
+  gain: ["Gain", 0.01],
+  strength: ["Strength", 0.05],
+  jitter: ["Jitter", 0.01],
+  phase: ["Phase", 0.01],
+  z: ["Slice at z", 0.01, -8, 8],
+  w: ["Slice at w", 0.01, -8, 8],
+  lean: ["Slice leans", 0.01],
+  amplitude: ["Amplitude", 0.05],
+  contrast: ["Contrast", 0.05],
+  turn: ["Turn", 0.01],
+  tilt: ["Tilt", 0.01],
+  steep: ["Relief", 0.01],
+  weight: ["Weight", 0.05],
+  offset: ["Offset", 0.05],
 };
 const kChoices = {
   dimensions: { 1: "1D", 2: "2D", 3: "3D", 4: "4D" },
@@ -136,7 +136,7 @@ export class Controls {
     select.addEventListener("change", () => this.change({ [name]: parsed(name, select.value) }));
   }
 
-  makeSlider(name, label, min, max, step) {
+  makeSlider(name, label, step, min = kSettings[name].from, max = kSettings[name].to) {
     const row = byId(`row-${name}`);
     row.classList.add("slider");
     const input = element("input", { type: "range", id: name, min, max, step });
@@ -304,7 +304,8 @@ export class Controls {
 
   showCode() {
     if (!this.state) return;
-    const { head, library, code } = copied(...this.copying);
+    const { head, library, code, waits } = copied(...this.copying);
+    byId("copy").disabled = Boolean(waits);
     const inside = library();
     const kilobytes = Math.ceil((inside.join("\n").length + 1) / 1000);
     const hint = inside.length ? [`// ${inside.length} lines of the library, ${kilobytes} kB`, ""] : [];
@@ -379,7 +380,7 @@ export class Controls {
     for (const name of Object.keys(kSliders)) {
       const input = byId(name);
       if (name === "tilt") input.min = isSolid(state) ? kSettings.tilt.from : kLeastTilt;
-      if (name === "strength") input.max = kSums[state.sum].strength?.most ?? 8;
+      if (name === "strength") input.max = kSums[state.sum].strength?.most ?? kSettings.strength.to;
       if (name === "lacunarity") input.step = state.period ? 1 : 0.01;
       input.value = state[name];
       byId(`of-${name}`).textContent = name === "octaves" ? state[name] : state[name].toFixed(2);

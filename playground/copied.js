@@ -238,13 +238,14 @@ const withHighp = (line) =>
 const textLines = (library, language, names, state) =>
   library.texts(names, language, state).flatMap((text) => text.trimEnd().split("\n"));
 
-// {head, library, code}: lines; of the library a function that makes them: what tools/pick writes of what is called. Without
-// it the head includes it, if the language can. Whole shaders and other languages always have it.
+// {head, library, code, waits}: lines, and whether the page still waits for the pieces that they are made of; of the library a
+// function that makes them: what tools/pick writes of what is called. Without it the head includes it, if the language can.
+// Whole shaders and other languages always have it.
 export function copied(library, language, state, kind = "function", withLibrary = true) {
   const note = state.dimensions === 1 ? "p counts cells" : "p is a position in cells: uv * 8.0 has 8 of them on a side";
   const first = `Made by hashnoise's playground, version ${library.version}. ${kKinds[language][kind].use ?? kPlaces[language]}`;
   const waits = isScalar(language) ? !library.pieces.cpu : !["cpp", "python", "bake"].includes(language) && !library.pieces.shading;
-  if (waits) return { head: [], library: () => [], code: ["…"] };
+  if (waits) return { head: [], library: () => [], code: ["…"], waits };
   if (language === "python") return { head: [`# ${first}`], library: () => [], code: pythonLines(state) };
   if (language === "bake") return bakeText(library, state, first);
   if (isScalar(language)) {

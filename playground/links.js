@@ -1,7 +1,7 @@
 // Links, which carry the whole state, and the looks to begin with.
 
-import { changed, kMostLayers, kSettings, possible, usualLayer, usualOf, usualState, uses } from "./model.js";
-import { parsedNumber, parsedPosition, positionText } from "./numbers.js";
+import { changed, goingWith, kMostLayers, kSettings, possible, usualLayer, usualOf, usualState, uses } from "./model.js";
+import { isBeyondPositions, parsedNumber, parsedPosition, positionText, sameNumber } from "./numbers.js";
 import { kSums } from "./tables.js";
 
 // The first layer has plain names, and the second has "sum2" and so on.
@@ -48,6 +48,7 @@ export function stateOf(link) {
       return text === null ? [] : [[name, parsed(name, text) ?? setting.usual]];
     });
     state = changed(state, Object.fromEntries(found), at);
+    if (at === 0) Object.assign(state, goingWith(state, (name) => given.has(name)));
     const layer = state.layers[at];
     if (!given.has(nameIn("strength", at)) && Object.hasOwn(kSums, layer.sum))
       layer.strength = usualOf("strength", layer);
@@ -62,7 +63,9 @@ export function ignoredIn(link) {
   const known = new Map(
     state.layers.flatMap((layer, at) =>
       Object.entries(kSettings).flatMap(([name, { layer: ofLayer }]) =>
-        at > 0 && !ofLayer ? [] : [[nameIn(name, at), [name, ofLayer ? layer[name] : state[name]]]],
+        (at > 0 && !ofLayer) || (at === 0 && name === "blend")
+          ? []
+          : [[nameIn(name, at), [name, ofLayer ? layer[name] : state[name]]]],
       ),
     ),
   );
@@ -73,6 +76,8 @@ export function ignoredIn(link) {
     const given = name && parsed(name, text);
     const shown = typeof value === "bigint" ? positionText(value) : String(value);
     if (given === undefined || (typeof given === "string" && given.toLowerCase() !== value)) absent.push(`${key}=${text}`);
+    else if (typeof value === "bigint" && isBeyondPositions(text) && !sameNumber(text, shown))
+      others.push(`${key}=${text} became ${shown}`);
     else if (given !== value && !(typeof given === "number" && Math.abs(given - value) <= 1e-4 * Math.abs(given)))
       others.push(`${key}=${text} became ${shown}`);
   }

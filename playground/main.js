@@ -162,7 +162,7 @@ class Playground extends Picture {
     const { renderer } = this.state;
     const { webgl2, webgpu } = this.backends;
     if (renderer === "webgpu" && (!webgpu || webgpu.lost) && this.without("webgpu", "webgl2")) return;
-    if (this.backends[this.state.renderer]?.lost) return;
+    if (renderer === "webgl2" && webgl2?.lost) return; // it comes back
     if (renderer === "webgl2" && !webgl2 && this.without("webgl2", "webgpu")) return;
     byId("message").textContent = error.message;
     byId("message").hidden = false;
@@ -421,7 +421,8 @@ class Playground extends Picture {
 
   restored(canvas) {
     const name = canvas.id.replace("picture-", "");
-    if (name === "webgpu" && this.state.renderer === name) this.without("webgpu", "webgl2");
+    if (name === "webgpu" && this.state.renderer === name && !this.without("webgpu", "webgl2"))
+      return this.failed(new Error("The device of WebGPU was lost, and WebGL2 does not work in this browser."));
     delete this.backends[name];
     for (const key of this.programs.keys()) if (key.startsWith(`${name} `)) this.programs.delete(key);
     if (name === this.state.renderer) this.request();

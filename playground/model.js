@@ -124,6 +124,12 @@ export function changed(state, changes, at = 0) {
   return { ...next, layers: next.layers.map((layer, number) => (number === at ? { ...layer, ...ofLayer } : layer)) };
 }
 
+// What a view needs beside it, unless it is given: tiles have a period, and solids have three dimensions.
+export const goingWith = (state, isGiven = () => false) => ({
+  ...(state.view === "tiles" && !state.period && !isGiven("period") ? { period: kUsualTile } : {}),
+  ...(isSolid({ ...state, dimensions: 3 }) && state.dimensions < 3 && !isGiven("dimensions") ? { dimensions: 3 } : {}),
+});
+
 // The same for what somebody chose, with what goes with it: a strength is that of its sum, half of a mixture is seen of
 // each, tiles have a period, solids have three dimensions, and a map of one's own begins with the one that was shown.
 export function chosen(state, changes, at = 0) {
@@ -133,8 +139,7 @@ export function chosen(state, changes, at = 0) {
   if (changes.blend === "mix" && layer.weight === 1) layer.weight = 0.5;
   if (changes.blend === "mask" && layer.weight === 1 && !layer.offset) Object.assign(layer, { weight: 3, offset: 0.5 });
   if (changes.blend === "slope" && layer.weight === 1 && !layer.offset) Object.assign(layer, { weight: 2, offset: -2 });
-  if (changes.view === "tiles" && !next.period) next.period = kUsualTile;
-  if (isSolid({ ...next, dimensions: 3 }) && changes.view && next.dimensions < 3) next.dimensions = 3;
+  if (changes.view) Object.assign(next, goingWith(next));
   const untouched = next.stops === kSettings.stops.usual;
   if (changes.map === "own" && state.map !== "own" && untouched) next.stops = stopsOfMap(state.map);
   if (changes.tint === "own" && layer.tints === kSettings.tints.usual) {

@@ -55,6 +55,12 @@ export function parsedPosition(text) {
   return negative ? -size : size;
 }
 
+// Whether a number lies beyond all positions, so that parsedPosition gives the last one.
+export function isBeyondPositions(text) {
+  const number = parsedNumber(text);
+  return number < -2147483648 || number >= 2147483648;
+}
+
 // Whether two texts are one number, however they are written.
 export function sameNumber(one, other) {
   const plain = (text) => {

@@ -3,11 +3,13 @@ import { kMostLayers } from "./model.js";
 import { kFrameBytes } from "./shaders.js";
 
 const kFormat = "rgba8unorm";
+const kMostWait = 10000; // milliseconds, for an adapter: some browsers never answer
 
 export class WebGPU {
   // Throws if the browser has no WebGPU, or no device for it.
   static async create(canvas) {
-    const adapter = await navigator.gpu?.requestAdapter({ powerPreference: "high-performance" });
+    const late = new Promise((resolve) => setTimeout(resolve, kMostWait));
+    const adapter = await Promise.race([navigator.gpu?.requestAdapter({ powerPreference: "high-performance" }), late]);
     if (!adapter) throw new Error("This browser does not give a WebGPU device.");
     const device = await adapter.requestDevice();
     const context = canvas.getContext("webgpu");

@@ -396,6 +396,31 @@ test("Smaller undoes Larger", async () => {
   }
 });
 
+test("nothing is copied before there is a code", async () => {
+  const page = await opened(browser, { viewport: kLaptop });
+  const disabled = (pieces) =>
+    page.evaluate((there) => {
+      const { controls, library } = window.hashnoise;
+      window.pieces ??= library.pieces;
+      library.pieces = there ? window.pieces : {};
+      controls.chooseLanguage("wgsl");
+      return document.getElementById("copy").disabled;
+    }, pieces);
+  assert.equal(await disabled(false), true);
+  assert.equal(await disabled(true), false);
+  await page.close();
+});
+
+test("a slider reaches what a link may have", async () => {
+  const page = await opened(browser, { viewport: kLaptop, link: "#octaves=3" });
+  for (const [key, end] of [["End", 16], ["Home", 1]]) {
+    await page.focus("#octaves");
+    await press(page, key);
+    assert.equal((await stateOfPage(page)).layers[0].octaves, end);
+  }
+  await page.close();
+});
+
 test("a button shows that it has copied only if it has", async () => {
   const page = await opened(browser, {
     viewport: kLaptop,

@@ -346,6 +346,18 @@ test("a WebGPU that does not work leaves a sentence, and the focus", async () =>
   await page.close();
 });
 
+test("a WebGPU that is lost leaves a sentence where there is no WebGL2", async () => {
+  const page = await opened(browser, { viewport: kLaptop });
+  await page.evaluate(() => {
+    const { hashnoise } = window;
+    hashnoise.controls.refuseRenderer("webgl2", "It does not work.", "webgpu");
+    hashnoise.state.renderer = "webgpu";
+    document.getElementById("picture-webgpu").dispatchEvent(new Event("lost"));
+  });
+  assert.match(await visibleText(page, "message"), /^The device of WebGPU was lost/);
+  await page.close();
+});
+
 test("Back undoes a look, and nothing else", async () => {
   const page = await opened(browser, { viewport: kLaptop, link: "#noise=value&octaves=3" });
   const back = async (seed) => {

@@ -135,10 +135,27 @@ test("a wrong link states what is ignored", () => {
     ignoredIn("#sum=fmb&octaves=abc&seed=-5&speed=1"),
     "The link has what this page does not know: sum=fmb, octaves=abc, speed=1. seed=-5 became 0.",
   );
+  assert.equal(
+    ignoredIn("#blend=add&x=2147483648&y=-Infinity"),
+    "The link has what this page does not know: blend=add. x=2147483648 became 2147483647.99999994, " +
+      "y=-Infinity became -2147483648.",
+  );
+  assert.equal(ignoredIn("#x=2147483647.99999994&y=-2147483648"), "");
   for (const name of Object.keys(kLooks)) {
     const link = linkOf(stateOfLook(name, usualState()));
     assert.equal(ignoredIn(link), "", link);
   }
+});
+
+test("a view in a link brings what it needs, as a button does", () => {
+  for (const view of ["sphere", "cube"]) {
+    assert.equal(ignoredIn(`#view=${view}`), "");
+    assert.equal(stateOf(`#view=${view}`).dimensions, 3);
+    assert.equal(stateOf(`#view=${view}&dimensions=4`).dimensions, 4);
+  }
+  assert.equal(ignoredIn("#view=tiles"), "");
+  assert.equal(stateOf("#view=tiles&period=9").period, 9);
+  assert.match(ignoredIn("#view=sphere&dimensions=2"), /does not know: view=sphere/);
 });
 
 test("a surprise is possible, and leaves what is locked", () => {
@@ -344,7 +361,7 @@ test("a picture of tiles has one tile three times on its shorter side", () => {
     assert.notDeepEqual(at(column + 201, row), at(column, row));
   }
   // Without a period, and on a line, there is nothing to repeat.
-  assert.equal(stateOf("#view=tiles").view, "plane");
+  assert.equal(stateOf("#view=tiles&period=0").view, "plane");
   assert.equal(stateOf("#view=tiles&period=3&dimensions=1").view, "plane");
   assert.equal(linkOf(state), "#period=3&view=tiles&x=5");
 });
