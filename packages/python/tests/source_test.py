@@ -1,4 +1,5 @@
-"""The source distribution has what the build reads, and not the rest of the repository."""
+"""The source distribution has what the build reads, and not the rest of the repository. The wheel has the licenses of
+what is compiled into it, which the source distribution does not have."""
 
 from __future__ import annotations
 
@@ -10,10 +11,14 @@ import tarfile
 import tempfile
 import unittest
 import zlib
+from email import message_from_string
+from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
+from unittest import mock
 
 import golden
 from base.tree import VECTORS
+from ship.python import metadata
 
 TESTS = Path(__file__).resolve().parent
 BUILD = "import scikit_build_core.build, sys; print(scikit_build_core.build.build_sdist(sys.argv[1]))"
@@ -79,6 +84,35 @@ class Source(unittest.TestCase):
         pinned = re.findall(r'"(scikit-build-core==\S+)"', project)
         self.assertEqual(len(pinned), 1)
         self.assertIn(pinned[0], (TESTS / "requirements.txt").read_text(encoding="utf-8").split())
+
+    def test_its_license_is_ours_alone(self):
+        said = message_from_string((self.root / "PKG-INFO").read_text(encoding="utf-8"))
+        self.assertEqual((said.get_all("License-File"), said.get_all("Dynamic")), (["LICENSE"], ["License-File"]))
+
+
+class Wheel(unittest.TestCase):
+    """The one that is installed here."""
+
+    def test_it_has_the_licenses_of_what_is_compiled_in(self):
+        wheel = distribution("hashnoise")
+        self.assertEqual(wheel.metadata["License-Expression"], "MIT AND BSD-3-Clause")
+        texts = {Path(name).name: wheel.read_text(f"licenses/{name}") or ""
+                 for name in wheel.metadata.get_all("License-File")}
+        self.assertEqual(set(texts), {"LICENSE", "nanobind.txt", "robin_map.txt"})
+        self.assertEqual(texts["LICENSE"], (golden.ROOT / "LICENSE").read_text(encoding="utf-8"))
+        for name, author, words in (("nanobind.txt", "Wenzel Jakob", "Redistributions in binary form must reproduce"),
+                                    ("robin_map.txt", "Thibaut Goetghebuer-Planchon", "\nall copies or substantial")):
+            self.assertRegex(texts[name], rf"Copyright \(c\) \d+ {author}")
+            self.assertIn(words, texts[name])
+            self.assertTrue(texts[name].endswith((" DAMAGE.\n", "SOFTWARE.\n")), texts[name][-80:])
+
+    def test_one_without_them_is_not_built(self):
+        for found in (mock.Mock(side_effect=PackageNotFoundError("nanobind")),
+                      mock.Mock(return_value=mock.Mock(**{"read_text.return_value": None,
+                                                          "locate_file.return_value": __file__}))):
+            with mock.patch.object(metadata, "distribution", found), \
+                    self.assertRaisesRegex(metadata.NoLicense, "nanobind"):
+                metadata.Provider().dynamic_metadata({}, {})
 
 
 if __name__ == "__main__":

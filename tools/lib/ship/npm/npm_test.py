@@ -3,6 +3,8 @@
 import json
 import re
 import unittest
+from pathlib import Path
+from unittest import mock
 
 from base.thorough import in_thorough_runs
 from base.tree import GLSL, ROOT, glsl_files, version
@@ -108,6 +110,17 @@ class Twin(unittest.TestCase):
             self.skipTest(str(reason).partition("\n")[0])
         self.assertEqual(first, twin.compiled())
         self.assertLess(len(first), twin.MOST_BYTES)
+
+    def test_nothing_of_others_is_linked(self):
+        """Else the package would have to have its license, and tools/lib/ship/release/sbom.py to name it."""
+        with mock.patch.object(twin, "_program", side_effect=lambda *names: names[0]), \
+                mock.patch.object(twin.subprocess, "run", return_value=mock.Mock(stdout="version 14", returncode=0)) as ran, \
+                self.assertRaises(FileNotFoundError):
+            twin.compiled()
+        linker, *words = ran.call_args.args[0]
+        self.assertEqual(linker, "wasm-ld-14")
+        self.assertEqual([Path(word).name for word in words if word not in twin.LINKED], ["twin.o", "-o", "twin.wasm"])
+        self.assertFalse([word for word in twin.LINKED if word.startswith("-l") or not word.startswith("-")])
 
     def test_what_is_wrong_is_told(self):
         with self.assertRaises(twin.Failed):

@@ -18,6 +18,8 @@ FLAGS = ("--target=wasm32-wasi", "-std=c++20", "-Oz", "-flto", "-msimd128", "-mb
          "-Xclang", "-target-abi", "-Xclang", "experimental-mv", "-fno-math-errno", "-fno-exceptions", "-fno-rtti",
          "-fvisibility=hidden", "-Wall", "-Wextra", "-Wno-unused-function",
          "-Werror")
+# No library is linked, so the package needs no license of one: what is taken of libc++ is headers, whose license
+# (Apache-2.0 WITH LLVM-exception) lets what is compiled of them go without it.
 LINKED = ("--no-entry", "--gc-sections", "--strip-all", "--fatal-warnings")
 
 

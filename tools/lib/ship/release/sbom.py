@@ -18,7 +18,8 @@ from base.tree import ROOT
 SPECIFICATION = "1.6"
 OURS = "hashnoise"
 # The licenses of what others wrote. Of two the user may choose.
-LICENSES = {"numpy": "BSD-3-Clause", "nanobind": "BSD-3-Clause", "three": "MIT", "wesl-core": "MIT OR Apache-2.0"}
+LICENSES = {"numpy": "BSD-3-Clause", "nanobind": "BSD-3-Clause", "tessil/robin-map": "MIT", "three": "MIT",
+            "wesl-core": "MIT OR Apache-2.0"}
 KINDS = {".whl": "pypi", ".tgz": "npm"}  # of package, by the ending of its file
 Component = dict[str, object]
 
@@ -35,7 +36,8 @@ def required(text: str) -> tuple[str, str]:
 
 def of_others(root: Path = ROOT) -> dict[str, list[Component]]:
     """Software of others, by the names of the files that need it: what pip, npm and cargo install beside a package, and
-    what is compiled into the wheel. No other file of a release has or needs anything of that kind."""
+    what is compiled into the wheel. No other file of a release has or needs anything of that kind: into the twin of the
+    npm package nothing is linked, and the add-on for Blender has no wheel in a release."""
     project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))
     package = json.loads((root / "packages" / "npm" / "package.json").read_text(encoding="utf-8"))
     compiled_in = [text for text in project["build-system"]["requires"] if not text.startswith("scikit-build-core")]
@@ -43,6 +45,9 @@ def of_others(root: Path = ROOT) -> dict[str, list[Component]]:
              for text in project["project"]["dependencies"]]
     wheel += [component("pypi", *required(text), "required", "its C++ is compiled into the wheel")
               for text in compiled_in]
+    wheel += [component("github", "tessil/robin-map", f"that {text} has inside", "required",
+                        "its C++ is compiled into the wheel with nanobind's")
+              for text in compiled_in if required(text)[0] == "nanobind"]
     npm = [component("npm", name, versions, "required", "npm installs it with the package")
            for name, versions in package.get("dependencies", {}).items()]
     npm += [component("npm", name, versions, "optional", "a project that has it may use its part of the package")
@@ -65,14 +70,16 @@ def component(kind: str, name: str, versions: str, scope: str, how: str) -> Comp
 
 
 def license_of(name: str) -> dict[str, object]:
-    return {"expression": name} if " OR " in name else {"license": {"id": name}}
+    return {"expression": name} if " " in name else {"license": {"id": name}}
 
 
 def of_file(name: str, data: bytes, version: str) -> Component:
     kind = KINDS.get(Path(name).suffix)
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    said = project["license"] if kind == "pypi" else "MIT"
     return {"type": "file", "bom-ref": name, "name": name, "version": version,
             "hashes": [{"alg": "SHA-256", "content": hashlib.sha256(data).hexdigest()}],
-            "licenses": [{"license": {"id": "MIT"}}], **({"purl": f"pkg:{kind}/{OURS}@{version}"} if kind else {})}
+            "licenses": [license_of(said)], **({"purl": f"pkg:{kind}/{OURS}@{version}"} if kind else {})}
 
 
 def bom(version: str, seconds: int, files: Mapping[str, bytes], others: Mapping[str, list[Component]]) -> Component:

@@ -48,11 +48,21 @@ class Contents(unittest.TestCase):
         self.assertEqual(said["hashnoise-1.2.3.tgz"]["purl"], "pkg:npm/hashnoise@1.2.3")
         self.assertEqual(made()["metadata"]["timestamp"], "2023-11-14T22:13:20Z")
 
+    def test_the_license_of_the_wheel_has_those_of_what_is_compiled_in(self) -> None:
+        said = {one["name"]: one["licenses"] for one in made()["components"]}
+        for name in FILES:
+            wanted = {"expression": "MIT AND BSD-3-Clause"} if name.endswith(".whl") else {"license": {"id": "MIT"}}
+            self.assertEqual(said[name], [wanted], name)
+        inside = [one for one in made()["components"] if "is compiled into the wheel" in one.get("description", "")]
+        self.assertEqual({one["name"]: one["licenses"] for one in inside},
+                         {"nanobind": [{"license": {"id": "BSD-3-Clause"}}],
+                          "tessil/robin-map": [{"license": {"id": "MIT"}}]})
+
     def test_it_names_what_packages_need(self) -> None:
         needs = {one["ref"]: one.get("dependsOn", []) for one in made()["dependencies"]}
         wheel, = [name for name in FILES if name.endswith(".whl")]
         names = [reference.partition("@")[0] for reference in needs[wheel]]
-        self.assertEqual(names, ["pkg:pypi/nanobind", "pkg:pypi/numpy"])
+        self.assertEqual(names, ["pkg:github/tessil/robin-map", "pkg:pypi/nanobind", "pkg:pypi/numpy"])
         self.assertEqual(needs["hashnoise-1.2.3.tgz"], ["pkg:npm/three"])
         self.assertEqual(needs["hashnoise_wgsl-1.2.3.zip"], ["pkg:cargo/wesl-core"])
         self.assertEqual(needs["hashnoise-rust-1.2.3.zip"], [])
