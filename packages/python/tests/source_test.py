@@ -1,5 +1,5 @@
 """The source distribution has what the build reads, and not the rest of the repository. The wheel has the licenses of
-what is compiled into it, which the source distribution does not have."""
+what is compiled into it, which the source distribution does not have. Both have the page that PyPI shows."""
 
 from __future__ import annotations
 
@@ -18,10 +18,12 @@ from unittest import mock
 
 import golden
 from base.tree import VECTORS
+from ship.packing_support import lost_links
 from ship.python import metadata
 
 TESTS = Path(__file__).resolve().parent
 BUILD = "import scikit_build_core.build, sys; print(scikit_build_core.build.build_sdist(sys.argv[1]))"
+PAGE = "from ship.python.metadata import PAGE, of_package; print(of_package(PAGE), end='')"
 
 
 class Source(unittest.TestCase):
@@ -72,7 +74,7 @@ class Source(unittest.TestCase):
     def test_it_is_small(self):
         vectors = sum(len(zlib.compress(path.read_bytes())) for path in (self.root / "vectors").iterdir())
         self.assertLess(self.archive.stat().st_size - vectors, 1_000_000)
-        self.assertFalse((self.root / "conformance").exists())
+        self.assertFalse((self.root / "conformance" / "expected").exists())
 
     def test_the_version_is_that_of_the_shaders(self):
         text = (golden.ROOT / "glsl" / "hashnoise" / "config.glsl").read_text(encoding="ascii")
@@ -89,9 +91,22 @@ class Source(unittest.TestCase):
         said = message_from_string((self.root / "PKG-INFO").read_text(encoding="utf-8"))
         self.assertEqual((said.get_all("License-File"), said.get_all("Dynamic")), (["LICENSE"], ["License-File"]))
 
+    def test_a_wheel_of_it_has_the_page_that_it_has(self):
+        done = subprocess.run([sys.executable, "-B", "-c", PAGE], cwd=self.root / "tools" / "lib", capture_output=True,
+                              text=True, check=True)
+        page = message_from_string((self.root / "PKG-INFO").read_text(encoding="utf-8")).get_payload()
+        self.assertEqual(done.stdout.rstrip(), page.rstrip())
+        self.assertEqual(distribution("hashnoise").metadata.get_payload().rstrip(), page.rstrip())
+
+
 
 class Wheel(unittest.TestCase):
     """The one that is installed here."""
+
+    def test_its_page_is_one_for_a_registry(self):
+        page = distribution("hashnoise").metadata.get_payload()
+        self.assertTrue(page.partition("\n\n    ")[2].startswith("pip install hashnoise\n"), page[:200])
+        self.assertEqual(lost_links({"README.md": page}, ()), [])
 
     def test_it_has_the_licenses_of_what_is_compiled_in(self):
         wheel = distribution("hashnoise")

@@ -14,6 +14,7 @@ from pathlib import Path
 from base.tree import ROOT, version
 from base.twin import NotBuilt
 from base.usage import Parser
+from ship.page import of_package
 from ship.recipes import RECIPES, Recipe
 from ship.zips import zipped
 
@@ -22,7 +23,8 @@ Files = Mapping[str, "str | bytes"]
 
 def own_files(folder: Path) -> dict[str, str]:
     """The files that a package takes from a folder, by the paths there."""
-    return {path.relative_to(folder).as_posix(): path.read_text(encoding="utf-8")
+    return {path.relative_to(folder).as_posix():
+            of_package(path) if path.suffix == ".md" else path.read_text(encoding="utf-8")
             for path in sorted(folder.rglob("*")) if path.is_file()}
 
 
@@ -38,7 +40,7 @@ def of_cargo(manifest: str) -> str:
 
 def papers(package: Path) -> dict[str, str]:
     """The page of a package, and the license, by their paths."""
-    return {"README.md": (package / "README.md").read_text(encoding="utf-8"),
+    return {"README.md": of_package(package / "README.md"),
             "LICENSE": (ROOT / "LICENSE").read_text(encoding="utf-8")}
 
 

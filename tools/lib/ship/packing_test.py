@@ -10,9 +10,10 @@ import zipfile
 from pathlib import Path
 from unittest import mock
 
-from base.tree import version
+from base.tree import ROOT, address, version
 from base.usage import Parser
-from ship import command, packing
+from ship import command, packing, page
+from ship.packing_support import lost_links
 from ship.recipes import RECIPES
 
 PACKED = [name for name, recipe in RECIPES.items() if not recipe.command]
@@ -141,6 +142,70 @@ class Writing(unittest.TestCase):
             status, out, error = call("isf", str(self.folder / "file" / "below"))
         self.assertEqual((status, out), (2, ""))
         self.assertIn("below cannot be made: Not a directory", error)
+
+
+class Pages(unittest.TestCase):
+    PAGE = """\
+# Name
+
+<!-- in a package:
+    install name
+
+It is there.
+-->
+
+    make name    # here
+
+Here is more.
+<!-- end -->
+
+[One](more.md#part), [`hn_two`](../x.hpp), [all](../../src/), [here](#name), [else](https://example.org/a_(b)).
+
+```cpp
+return [x](float) { return a[1](y); };  // [no](link.md)
+```
+
+`[no](link.md)`
+"""
+
+    def made(self, text: str) -> str:
+        root = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        path = root / "packages" / "name" / "page.md"
+        path.parent.mkdir(parents=True)
+        path.write_text(text, encoding="utf-8")
+        with mock.patch.object(page, "ROOT", root):
+            return page.of_package(path)
+
+    def test_links_lead_to_this_version_of_the_project(self) -> None:
+        files = f"{address()}/blob/v{version()}"
+        self.assertEqual(self.made(self.PAGE), f"""\
+# Name
+
+    install name
+
+It is there.
+
+[One]({files}/packages/name/more.md#part), [`hn_two`]({files}/packages/x.hpp), [all]({files}/src), \
+[here](#name), [else](https://example.org/a_(b)).
+{self.PAGE[self.PAGE.index("```cpp") - 1:]}""")
+
+    def test_no_link_of_a_package_is_lost(self) -> None:
+        """The tests release.whole and python.source open packages."""
+        pages = {path.relative_to(ROOT).as_posix(): page.of_package(path)
+                 for folder in ("packages", "docs/guide") for path in sorted((ROOT / folder).rglob("*.md"))}
+        self.assertEqual(lost_links(pages, ()), [])
+        self.assertIn("packages/rust/README.md", pages)
+
+    def test_one_that_is_lost_is_reported(self) -> None:
+        names = ("a/page.md", "a/more.md")
+        self.assertEqual(lost_links({"a/page.md": self.PAGE}, names), ["a/page.md: ../x.hpp", "a/page.md: ../../src/"])
+        self.assertEqual(lost_links({"a/page.md": self.made(self.PAGE)}, names), [])
+
+    def test_pages_of_registries_begin_with_the_command_of_the_registry(self) -> None:
+        for name, command_ in (("javascript", "npm install hashnoise"), ("python", "pip install hashnoise")):
+            text = page.of_package(ROOT / "docs" / "guide" / f"{name}.md")
+            self.assertRegex(text, rf"\A# [^\n]+\n\n[^\n]+\n\n    {command_}\n\n")
+            self.assertNotIn("<!-- in a package", text)
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 
 from base.tree import ROOT, version
+from ship.packing import own_files
 from ship.readme.gallery import recipes
 from translate.single_file import godot
 from translate.single_file.files import Part, in_order, parts
@@ -98,6 +99,4 @@ def package() -> dict[str, bytes]:
     found |= {f"{RECIPES}/{name}.gdshader": text.encode("utf-8") for name, text in shaders.items()}
     found[f"{ADDON}/example/gallery.tscn"] = gallery(list(shaders)).encode("ascii")
     found[f"{ADDON}/LICENSE"] = (ROOT / "LICENSE").read_bytes()
-    found |= {path.relative_to(PACKAGE).as_posix(): path.read_bytes()
-              for path in (PACKAGE / ADDON).rglob("*") if path.is_file()}
-    return found
+    return found | {f"{ADDON}/{path}": text.encode("utf-8") for path, text in own_files(PACKAGE / ADDON).items()}

@@ -18,6 +18,7 @@ from catalog.tables.glsl import public_files
 from proof.vectors.files import NoVectors, vectors_folder
 from ship.npm.twin import Failed, compiled
 from ship.packing import of_npm, own_files, put
+from ship.page import of_package
 from translate.single_file.files import in_order, minified, parts, text
 from translate.settings import Settings
 from translate.wgsl.module import Module
@@ -167,12 +168,6 @@ def accepted(type_: str) -> str:
 # ---------------------------------------------------------------------------------------------------------------------
 
 
-def readme() -> str:
-    """The page about this package, whose links would lead nowhere from there."""
-    page = (ROOT / "docs" / "guide" / "javascript.md").read_text(encoding="utf-8")
-    return re.sub(r"\[([^\]]+)\]\([^)]*\)", r"\1", page)
-
-
 def checked_names(found: Iterable[str]) -> None:
     folded = [name.lower() for name in found]
     if len(set(folded)) != len(folded):
@@ -187,7 +182,7 @@ def package(module: bytes) -> dict[str, str]:
     found = own_files(PACKAGE / "src")
     found["package.json"] = of_npm((PACKAGE / "package.json").read_text(encoding="utf-8"), "hashnoise")
     found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
-    found["README.md"] = readme()
+    found["README.md"] = of_package(ROOT / "docs" / "guide" / "javascript.md")
     packed = base64.b64encode(module).decode("ascii")
     found["twin.js"] = f"""{MADE}// The twin in WebAssembly, {len(module):,} bytes.
 const packed = "{packed}";

@@ -9,7 +9,8 @@ from unittest import mock
 from base.thorough import in_thorough_runs
 from base.tree import GLSL, ROOT, glsl_files, version
 from ship.npm import twin
-from ship.npm.files import ARITHMETICS, glsl_modules, package, readme
+from ship.npm.files import ARITHMETICS, glsl_modules, package
+from ship.packing_support import lost_links
 from translate.single_file.files import flatten, in_order, minified, parts
 from translate.settings import Settings
 from translate.wgsl.module import Module
@@ -67,7 +68,8 @@ class Package(unittest.TestCase):
         self.assertNotIn('"version"', DESCRIBED)
         self.assertEqual(json.loads(self.files["package.json"])["version"], version())
         self.assertRegex(version(), r"^\d+\.\d+\.\d+$")
-        self.assertIn(f"hashnoise-{version()}.tgz", self.files["README.md"])
+        page = ROOT / "docs" / "guide" / "javascript.md"
+        self.assertIn(f"hashnoise-{version()}.tgz", page.read_text(encoding="utf-8"))
 
     def test_what_it_exports_is_there(self):
         for name, target in json.loads(self.files["package.json"])["exports"].items():
@@ -76,8 +78,10 @@ class Package(unittest.TestCase):
                 with self.subTest(name=name, path=path):
                     self.assertIn(found, [*self.files, "package.json"])
 
-    def test_its_page_has_no_links(self):
-        self.assertNotRegex(readme(), r"\]\(")
+    def test_its_page_is_one_for_a_registry(self):
+        page = self.files["README.md"]
+        self.assertIn("\n    npm install hashnoise\n", page.partition("| purpose |")[0])
+        self.assertEqual(lost_links({"README.md": page}, self.files), [])
 
     def test_its_wgsl_is_the_modules(self):
         for folder, arithmetic in ARITHMETICS.items():

@@ -7,7 +7,10 @@ import re
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[4]
+from base.tree import ROOT
+from ship.page import of_package
+
+PAGE = ROOT / "docs" / "guide" / "python.md"
 # Texts of others are not copied into the repository: they are those of the nanobind that is compiled in. They go
 # through this folder, since a path among license-files is one below the root.
 LICENSES = ROOT / "build" / "licenses"
@@ -47,7 +50,7 @@ class Provider:
             LICENSES.mkdir(parents=True, exist_ok=True)
             (LICENSES / name).write_text(text, encoding="utf-8")
             names.append((LICENSES / name).relative_to(ROOT).as_posix())
-        return {"license-files": names}
+        return {"license-files": names, "readme": {"text": of_package(PAGE), "content-type": "text/markdown"}}
 
     def dynamic_wheel(self, settings: dict[str, object]) -> dict[str, bool]:
         """A source distribution has nothing of others, and a wheel that is built from it has."""

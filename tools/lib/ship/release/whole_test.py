@@ -6,6 +6,7 @@ Exit status: that of the tests; 77 this is no git repository, which a release ne
 
 from __future__ import annotations
 
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -13,6 +14,7 @@ import unittest
 from pathlib import Path
 
 from base.tree import ROOT
+from ship.packing_support import lost_links
 
 SKIPPED = 77
 OTHERS = "python,check"
@@ -22,6 +24,10 @@ def differences(one: Path, other: Path) -> list[str]:
     names = [{path.name for path in folder.iterdir()} for folder in (one, other)]
     return [f"{name} is in one folder" for name in sorted(names[0] ^ names[1])] + [
         name for name in sorted(names[0] & names[1]) if (one / name).read_bytes() != (other / name).read_bytes()]
+
+
+def packages(folder: Path) -> list[Path]:
+    return sorted([*folder.glob("*.zip"), *folder.glob("*.tgz")])
 
 
 class Whole(unittest.TestCase):
@@ -39,6 +45,22 @@ class Whole(unittest.TestCase):
             made.append(out)
         self.assertGreater(len(list(made[0].iterdir())), 15)
         self.assertEqual(differences(*made), [])
+        self.assertEqual([link for path in packages(made[0]) for link in self.lost_links(path)], [])
+        self.assertGreater(len(packages(made[0])), 10)
+
+    def lost_links(self, path: Path) -> list[str]:
+        folder = self.scratch / f"unpacked {path.name}"
+        shutil.unpack_archive(path, folder)
+        files = {file.relative_to(folder).as_posix(): file for file in folder.rglob("*") if file.is_file()}
+        pages = {name: file.read_text(encoding="utf-8") for name, file in files.items() if name.endswith(".md")}
+        return [f"{path.name}: {link}" for link in lost_links(pages, files)]
+
+    def test_a_link_that_is_lost_is_told(self) -> None:
+        (self.scratch / "package").mkdir()
+        (self.scratch / "package" / "README.md").write_text("[It](it.md) is [there](README.md).\n", encoding="utf-8")
+        shutil.make_archive(str(self.scratch / "name-1.2.3"), "zip", self.scratch, "package")
+        path, = packages(self.scratch)
+        self.assertEqual(self.lost_links(path), ["name-1.2.3.zip: package/README.md: it.md"])
 
     def test_what_differs_is_told(self) -> None:
         for name in ("one", "other"):

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from functools import cache
 
 from base.tree import GLSL, ROOT, version
-from ship.packing import of_cargo, of_npm
+from ship.packing import of_cargo, of_npm, papers
 from ship.recipes import RECIPES
 from translate.settings import Settings
 from translate.wgsl.module import Module
@@ -19,7 +19,7 @@ PACKAGE = ROOT / "packages" / "wesl"
 NAME = RECIPES["wesl"].name  # by which it is imported, and what npm and cargo call it
 # The module at the root, and the other one. Each has a name in npm's bundle, and a file in the crate.
 MODULES = {"package": "HN_FAST", "fixed": "HN_FIXED"}
-FILES = ("Cargo.toml", "README.md", "package.json", "src/lib.rs", "weslBundle.d.ts")
+FILES = ("Cargo.toml", "package.json", "src/lib.rs", "weslBundle.d.ts")
 MADE = "// Of hashnoise {}, by tools/pack wesl. Copyright (c) 2026 The hashnoise authors; MIT License.\n"
 OF_USERS = re.compile(r"\bhn_(?!i_)(\w+)|\bHN_(?!I_)(\w+)")
 # Without a word before it a declaration is that of its package alone, in the WESL of cargo.
@@ -71,10 +71,9 @@ def bundle(modules: dict[str, str]) -> str:
 def package() -> dict[str, str]:
     """All files, by their paths."""
     modules = {name: module(arithmetic) for name, arithmetic in MODULES.items()}
-    found = {name: (PACKAGE / name).read_text(encoding="utf-8") for name in FILES}
+    found = {**papers(PACKAGE), **{name: (PACKAGE / name).read_text(encoding="utf-8") for name in FILES}}
     found["Cargo.toml"] = of_cargo(found["Cargo.toml"])
     found["package.json"] = of_npm(found["package.json"], NAME)
-    found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
     found["weslBundle.js"] = bundle(modules)
     for name, text in modules.items():
         found[f"shaders/{name}.wesl"] = DECLARED.sub("public ", text)
