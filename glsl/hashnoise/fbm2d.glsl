@@ -56,7 +56,7 @@ HN_FN hn_float hn_i_weighted(hn_octaves2 o, hn_float strength) {
 //               more: larger floats have no fraction
 //   place       in place of p, in cells of the first octave: hn_place(cell, f) far from the origin, or
 //               hn_tile(p, period) (place.glsl). The period of a tile times lacunarity^octaves is below 2^31
-//   octaves     how many, usually 4 to 8; with fewer than 1 the result is 0
+//   octaves     how many, usually 4 to 8; with fewer than 1 the sum is 0
 //   lacunarity  ratio of frequencies from octave to octave, usually 2. In a tile it is a whole number from 1 to 255;
 //               others are rounded down
 //   gain        ratio of amplitudes (persistence), usually 0.5; not negative, and the sum of its powers below 2^126
