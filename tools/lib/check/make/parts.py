@@ -61,7 +61,7 @@ PARTS = (
          ("docs/develop/one-noise.md", *LIBRARY, "docs/reference/contract.md", "docs/measured/accuracy.md",
           "docs/measured/results/gpu/costs.csv",
           "conformance/expected/golden/noise2d.perlin.golden"), ("docs/develop/one-noise.md",)),
-    Part("freeze", "entries of new functions among what never changes", "seconds for each function", "proof.frozen.command",
+    Part("freeze", "entries of new functions among what never changes", "seconds for each function", "check.frozen.command",
          (*LIBRARY, *SUITE), ("conformance/expected/frozen.csv",), sample=True, program="hn-frozen"),
     Part("snippets", "docs/reference/snippets: functions to paste", "half a minute", "translate.pick.pages",
          ("glsl/hashnoise/**/*.glsl",), ("docs/reference/snippets/*.md",), python=(3, 9)),

@@ -28,8 +28,8 @@ from pathlib import Path
 from base.tree import FROZEN, ROOT, version
 from base.usage import Parser
 from catalog.tables.functions import read_functions
-from proof.frozen import table
-from proof.frozen.table import ALL, FIRST, PROVISIONAL, Entry, Key, Sums
+from check.frozen import table
+from check.frozen.table import ALL, FIRST, PROVISIONAL, Entry, Key, Sums
 
 PROGRAM = ROOT / "build" / "conformance" / "hn-frozen"
 

@@ -15,8 +15,8 @@ from unittest import mock
 from base.tree import FROZEN, ROOT
 from catalog.tables.functions import read_functions
 from catalog.tables.glsl import declarations
-from proof.frozen import command, table
-from proof.frozen.table import ALL, FIRST
+from check.frozen import command, table
+from check.frozen.table import ALL, FIRST
 
 PERLIN = ("noise2d.perlin", "lattice+fixed:fixed")
 HASHED = ("noise2d.perlin", "fnv1+fixed:fixed")
