@@ -14,6 +14,10 @@ ALL = 1024 ** 2  # points in a thorough one; the first ones are among them
 COLUMNS = ("function", "setting", "since", f"points_{FIRST}", f"values_{FIRST}", f"points_{ALL}", f"values_{ALL}")
 PROVISIONAL = "provisional"  # in place of the version since which the values are frozen
 
+REMEDY = ("A frozen value must not change. If you meant it to, give what is new another name. If you did not, undo the "
+          "change of glsl/: tools/test -R '^unit.expected$' names the points of golden files that differ, with the right "
+          "values, and tools/make freeze --check --all compares all points, where more functions may differ")
+
 Key = tuple[str, str]  # a function and a setting
 
 
@@ -87,7 +91,8 @@ def parse_sums(text: str) -> dict[Key, Sums]:
 
 
 def changed(entries: Mapping[Key, Entry], computed: Mapping[Key, Sums], count: int) -> Iterator[str]:
-    """Of the entries that were computed, at so many points: what is not as it was."""
+    """Of the entries that were computed, at so many points: what is not as it was, and at the end what to do."""
+    remedy = False
     for key, sums in sorted(computed.items()):
         if key not in entries:
             continue
@@ -97,9 +102,11 @@ def changed(entries: Mapping[Key, Entry], computed: Mapping[Key, Sums], count: i
             yield (f"{name}: the points are others than those of its entry, which is {since}. Let the function have "
                    "the points that it had (conformance/expected/points.cpp)")
         elif sums.values != entry.sums(count).values:
-            yield (f"{name}: of {count} points some have other values than those of its entry, which is {since}. "
-                   + ("They must not change: give what is new another name" if entry.is_frozen else
-                      "If they are meant to change, run tools/make freeze --provisional"))
+            yield (f"{name}: of {count} points some have other values than those of its entry, which is {since}"
+                   + ("" if entry.is_frozen else ". If they are meant to change, run tools/make freeze --provisional"))
+            remedy = remedy or entry.is_frozen
+    if remedy:
+        yield REMEDY
 
 
 def missing(entries: Mapping[Key, Entry], known: Iterable[Key]) -> Iterator[str]:
