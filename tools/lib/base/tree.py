@@ -13,6 +13,7 @@ BOUNDS = CONFORMANCE / "expected" / "bounds.inc"
 HN_CONFORM = ROOT / "build" / "conformance" / "hn-conform"  # where tools/measure clock builds it
 GOLDEN = CONFORMANCE / "expected" / "golden"
 FROZEN = GOLDEN.parent / "frozen.csv"
+INTERFACE = GOLDEN.parent / "interface.csv"
 VECTORS = ROOT / "build" / "vectors"  # proof.vectors makes them
 
 

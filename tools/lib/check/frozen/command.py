@@ -1,16 +1,18 @@
-"""Keeps the values that never change: checksums of a million values of each function with HN_FIXED, and of each hash.
-docs/reference/frozen.md states what is promised.
+"""Keeps what never changes: names, parameters and defaults, bounds, and checksums of a million values of each function
+with HN_FIXED, and of each hash. docs/reference/frozen.md states what is promised.
 
     tools/make freeze                        adds what has no entry, and freezes what is not experimental any more
     tools/make freeze --check [--all]        holds the library to the table, at 2,048 points of each function, or at
                                              all
     tools/make freeze --provisional NAME...  makes the entries of these experimental functions anew
 
-The table is conformance/expected/frozen.csv. An entry that exists is never written again, and where one is wrong
-nothing is written. Only --provisional replaces entries, and it is refused for all functions but those that
+The table of values is conformance/expected/frozen.csv. An entry that exists is never written again, and where one is
+wrong nothing is written. Only --provisional replaces entries, and it is refused for all functions but those that
 catalog/functions.toml calls experimental. A NAME is that of functions in the table, such as 'noise2d.phasor*'. The
 values are those of hn-frozen, which tools/test builds. After a change of glsl/ check with --all: the 2,048 points may
 have none that the change touches.
+
+The table of everything else is conformance/expected/interface.csv. Its rows stay, too; only a bound may become smaller.
 
 All entries take about eight minutes of processor time.
 
@@ -26,10 +28,10 @@ from collections.abc import Mapping, Sequence
 from fnmatch import fnmatchcase
 from pathlib import Path
 
-from base.tree import FROZEN, ROOT, version
+from base.tree import FROZEN, INTERFACE, ROOT, version
 from base.usage import Parser
 from catalog.tables.functions import read_functions
-from check.frozen import table
+from check.frozen import interface, table
 from check.frozen.table import ALL, FIRST, PROVISIONAL, Entry, Key, Sums
 
 PROGRAM = ROOT / "build" / "conformance" / "hn-frozen"
@@ -122,10 +124,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         parser.error("a NAME goes with --provisional, and --provisional with a NAME")
     library = Library(given.program)
     try:
-        exists = given.table.exists()
-        if given.check and not exists:
-            raise ValueError(f"there is no {given.table}; tools/make freeze writes it")
-        entries = table.read(given.table) if exists else {}
+        missing = [path for path in (given.table, INTERFACE) if not path.exists()]
+        if given.check and missing:
+            raise ValueError(f"there is no {missing[0]}; tools/make freeze writes it")
+        entries = {} if given.table in missing else table.read(given.table)
+        rows, names = interface.library(), {} if INTERFACE in missing else interface.read(INTERFACE)
         stay = sorted({key[0] for key in entries if is_named(key, given.names)} - experimental())
         if stay:
             parser.error(f"the values of {stay[0]} stay, since it is not experimental. docs/reference/frozen.md describes "
@@ -137,15 +140,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
             entries, wrong = replaced(entries, library, given.names)
         else:
             entries, wrong = added(entries, library, version())
+        wrong += interface.changed(names, rows)
+        wrong += interface.stale(names, rows) if given.check else []
         for message in wrong:
             print(message, file=sys.stderr)
         if wrong:
             return 1
         if not given.check:
             given.table.write_text(table.text_of(entries), encoding="ascii")
+            INTERFACE.write_text(interface.text_of(rows), encoding="utf-8")
     except (NoProgram, ValueError, OSError) as error:
         parser.exit(2, f"tools/make freeze: {error}\n")
-    print(f"{len(entries)} entries are {'right' if given.check else f'in {given.table}'}")
+    print(f"{len(entries)} entries are {'right' if given.check else f'in {given.table}'}, and {len(rows)} names")
     return 0
 
 

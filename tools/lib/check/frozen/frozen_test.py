@@ -15,7 +15,7 @@ from unittest import mock
 from base.tree import FROZEN, ROOT
 from catalog.tables.functions import read_functions
 from catalog.tables.glsl import declarations
-from check.frozen import command, table
+from check.frozen import command, interface, table
 from check.frozen.table import ALL, FIRST
 
 PERLIN = ("noise2d.perlin", "lattice+fixed:fixed")
@@ -34,6 +34,7 @@ class Command(unittest.TestCase):
         self.folder = Path(scratch.name)
         self.program, self.table = self.folder / "hn-frozen", self.folder / "frozen.csv"
         self.library = {key: list(sums) for key, sums in VALUES.items()}
+        self.interface, self.names = self.folder / "interface.csv", {("default", "octaves"): "6"}
 
     def write_program(self) -> None:
         """Of all points the checksums are others than of the first."""
@@ -52,6 +53,8 @@ end
         out, error = io.StringIO(), io.StringIO()
         with mock.patch.object(command, "version", lambda: version), contextlib.redirect_stdout(out), \
                 mock.patch.object(command, "experimental", lambda: frozenset(self.experimental)), \
+                mock.patch.object(command, "INTERFACE", self.interface), \
+                mock.patch.object(interface, "library", lambda: self.names), \
                 contextlib.redirect_stderr(error):
             try:
                 status = command.main([*arguments, "--program", str(self.program), "--table", str(self.table)])
@@ -98,6 +101,19 @@ class Frozen(Command):
                                  version="1.1.0")
                 self.change_table(after, before)
         self.assert_right("--check")
+
+    def test_a_name_is_told_and_stays_and_a_new_one_is_added(self) -> None:
+        committed = self.interface.read_text()
+        self.names = {("default", "octaves"): "5"}
+        for arguments in (["--check"], []):
+            self.assert_told(r"\Adefault octaves: it was 6, and is 5\. ", *arguments, version="1.1.0")
+        self.assertEqual(self.interface.read_text(), committed)
+        self.names = {("default", "octaves"): "6", ("form", "hn_new2"): "float hn_new(vec2)"}
+        self.assert_told(r"\Aform hn_new2: it has no row\. Run tools/make freeze$", "--check", version="1.1.0")
+        self.assert_right(version="1.1.0")
+        self.assert_right("--check", version="1.1.0")
+        self.interface.unlink()
+        self.assert_told("there is no .*interface.csv; tools/make freeze writes it", "--check", status=2)
 
     def test_nothing_replaces_an_entry(self) -> None:
         for version in ("1.0.0", "1.1.0", "2.0.0", "10.0.0"):

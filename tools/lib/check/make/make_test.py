@@ -97,7 +97,8 @@ class Table(unittest.TestCase):
             files = {path for path in ROOT.glob(pattern) if path.is_file()}
             self.assertGreater(len(files), 10)
             self.assertEqual(files - products, set())
-        for file in ("conformance/expected/bounds.inc", "conformance/expected/frozen.csv"):
+        for file in ("conformance/expected/bounds.inc", "conformance/expected/frozen.csv",
+                     "conformance/expected/interface.csv"):
             self.assertIn(ROOT / file, products)
 
     def test_every_pattern_finds_something(self) -> None:

@@ -1,0 +1,222 @@
+"""The table of the interface, conformance/expected/interface.csv: names, parameters, defaults, nodes and bounds, which
+stay from 1.0 on. They are read from the texts that have them. docs/reference/frozen.md describes what is promised."""
+
+from __future__ import annotations
+
+import ast
+import csv
+import io
+import json
+import re
+from collections.abc import Iterator
+from itertools import cycle
+from pathlib import Path
+
+from base.tree import BOUNDS, GLSL, ROOT, glsl_files
+from catalog import asked, model
+from catalog.tables.functions import read_functions
+from catalog.tables.glsl import declarations
+from ship import hlsl_nodes
+from ship.blender import files as blender
+from ship.isf import files as isf
+from ship.materialx import files as materialx
+from ship.rust.files import HASHES, of_module
+from ship.unity import files as unity
+from translate.parsing.syntax import Parameter
+from translate.pick.command import Choice, read_library
+from translate.pick.osl import DEFAULTS
+from translate.pick.scalars import bare
+
+COLUMNS = ("kind", "name", "what")
+BOUND, RANGE = "bound", "range"
+RATCHETS = {BOUND: (1,), RANGE: (-1, 1)}  # they may become smaller; the sign of each number, in turn
+MEMBERS = {"hn_place": ("cell",), "hn_octaves": ("place", "seed"), "hn_slopes": (), "hn_shifts": ()}  # else all
+CONSTANT = re.compile(r"^ *#define (HN_(?:METRIC|DISTRIBUTION|HASH|GRADIENT|ARITHMETIC|FAST|PRECISE|FIXED)\w*) +(\w+)",
+                      re.M)
+STRUCT_OF_CPP = re.compile(r"^struct (Settings|(?:Cell)?(?:Grid|Points)|Range) \{\n(.*?)^\};", re.M | re.S)
+MEMBER_OF_CPP = re.compile(r"^  ([^\n()]+?) (\w+)(\{\}| = [^;]+)?;", re.M)
+ENUM_OF_CPP = re.compile(r"^enum class (\w+) \{ (.*) \};", re.M)
+OF_JAVASCRIPT = re.compile(r"^export (?:interface|declare class) (\w+) \{(.*?)^\}", re.M | re.S)
+BOUNDS_OF = re.compile(r'^(\w+)_BOUNDS\((?:"(\w+)", (\d, \w+), )?(.+)\)$', re.M)
+TABLES_OF_BOUNDS = re.compile(r"<!-- tools/make bounds: (?:sums|Jacobians) -->(?:\n[^\n]*){2}\n(.*?)<!-- end -->", re.S)
+# In the row of hn_uniform, the numbers that belong to hn_distribution_fbm.
+OF_DISTRIBUTIONS = (2, 3, 6, 7)
+
+Key = tuple[str, str]  # a kind and a name
+Row = tuple[str, str, str]
+Rows = dict[Key, str]
+
+
+def text_at(*path: str) -> str:
+    return ROOT.joinpath(*path).read_text(encoding="utf-8")
+
+
+def of_parameter(one: Parameter) -> str:
+    return ("out " if one.is_set else "") + one.type.removeprefix("hn_")
+
+
+def shaders() -> Iterator[Row]:
+    """Functions, and those that languages without overloads have, by the names there."""
+    library = read_library(GLSL, Choice("glsl", "fixed"))
+    yield from (("function", str(function), "") for function in declarations())
+    for form, of in library.forms.items():
+        yield "form", form, f"{of.type.removeprefix('hn_')} {of.name}({', '.join(map(of_parameter, of.parameters))})"
+    for name, struct in library.structs.items():
+        if not name.startswith("hn_i_"):
+            fields = MEMBERS.get(name.rstrip("1234"), [field for field, _, _ in struct.fields])
+            yield "struct", name, ""
+            yield from (("struct", f"{name}.{field}", type_) for field, type_, _ in struct.fields if field in fields)
+    yield from (("file", path.name, "") for path in GLSL.iterdir() if path.is_file())
+    for path in glsl_files().values():
+        yield from (("constant", *found) for found in CONSTANT.findall(path.read_text(encoding="utf-8")))
+    for module in (*asked.modules().values(), HASHES):
+        yield from (("rust", bare(form), "") for form in of_module(library.forms, *module))
+    for form in blender.FORMS:
+        yield from (("blender", f"{blender.shader(form)}.{one.at.text}", f"{one.type} {DEFAULTS.get(one.at.text, 0)}")
+                    for one in library.forms[form].parameters)
+
+
+def catalog() -> Iterator[Row]:
+    of = model.read()
+    for function in (*of.noises, *of.sums):
+        kind = "fractal" if isinstance(function, model.Sum) else "noise"
+        yield from ((kind, f"{function.name} {n}D", function.shape) for n in range(function.first, function.last + 1))
+    for noise in of.noises:
+        yield from ((RANGE, f"{noise.name} {n}D, {component}", f"{pair[0]} {pair[1]}")
+                    for component, pairs in noise.ranges.items() for n, pair in enumerate(pairs, noise.first) if pair)
+    for sum_ in of.sums:
+        yield RANGE, sum_.name, sum_.range if isinstance(sum_.range, str) else f"{sum_.range[0]} {sum_.range[1]}"
+        if sum_.noise:
+            yield "default", f"noise of {sum_.name}", sum_.noise
+        if sum_.strength:
+            yield "default", f"{sum_.strength.name} of {sum_.name}", str(sum_.strength.default)
+    yield from (("default", one.name, str(one.default)) for one in of.settings.values() if one.default is not None)
+    yield from (("metric", name, str(number)) for number, name in enumerate(of.metrics, 1))
+
+
+def cpp() -> Iterator[Row]:
+    """Members in their order, with what they are if nobody sets them."""
+    for file in ("points.hpp", "field.hpp", "hashnoise.hpp"):
+        text = re.sub("//.*", "", text_at("include", "hashnoise", file))
+        yield from (("c++", macro, "") for macro in re.findall(r"^#define (HN_ONLY\w+)", text, re.M))
+        for name, body in STRUCT_OF_CPP.findall(text):
+            for number, (type_, member, usual) in enumerate(MEMBER_OF_CPP.findall(body), 1):
+                yield "c++", f"{name}.{member}", f"{number}: {type_}{usual.removesuffix('{}')}"
+        for name, body in ENUM_OF_CPP.findall(text):
+            for number, one in enumerate(body.split(", "), 1):
+                yield "c++", f"{name}.{one.split(' ')[0]}", f"{number}: {one}"
+
+
+def python() -> Iterator[Row]:
+    """Parameters: their place, unless they are passed by name alone, and their default, of the first overload."""
+    for module in ("__init__", "dask"):
+        prefix = "" if module == "__init__" else f"{module}."
+        for function in ast.parse(text_at("packages", "python", "hashnoise", f"{module}.pyi")).body:
+            if isinstance(function, ast.FunctionDef):
+                of = function.args
+                ordered = [*of.posonlyargs, *of.args]
+                usual = [*[None] * (len(ordered) - len(of.defaults)), *of.defaults, *of.kw_defaults]
+                for number, (one, value) in enumerate(zip([*ordered, *of.kwonlyargs], usual), 1):
+                    place = [str(number)] if number <= len(ordered) else []
+                    default = [f"default {ast.unparse(value)}"] if value else []
+                    yield "python", f"{prefix}{function.name}.{one.arg}", ", ".join(place + default)
+
+
+def javascript() -> Iterator[Row]:
+    for path in sorted((ROOT / "packages" / "npm" / "src").rglob("*.d.ts")):
+        text = re.sub(r"(?s)/\*.*?\*/|//[^\n]*", "", path.read_text(encoding="utf-8"))
+        yield from (("javascript", *found) for found in re.findall(r"^export declare function (\w+)(.*);$", text, re.M))
+        for type_, names in re.findall(r"^export type (\w+) =([^;]+);", text, re.M):
+            yield from (("javascript", f"{type_} {name}", "") for name in re.findall(r"\w+", names))
+        for name, body in OF_JAVASCRIPT.findall(text):
+            for line in re.sub(r"\s*\n    \s*|\n  (?=\))", " ", body).splitlines():
+                if found := re.fullmatch(r"  (?:(static|readonly) )?(\w+)(.+);", line):
+                    yield "javascript", f"{name}.{found[2]}", f"{found[1] or ''} {found[3]}".strip()
+
+
+def nodes() -> Iterator[Row]:
+    """Of packages for engines; those of Blender are in shaders()."""
+    for form in materialx.FORMS:
+        for one in materialx.inputs(form):
+            usual = re.search(r'(?:value|defaultgeomprop)="([^"]*)"', one.said)
+            yield "materialx", f"{materialx.node(form)}.{one.name}", f"{materialx.TYPES[one.type]} {usual[1]}"
+    for form in hlsl_nodes.NODES:
+        for suffix in hlsl_nodes.ARITHMETICS.values():
+            ports = ", ".join(" ".join(port) for port in hlsl_nodes.ports(form))
+            yield "graph", f"HashNoise{suffix}{hlsl_nodes.camel(form)}", ports
+    for name, look in isf.LOOKS.items():
+        for one in isf.inputs(look):
+            of = {key: value for key, value in isf.INPUTS[one].items() if not key.startswith("LABEL")}
+            yield "isf", f"hn-{name}.{one}", json.dumps(of)
+    scale = re.search(r"^SCALE = ([\d.]+)", (blender.PACKAGE / "nodes.py").read_text(encoding="utf-8"), re.M)
+    yield "blender", "Scale", scale[1]
+    yield from (("unity", bare(form), "") for form in unity.SCRIPTS)
+
+
+def bounds() -> Iterator[Row]:
+    for kind, noise, of, numbers in BOUNDS_OF.findall(BOUNDS.read_text(encoding="utf-8")):
+        if kind == "UNIFORM":
+            split = numbers.split(", ")
+            rest = [split[i] for i in OF_DISTRIBUTIONS]
+            yield BOUND, "hn_distribution_fbm", " ".join(rest)
+            numbers = ", ".join(one for i, one in enumerate(split) if i not in OF_DISTRIBUTIONS)
+        name = f"hn_{noise or kind.lower()}" + (f" {of}" if of else "") + (", slope" if kind == "SLOPE" else "")
+        yield BOUND, name, numbers.replace(",", "")
+    for table in TABLES_OF_BOUNDS.findall(text_at("docs", "measured", "accuracy.md")):
+        for line in table.splitlines():
+            name, *cells = (cell.strip() for cell in line.strip("|").split("|"))
+            yield BOUND, name.replace("`", ""), " ".join(filter(None, cells))
+
+
+def library() -> Rows:
+    """All rows that the library has. Values of experimental functions may change, so their bounds are left out."""
+    experimental = {function.calls for function in read_functions() if function.experimental}
+    found: Rows = {}
+    for part in (shaders, catalog, cpp, python, javascript, nodes, bounds):
+        for kind, name, what in part():
+            if kind not in RATCHETS or f"hn_{name.removeprefix('hn_').split(' ')[0]}" not in experimental:
+                found.setdefault((kind, name), what)
+    return found
+
+
+def read(path: Path) -> Rows:
+    rows = list(csv.reader(io.StringIO(path.read_text(encoding="utf-8"))))
+    if rows[:1] != [[*COLUMNS]] or any(len(row) != len(COLUMNS) for row in rows):
+        raise ValueError(f"{path}: line 1 has to be {','.join(COLUMNS)}, and each other line has as many fields")
+    return {(kind, name): what for kind, name, what in rows[1:]}
+
+
+def text_of(rows: Rows) -> str:
+    out = io.StringIO()
+    csv.writer(out, lineterminator="\n").writerows([COLUMNS, *((*key, what) for key, what in sorted(rows.items()))])
+    return out.getvalue()
+
+
+def stays(kind: str, was: str, now: str | None) -> bool:
+    """Whether what there is now is what there was, or a bound that is no larger."""
+    if was == now or now is None or kind not in RATCHETS:
+        return was == now
+    try:
+        before, after = ([float.fromhex(one) if "x" in one else float(one) for one in of.split()] for of in (was, now))
+    except ValueError:
+        return False
+    signs = cycle(RATCHETS[kind])
+    return len(before) == len(after) and all(sign * b <= sign * a for a, b, sign in zip(before, after, signs))
+
+
+def changed(table: Rows, rows: Rows) -> Iterator[str]:
+    for (kind, name), was in sorted(table.items()):
+        now = rows.get((kind, name))
+        if not stays(kind, was, now):
+            may = f" (a {kind} may only become smaller)" if kind in RATCHETS else ""
+            is_now = "gone" if now is None else now
+            yield (f"{kind} {name}: it was {was or 'there'}, and is {is_now}. It stays from 1.0 on{may}: "
+                   "restore it, or give what is new another name")
+
+
+def stale(table: Rows, rows: Rows) -> Iterator[str]:
+    """Rows that tools/make freeze writes: new ones, and smaller bounds."""
+    for (kind, name), now in sorted(rows.items()):
+        was = table.get((kind, name))
+        if was is None or (was != now and stays(kind, was, now)):
+            yield f"{kind} {name}: {'it has no row' if was is None else 'it is smaller now'}. Run tools/make freeze"

@@ -1,0 +1,103 @@
+"""The table of the interface: the library is as it has it, and a change of each kind of text is reported."""
+
+from __future__ import annotations
+
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+from base.tree import INTERFACE, ROOT
+from check.frozen import interface
+from ship.materialx import files as materialx
+from translate.pick import program
+
+TEXT_OF = Path.read_text
+STAYS = "It stays from 1.0 on"
+REMEDY = ": restore it, or give what is new another name"
+CHANGES = (  # of a file; what is reported
+    ("catalog/settings.toml", "default = 6", "default = 5",
+     f"default octaves: it was 6, and is 5. {STAYS}{REMEDY}"),
+    ("catalog/sums.toml", "range = [0, 1]", "range = [0, 2]",
+     f"range turbulence: it was 0 1, and is 0 2. {STAYS} (a range may only become smaller){REMEDY}"),
+    ("conformance/expected/bounds.inc", "2.44e-6, 2.67e-6", "2.44e-6, 2.68e-6",
+     "bound hn_perlin 2, octahedral: it was 2.44e-6 2.67e-6 "),
+    ("docs/measured/accuracy.md", "`hn_fbm(vec2)` | 3.1e-4", "`hn_fbm(vec2)` | 3.2e-4",
+     "bound hn_fbm(vec2): it was 3.1e-4 "),
+    ("glsl/hashnoise/cellular2d.glsl", "(hn_vec2 p, hn_float jitter, hn_int metric,",
+     "(hn_vec2 p, hn_int metric, hn_float jitter,", "form hn_cellular2_jitter: it was vec2 hn_cellular(vec2, float, "
+     "int, uint), and is vec2 hn_cellular(vec2, int, float, uint)."),
+    ("glsl/hashnoise/curl2d.glsl", "hn_curl(hn_vec2 p) {", "hn_i_curl(hn_vec2 p) {",
+     "function hn_curl(vec2): it was there, and is gone."),
+    ("glsl/hashnoise/config.glsl", "define HN_HASH HN_HASH_LATTICE", "define HN_HASH HN_HASH_PCG",
+     "constant HN_HASH: it was HN_HASH_LATTICE, and is HN_HASH_PCG."),
+    ("glsl/hashnoise/detail/cell2d.glsl", "hn_ivec2 cell;\n  hn_i_num2 f", "hn_uvec2 cell;\n  hn_i_num2 f",
+     "struct hn_place2.cell: it was ivec2, and is uvec2."),
+    ("include/hashnoise/field.hpp", " = Arithmetic::kFast", " = Arithmetic::kFixed",
+     "c++ Settings.arithmetic: it was 3: Arithmetic = Arithmetic::kFast, and is "),
+    ("include/hashnoise/points.hpp", "PerAxis<float, D> f{};", "float first_f{};", "c++ CellGrid.f: it was 2: "),
+    ("packages/python/hashnoise/__init__.pyi", "def random(x: _Number, y: _Number", "def random(y: _Number, x: _Number",
+     "python random.x: it was 1, and is 2"),
+    ("packages/npm/src/index.d.ts", "allInCell(cell: number |", "allInCell(cell: string |",
+     "javascript Field.allInCell: it was (cell: number | "),
+    ("packages/blender/nodes.py", "SCALE = 5.0", "SCALE = 4.0", "blender Scale: it was 5.0, and is 4.0."),
+)
+
+
+class Interface(unittest.TestCase):
+    def setUp(self) -> None:
+        self.table = interface.read(INTERFACE)
+
+    def test_the_library_is_as_in_the_committed_table(self) -> None:
+        rows = interface.library()
+        self.assertEqual([*interface.changed(self.table, rows), *interface.stale(self.table, rows)], [])
+        self.assertEqual(INTERFACE.read_text(encoding="utf-8"), interface.text_of(rows))
+
+    def test_a_change_is_reported(self) -> None:
+        for file, before, after, said in CHANGES:
+            def changed(path: Path, *arguments: str, **named: str) -> str:
+                text = TEXT_OF(path, *arguments, **named)
+                return text.replace(before, after, 1) if path == ROOT / file else text
+
+            read = program._read_once  # that is cached
+            read = read.__wrapped__ if file.startswith("glsl/") else read
+            with self.subTest(said), mock.patch.object(Path, "read_text", changed), \
+                    mock.patch.object(program, "_read_once", read):
+                self.assertNotEqual((ROOT / file).read_text(encoding="utf-8"), TEXT_OF(ROOT / file, encoding="utf-8"))
+                self.assertIn(said, "\n".join(interface.changed(self.table, interface.library())))
+
+    def test_a_changed_input_of_a_node_is_reported(self) -> None:
+        key = "jitter", "float"
+        other = materialx.INPUTS[key]._replace(said='value="0.5"')
+        with mock.patch.dict(materialx.INPUTS, {key: other}):
+            messages = [*interface.changed(self.table, interface.library())]
+        self.assertRegex(messages[0], r"\Amaterialx hn_\w+.jitter: it was float 1.0, and is float 0.5\. ")
+
+    def test_what_is_new_and_bounds_that_shrink_are_no_change_and_written(self) -> None:
+        rows = {**self.table, ("function", "hn_new(vec2)"): "", ("bound", "hn_sine"): "0x1p-20 3.66e-5",
+                ("range", "ridged"): "0.1 1"}
+        self.assertEqual([*interface.changed(self.table, rows)], [])
+        self.assertEqual([*interface.stale(self.table, rows)],
+                         ["bound hn_sine: it is smaller now. Run tools/make freeze",
+                          "function hn_new(vec2): it has no row. Run tools/make freeze",
+                          "range ridged: it is smaller now. Run tools/make freeze"])
+
+    def test_bounds_of_experimental_functions_are_free_until_they_are_ready(self) -> None:
+        bounds = " ".join(name for kind, name in self.table if kind == "bound")
+        self.assertNotRegex(bounds, "phasor|gullies|distribution")
+        self.assertIn(("form", "hn_phasor2"), self.table)
+        with mock.patch.object(interface, "read_functions", lambda: []):
+            new = {name for kind, name in interface.library().keys() - self.table.keys()}
+        self.assertLess({"hn_phasor 2, none", "hn_gullies", "hn_distribution_fbm"}, new)
+
+    def test_a_table_that_is_none_is_reported(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "interface.csv")
+            for text in ("", "kind,name\n", "kind,name,what\nform,hn_perlin2\n"):
+                path.write_text(text, encoding="utf-8")
+                with self.assertRaisesRegex(ValueError, "line 1 has to be kind,name,what"):
+                    interface.read(path)
+
+
+if __name__ == "__main__":
+    unittest.main()
