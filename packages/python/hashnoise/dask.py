@@ -16,6 +16,7 @@ writes files and what runs clusters.
 
 import functools
 import math
+from fractions import Fraction
 
 import numpy as np
 
@@ -85,6 +86,9 @@ def data_array(name, size, *, step, cell_size=1.0, unit="cells", **options):
     cell_size  the side of a cell in the unit of the coordinates: with step=1 / 256 and cell_size=256 points are 1 apart
     unit       its name, as in "m"; the attribute `units` of the coordinates
 
+    The coordinate of point i along an axis is (cell + origin + i * step) * cell_size, in float64. The point itself is
+    rounded as in hashnoise.grid.
+
     The other arguments are those of `grid`. The axes are called x, y, z and w, and that of planes "component", whose
     coordinates are the names that hashnoise.components gives. The attributes state how it was made. Of uint16 they have
     `scale_factor` and `add_offset`, by which xarray makes values of words when it opens a file.
@@ -108,8 +112,8 @@ def data_array(name, size, *, step, cell_size=1.0, unit="cells", **options):
     values = grid(name, size, step=step, **options)
     size = _size(size)
     axes = AXES[:len(size)]
-    coordinates = {axis: (axis, positions * cell_size, {"units": unit})
-                   for axis, positions in zip(axes, _positions(size, step, options))}
+    coordinates = {axis: (axis, positions, {"units": unit})
+                   for axis, positions in zip(axes, _positions(size, step, options, cell_size))}
     dims = tuple(reversed(axes))
     if values.ndim > len(size):
         coordinates["component"] = list(components(name, len(size), noise=options.get("noise")))
@@ -164,26 +168,24 @@ def _usual_chunks(size):
     return tuple(reversed(sides))
 
 
-def _units(step):
-    """A step of a grid of cells, in units of 2^-32 cells, as the compiled part rounds it."""
-    return int(math.copysign(math.floor(abs(step) * 2**32 + 0.5), step))
-
-
-def _positions(size, step, options):
-    """The coordinates of the points along each axis, in cells."""
+def _positions(size, step, options, cell_size):
+    """The coordinates of the points along each axis."""
     dimensions = len(size)
+    cell = 0 if options.get("cell") is None else options["cell"]
+    starts = zip(per_axis("dask.grid", "cell", cell, dimensions, ruled_number),
+                 per_axis("dask.grid", "origin", options.get("origin", 0.0), dimensions, real_number))
     step = per_axis("dask.grid", "step", step, dimensions, real_number)
-    origin = per_axis("dask.grid", "origin", options.get("origin", 0.0), dimensions, real_number)
-    if options.get("cell") is None:
-        return [(np.float64(np.float32(begin)) + np.arange(points) * np.float64(np.float32(along))).astype(np.float32)
-                .astype(np.float64) for points, along, begin in zip(size, step, origin)]
-    cell = per_axis("dask.grid", "cell", options["cell"], dimensions, ruled_number)
-    positions = []
-    for points, along, begin, first in zip(size, step, origin, cell):
-        start = (first << 32) + int(float(np.float32(begin)) * 2**32)
-        at = np.int64(start) + np.int64(_units(along)) * np.arange(points)  # cells wrap, and so does this
-        positions.append((at >> 8) / 2**24)
-    return positions
+    return [(cell + origin) * cell_size + _multiples(along * cell_size, points)
+            for points, along, (cell, origin) in zip(size, step, starts)]
+
+
+def _multiples(spacing, points):
+    """0, `spacing`, and so on. A fraction such as 1/49 * 49 or 1/10 is meant exactly, so that `sel` finds its multiples
+    by the numbers that users write."""
+    exact = Fraction(spacing).limit_denominator(10**6)
+    if not math.isclose(exact, spacing, rel_tol=1e-15, abs_tol=0.0):
+        return spacing * np.arange(points)
+    return np.arange(points) * float(exact.numerator) / exact.denominator
 
 
 def _attributes(name, step, dtype, dimensions, options):

@@ -104,11 +104,25 @@ class Coordinates(unittest.TestCase):
                 land = hashnoise.dask.data_array("perlin", (50, 30), **where, seed=3)
                 x, y = land.x.values, land.y.values[:, numpy.newaxis]
                 cell = numpy.floor(x).astype(int), numpy.floor(y).astype(int)
-                if "cell" in where:
-                    values = hashnoise.perlin(x - cell[0], y - cell[1], cell=cell, seed=3, arithmetic="fixed")
-                else:
-                    values = hashnoise.perlin(x, y, seed=3, arithmetic="fixed")
-                self.assertEqual(land.values.tobytes(), values.tobytes())
+                values = hashnoise.perlin(x - cell[0], y - cell[1], cell=cell, seed=3, arithmetic="fixed")
+                numpy.testing.assert_allclose(land.values, values, atol=1e-4)  # a grid rounds its points
+
+    def test_positions_are_the_numbers_that_users_write(self):
+        """So that `sel` finds them: 1 / 100 rounded to a float32 or to 2^-32 is less."""
+        for cell in (None, (0, 0), numpy.array([3, 5])):
+            land = hashnoise.dask.data_array("fbm", (1000, 200), step=1 / 100, cell=cell, cell_size=100, unit="m")
+            first = 0 if cell is None else 100 * int(cell[0])
+            self.assertEqual(land.x.values.tolist(), [first + i for i in range(1000)])
+            self.assertEqual(land.sel(x=slice(first + 10, first + 19)).shape, (200, 10))
+            self.assertEqual(land.sel(x=first + 29).shape, (200,))
+        for parts in (3, 49, 2999):  # 1 / 49 * 49 is less than 1
+            land = hashnoise.dask.data_array("fbm", (5000, 1), step=1 / parts, cell_size=parts)
+            self.assertEqual(land.x.values.tolist(), list(range(5000)), parts)
+        tenths = hashnoise.dask.data_array("fbm", (9, 9), step=(0.1, -0.7), cell=(0, 2**31 - 1))
+        self.assertEqual(tenths.x.values.tolist(), [i / 10 for i in range(9)])
+        self.assertEqual(tenths.y.values.tolist(), [2**31 - 1 - 7 * i / 10 for i in range(9)])
+        odd = hashnoise.dask.data_array("fbm", (9, 9), step=numpy.pi, origin=0.5)
+        self.assertEqual(odd.x.values.tolist(), [0.5 + numpy.pi * i for i in range(9)])
 
     def test_units_and_names(self):
         land = hashnoise.dask.data_array("fbm", (1000, 600), step=1 / 256, cell=(0, 2), cell_size=256, unit="m")
