@@ -91,7 +91,8 @@ def data_array(name, size, *, step, cell_size=1.0, unit="cells", **options):
 
     The other arguments are those of `grid`. The axes are called x, y, z and w, and that of planes "component", whose
     coordinates are the names that hashnoise.components gives. The attributes state how it was made. Of uint16 they have
-    `scale_factor` and `add_offset`, by which xarray makes values of words when it opens a file.
+    `scale_factor` and `add_offset`, by which xarray makes values of words when it opens a file; so planes that have
+    other ranges each, as those of cellular, want a `range`.
 
     >>> land = hashnoise.dask.data_array("fbm", (1000, 600), step=1 / 256, cell_size=256, unit="m", seed=7)
     >>> land.dims, float(land.x[0]), float(land.x[-1]), land.x.units
@@ -197,10 +198,13 @@ def _attributes(name, step, dtype, dimensions, options):
         settings = {key: value for key, value in options.items() if key not in _OF_GRIDS}
         ranges = set(checked_ranges("dask.grid", name, options.get("range"), dtype,
                                     field_of("dask.grid", name, dimensions, settings)))
-        if len(ranges) == 1:
-            least, greatest = ranges.pop()
-            made["scale_factor"] = (greatest - least) / 65535
-            made["add_offset"] = least
+        if len(ranges) > 1:
+            raise ValueError(f"dask.data_array: the planes of {name} have other ranges each, and an array has one "
+                             "scale_factor and one add_offset; name what 0 and 65535 stand for in all planes, by "
+                             "range=(least, greatest)")
+        least, greatest = ranges.pop()
+        made["scale_factor"] = (greatest - least) / 65535
+        made["add_offset"] = least
     return made
 
 

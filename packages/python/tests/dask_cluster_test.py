@@ -147,9 +147,11 @@ class Coordinates(unittest.TestCase):
     def test_wrong(self):
         for kind, options, said in ((ValueError, {"cell_size": 0}, "cell_size must be more than 0, not 0.0"),
                                     (TypeError, {"cell_size": "m"}, "cell_size must be a number"),
-                                    (TypeError, {"unit": 3}, 'unit must be a name, as in "m", not 3')):
+                                    (TypeError, {"unit": 3}, 'unit must be a name, as in "m", not 3'),
+                                    (ValueError, {"name": "cellular", "dtype": "uint16"},
+                                     r"the planes of cellular have .* by range=\(least, greatest\)")):
             with self.assertRaisesRegex(kind, said):
-                hashnoise.dask.data_array("fbm", (9, 9), step=0.1, **options)
+                hashnoise.dask.data_array(**{"name": "fbm", "size": (9, 9), "step": 0.1, **options})
 
 
 class Files(unittest.TestCase):
@@ -157,15 +159,15 @@ class Files(unittest.TestCase):
         self.scratch = Path(self.enterContext(tempfile.TemporaryDirectory()))
 
     def test_words_are_read_as_values(self):
-        path = self.scratch / "land.zarr"
-        land = hashnoise.dask.data_array("fbm", (300, 200), step=0.05, dtype="uint16", chunks=64)
-        land.to_zarr(path, consolidated=False)
-        with xarray.open_dataarray(path, engine="zarr", consolidated=False) as found:
-            values = hashnoise.grid("fbm", (300, 200), step=0.05, arithmetic="fixed")
-            self.assertLess(numpy.abs(found.values - values).max(), 1.01 / 65535)
-        with xarray.open_dataarray(path, engine="zarr", consolidated=False, mask_and_scale=False) as found:
-            self.assertEqual(found.values.tobytes(), land.values.tobytes())
-            self.assertEqual(found.attrs["octaves"] if "octaves" in found.attrs else 6, 6)
+        for name, options in (("fbm", {}), ("cellular", {"range": (0, 2)}), ("phasor", {})):  # the latter in planes
+            path = self.scratch / name
+            land = hashnoise.dask.data_array(name, (300, 200), step=0.05, dtype="uint16", chunks=64, **options)
+            land.to_zarr(path, consolidated=False)
+            with xarray.open_dataarray(path, engine="zarr", consolidated=False) as found:
+                values = hashnoise.grid(name, (300, 200), step=0.05, arithmetic="fixed")
+                self.assertLess(numpy.abs(found.values - values).max(), 1.01 / 65535, name)
+            with xarray.open_dataarray(path, engine="zarr", consolidated=False, mask_and_scale=False) as found:
+                self.assertEqual(found.values.tobytes(), land.values.tobytes(), name)
 
 
 class Example(unittest.TestCase):
