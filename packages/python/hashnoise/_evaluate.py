@@ -51,9 +51,9 @@ def points(function, coordinates, cell, out, threads, *, noise="", fractal="", *
         arrays = [array.copy() if np.may_share_memory(array, out) else array for array in arrays]
         cells = [array.copy() if np.may_share_memory(array, out) else array for array in cells]
     values = np.asarray(result)  # without a mask
+    threads = checked_threads(function, threads)
     try:
-        field.points(arrays, cells, values[np.newaxis] if components == 1 else values,
-                     checked_threads(function, threads))
+        field.points(arrays, cells, values[np.newaxis] if components == 1 else values, threads)
     except ValueError as error:
         raise ValueError(f"{function}: {error}") from None
     if masks or isinstance(out, np.ma.MaskedArray):
