@@ -24,12 +24,12 @@ _UINT16 = np.dtype(np.uint16)
 _OF_GRIDS = (_FLOAT32, np.dtype(np.float16), _UINT16)
 
 
-def points(function, coordinates, cell, out, threads, *, noise="", fractal="", **options):
+def points(function, coordinates, cell, out, threads, *, noise=None, fractal="", **options):
     """A function's result: its field at the points of arrays.
 
     function     its name, for messages
     coordinates  x, y, z and w; None for each that was left out
-    noise, fractal   as in field.hpp; a fractal of noises of its own takes no noise
+    noise, fractal   as in field.hpp; without a noise a fractal sums its usual one, or those of its own
     options      those of the function, by name
     """
     dimensions = _dimensions(function, coordinates)
@@ -63,7 +63,7 @@ def points(function, coordinates, cell, out, threads, *, noise="", fractal="", *
 
 def make_field(function, dimensions, noise, fractal, options):
     settings = _core.Settings()
-    settings.noise = _text(function, "noise", noise)
+    settings.noise = "" if noise is None else _name(function, "noise", noise)
     settings.fractal = fractal
     for name, value in options.items():
         if value is not None:
@@ -324,9 +324,11 @@ def _empty(wanted, shape, arrays):
     return np.moveaxis(np.empty((*planes, *shape[::-1]), _FLOAT32).T, range(-len(planes), 0), range(len(planes)))
 
 
-def _text(function, name, value):
+def _name(function, name, value):
     if not isinstance(value, str):
         raise TypeError(f"{function}: {name} must be a name, not {_shown(value)}")
+    if not value:  # the compiled part takes the usual one then
+        raise ValueError(f"{function}: {name} must be a name, and is empty")
     return value
 
 

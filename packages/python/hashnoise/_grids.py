@@ -145,7 +145,7 @@ def instruction_sets():
 def field_of(function, name, dimensions, options):
     """The field that the function called `name` is of, with its defaults for what is left out or None."""
     settings = _options(function, name, {option: value for option, value in options.items() if value is not None})
-    return make_field(function, dimensions, settings.pop("noise"), settings.pop("fractal"), settings)
+    return make_field(function, dimensions, settings.pop("noise", None), settings.pop("fractal"), settings)
 
 
 def _options(function, name, given):
@@ -153,7 +153,7 @@ def _options(function, name, given):
     if isinstance(name, str) and name in _noises.NOISES:
         own, chosen = _noises.NOISES[name], {"noise": name, "fractal": ""}
     elif isinstance(name, str) and name in _sums.SUMS:
-        own, chosen = _sums.SUMS[name], {"noise": None, "fractal": name}
+        own, chosen = _sums.SUMS[name], {"fractal": name}
     else:
         names = [*_noises.NOISES, *_sums.SUMS]
         raise ValueError(f"{function}: there is no function {name!r}{suggestion(name, names)}; there are "
@@ -163,8 +163,7 @@ def _options(function, name, given):
         if option not in defaults:
             raise TypeError(f"{function}: {name} has no option {option}; it has {', '.join(defaults)}")
     made = {option: value for option, value in defaults.items() if option not in ("cell", "out", "threads")}
-    # A fractal of noises of its own has no option for them.
-    return {"noise": "", **made, **{option: value for option, value in chosen.items() if value is not None}, **given}
+    return {**made, **chosen, **given}
 
 
 def _dimensions(function, dimensions):

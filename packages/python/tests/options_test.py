@@ -72,6 +72,12 @@ class Options(unittest.TestCase):
         self.assertEqual(hashnoise.fbm(X, seed=0, octaves=6, lacunarity=2.0, gain=0.5, noise="perlin").tobytes(),
                          hashnoise.fbm(X).tobytes())
         self.assertEqual(hashnoise.warp(X, X, noise="value_vector").tobytes(), hashnoise.warp(X, X).tobytes())
+        for name in hashnoise.fractals(3):
+            function = getattr(hashnoise, name)
+            none = dict.fromkeys(option for option in function.__kwdefaults__ if option != "arithmetic")
+            self.assertEqual(function(X, X, X, **none).tobytes(), function(X, X, X).tobytes(), name)
+            self.assertEqual(hashnoise.grid(name, (9, 9, 9), step=0.1, noise=None).tobytes(),
+                             hashnoise.grid(name, (9, 9, 9), step=0.1).tobytes(), name)
         self.assertEqual(hashnoise.phasor(X, X, X, wave=(3, 0, 0), phase=0.0).tobytes(),
                          hashnoise.phasor(X, X, X).tobytes())
 
@@ -148,6 +154,7 @@ class Wrong(unittest.TestCase):
                 (ValueError, {"gain": float("nan")}, "gain must be finite, not nan"),
                 (ValueError, {"lacunarity": float("inf")}, "lacunarity must be finite, not inf"),
                 (TypeError, {"noise": 3}, "noise must be a name, not 3"),
+                (ValueError, {"noise": ""}, "noise must be a name, and is empty"),
                 (ValueError, {"noise": "no_such"}, "no_such"),
                 (ValueError, {"noise": "perlim"},
                  r'there is no noise "perlim" in 2D \(did you mean perlin\?\); there are: perlin, '),
@@ -324,6 +331,8 @@ class Wrong(unittest.TestCase):
                 self.assert_told(kind, f"^grid: .*{said}", lambda: hashnoise.grid(
                     **{"name": "perlin", "size": (3, 4), "step": 0.1, **arguments}))
         self.assert_told(TypeError, "step", lambda: hashnoise.grid("perlin", 3))
+        self.assert_told(ValueError, "^grid: noise must be a name, and is empty",
+                         lambda: hashnoise.grid("fbm", 3, step=0.1, noise=""))
 
     def test_dimensions(self):
         for ask in (hashnoise.noises, hashnoise.fractals, lambda dimensions: hashnoise.components("perlin", dimensions)):
