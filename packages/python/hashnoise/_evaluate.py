@@ -21,6 +21,7 @@ _FLOAT64 = np.dtype(np.float64)
 _INT32 = np.dtype(np.int32)
 _INT64 = np.dtype(np.int64)
 _UINT16 = np.dtype(np.uint16)
+_MOST_SINGLE = 2.0**128 - 2.0**103  # from here on a number is infinite as a float32
 _OF_GRIDS = (_FLOAT32, np.dtype(np.float16), _UINT16)
 
 
@@ -77,6 +78,8 @@ def make_field(function, dimensions, noise, fractal, options):
 def whole_number(function, name, value, least, most):
     """`value` as an int, if it is one from `least` to `most`."""
     try:
+        if isinstance(value, (bool, np.bool_)):
+            raise TypeError
         number = operator.index(value)
     except TypeError:
         raise TypeError(f"{function}: {name} must be a whole number, not {_shown(value)}") from None
@@ -88,7 +91,8 @@ def whole_number(function, name, value, least, most):
 def real_number(function, name, value):
     """`value` as a float, if it is finite."""
     try:
-        if isinstance(value, (str, bytes)):
+        # What is an array float() takes or not, which depends on NumPy's version.
+        if isinstance(value, (bool, np.bool_, str, bytes)) or np.ndim(value) > 0:
             raise TypeError
         number = float(value)
     except TypeError:
@@ -97,6 +101,14 @@ def real_number(function, name, value):
         raise ValueError(f"{function}: {name} must be finite, and is too large: {_shown(value)}") from None
     if not math.isfinite(number):
         raise ValueError(f"{function}: {name} must be finite, not {number}")
+    return number
+
+
+def single_number(function, name, value):
+    """`value` as a float, if it is finite as a float32."""
+    number = real_number(function, name, value)
+    if abs(number) >= _MOST_SINGLE:
+        raise ValueError(f"{function}: {name} must be at most 3.4e38, as a float32 is, not {number}")
     return number
 
 
@@ -236,9 +248,9 @@ def _dimensions(function, coordinates):
 
 
 def _coordinate(function, name, value, masks):
-    if isinstance(value, int):  # NumPy makes an array of objects of a large one
-        value = real_number(function, name, value)
     array = _array(function, name, value, "fiub", f"{name} must be a number or an array of numbers, not of", masks)
+    if array.dtype == object:
+        array = np.array([real_number(function, name, number) for number in array.flat]).reshape(array.shape)
     return array if array.dtype == _FLOAT32 or array.dtype == _FLOAT64 else array.astype(_FLOAT32)
 
 
@@ -248,7 +260,9 @@ def _array(function, name, value, kinds, wanted, masks):
         array = np.asarray(value)
     except ValueError as error:  # rows of different lengths
         raise ValueError(f"{function}: {name} makes no array: {error}") from None
-    if array.dtype.kind not in kinds:
+    # NumPy makes an array of objects of whole numbers that no type of its own holds.
+    is_large = array.dtype == object and array.size and all(isinstance(number, int) for number in array.flat)
+    if array.dtype.kind not in kinds and not is_large:
         raise TypeError(f"{function}: {wanted} {array.dtype}")
     if isinstance(value, np.ma.MaskedArray):
         masks.append(np.ma.getmaskarray(value))
@@ -294,7 +308,7 @@ def _cells(function, cell, dimensions, masks):
     arrays = []
     least, most = _core.rules["cell"]
     for axis, part in zip(AXES, cell):
-        if isinstance(part, int):  # NumPy makes an array of objects of a large one
+        if isinstance(part, int):
             ruled_number(function, "cell", part)
         array = _array(function, "cell", part, "iu", f"the cells along {axis} must be whole numbers, not", masks)
         if array.dtype != _INT32 and array.size and not least <= array.min() <= array.max() <= most:
@@ -352,15 +366,15 @@ def _wave(function, name, value, dimensions):
     if len(value) != dimensions:
         raise ValueError(f"{function}: {name} must have a number for each of the {dimensions} axes, not {len(value)}; "
                          f"it is {_shown(value)}")
-    return [real_number(function, name, part) for part in value]
+    return [single_number(function, name, part) for part in value]
 
 
 def _whole(function, name, value, dimensions):
     return ruled_number(function, name, value)
 
 
-def _real(function, name, value, dimensions):
-    return real_number(function, name, value)
+def _single(function, name, value, dimensions):
+    return single_number(function, name, value)
 
 
 def _instruction_set(function, name, value, dimensions):
@@ -382,5 +396,5 @@ _CHECKS = {
     "arithmetic": _one_of(ARITHMETICS),
     "metric": _one_of(METRICS),
     "instruction_set": _instruction_set,
-    **dict.fromkeys(("phase", "jitter", "lacunarity", "gain", "strength", "amplitude", "detail", "footprint"), _real),
+    **dict.fromkeys(("phase", "jitter", "lacunarity", "gain", "strength", "amplitude", "detail", "footprint"), _single),
 }

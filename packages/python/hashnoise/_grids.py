@@ -4,7 +4,7 @@ import numpy as np
 
 from . import _core, _noises, _sums
 from ._evaluate import (AXES, checked_dtype, checked_out, checked_ranges, checked_threads, make_field, per_axis,
-                        real_number, ruled_number, suggesting, suggestion, whole_number)
+                        real_number, ruled_number, single_number, suggesting, suggestion, whole_number)
 
 MOST_POINTS = _core.rules["size"][1]
 
@@ -67,7 +67,7 @@ def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None
         raise ValueError(f"grid: size must have 1 to 4 numbers, not {dimensions}")
     size = per_axis("grid", "size", size, dimensions, ruled_number)
     step = per_axis("grid", "step", step, dimensions, real_number)
-    origin = per_axis("grid", "origin", origin, dimensions, real_number)
+    origin = per_axis("grid", "origin", origin, dimensions, single_number)
     first = per_axis("grid", "first", first, dimensions, lambda function, name, value: whole_number(
         function, name, value, 0, MOST_POINTS))
     for axis, (begin, points) in enumerate(zip(first, size)):

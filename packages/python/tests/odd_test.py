@@ -184,8 +184,13 @@ class Large(unittest.TestCase):
     def test_whole_numbers(self):
         self.assertEqual(hashnoise.value(2**70 + 1), hashnoise.value(2.0**70))
         self.assertEqual(hashnoise.perlin(True), hashnoise.perlin(1.0))
-        with self.assertRaisesRegex(ValueError, "^perlin: x must be finite, and is too large"):
-            hashnoise.perlin(10**400)
+        self.assertEqual(hashnoise.value([[2**70, 3], [7, -2**80]]).tolist(),
+                         hashnoise.value([[2.0**70, 3.0], [7.0, -2.0**80]]).tolist())
+        for wrong in (10**400, [10**400]):
+            with self.assertRaisesRegex(ValueError, "^perlin: x must be finite, and is too large"):
+                hashnoise.perlin(wrong)
+        with self.assertRaisesRegex(ValueError, "^perlin: the cells along x must be from -2147483648 to 2147483647, "):
+            hashnoise.perlin(0.5, cell=([2**70, 3],))
 
 
 class Masks(unittest.TestCase):

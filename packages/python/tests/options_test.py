@@ -130,6 +130,12 @@ class Wrong(unittest.TestCase):
                 (ValueError, {"seed": 2**32}, "seed must be from 0 to 4294967295, not 4294967296"),
                 (TypeError, {"seed": 1.5}, r"seed must be a whole number, not 1.5 \(float\)"),
                 (TypeError, {"seed": "7"}, r"seed must be a whole number, not '7' \(str\)"),
+                (TypeError, {"seed": True}, r"seed must be a whole number, not True \(bool\)"),
+                (TypeError, {"octaves": numpy.True_}, "octaves must be a whole number, not "),
+                (TypeError, {"gain": True}, r"gain must be a number, not True \(bool\)"),
+                (TypeError, {"gain": numpy.True_}, "gain must be a number, not "),
+                (TypeError, {"gain": numpy.array([0.5])}, r"gain must be a number, not array\(\[0.5\]\)"),
+                (TypeError, {"gain": [0.5]}, r"gain must be a number, not \[0.5\]"),
                 (ValueError, {"period": (1, 2, 3)}, r"period must have a value for each of the 2 axes"),
                 (TypeError, {"period": (1, 0.5)}, r"period must be a whole number, not 0.5"),
                 (ValueError, {"period": 2**31}, "period must be from 0 to 2147483647, not 2147483648"),
@@ -160,7 +166,7 @@ class Wrong(unittest.TestCase):
                  r'there is no noise "perlim" in 2D \(did you mean perlin\?\); there are: perlin, '),
                 (ValueError, {"arithmetic": "fixde"}, r"not 'fixde' \(str\) \(did you mean fixed\?\)"),
                 (ValueError, {"noise": "perlin_d"}, "perlin"),
-                (ValueError, {"gain": 1e300}, "gain"),
+                (ValueError, {"gain": 1e39}, r"gain must be at most 3.4e38, as a float32 is, not 1e\+39"),
                 (ValueError, {"detail": 2.0, "period": 4}, "detail"),
                 (ValueError, {"cell": 3}, "cell must be a tuple of 2: the cells along x, y"),
                 (ValueError, {"cell": (3,)}, "cell must be a tuple of 2"),
@@ -186,7 +192,7 @@ class Wrong(unittest.TestCase):
                 (ValueError, (2.5, float("nan")), "wave must be finite, not nan"),
                 (ValueError, (2.5, float("-inf")), "wave must be finite, not -inf"),
                 (ValueError, (2.5, 16.25), "wave is 16.25, and has to be from -16 to 16"),
-                (ValueError, (-1e300, 0), "wave")):
+                (ValueError, (-1e300, 0), r"wave must be at most 3.4e38, as a float32 is, not -1e\+300")):
             with self.subTest(wave=wave):
                 self.assert_told(kind, f"^phasor: .*{said}", lambda: hashnoise.phasor(X, X, wave=wave))
                 self.assert_told(kind, f"^grid: .*{said}",
@@ -326,6 +332,7 @@ class Wrong(unittest.TestCase):
                 (ValueError, {"cell": 3, "step": 2.0**31}, "step"),
                 (ValueError, {"cell": 3, "origin": (0.5, 1.5)}, "origin is the fraction in it and must be from 0 to 1"),
                 (ValueError, {"step": 1e38, "origin": 3e38}, ""),
+                (ValueError, {"origin": 1e39}, "origin must be at most 3.4e38"),
                 (ValueError, {"out": numpy.zeros((3, 4), "f4")}, r"of the shape \(4, 3\)")):
             with self.subTest(arguments):
                 self.assert_told(kind, f"^grid: .*{said}", lambda: hashnoise.grid(
