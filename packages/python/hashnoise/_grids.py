@@ -78,6 +78,10 @@ def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None
         cell = per_axis("grid", "cell", cell, dimensions, ruled_number)
         if not all(0 <= place <= 1 for place in origin):
             raise ValueError(f"grid: with a cell, origin is the fraction in it and must be from 0 to 1, not {origin}")
+        for along in step:
+            if 0 < abs(along) < 2**-33:
+                raise ValueError("grid: with a cell, steps are rounded to multiples of 2^-32 of a cell, and a step of "
+                                 f"{along} would be 0")
     field = field_of("grid", name, dimensions, options)
     planes = len(field.component_names)
     shape = size[::-1] if planes == 1 else (planes, *size[::-1])

@@ -116,6 +116,8 @@ class Options(unittest.TestCase):
             with self.subTest(options):
                 hashnoise.fbm(0.5, 0.5, **options)
         hashnoise.grid("perlin", (3, 4), step=0.1, cell=(-2**31, 2**31 - 1))
+        self.assertEqual(*(hashnoise.grid("perlin", 1, first=2**28, step=step, cell=0) for step in (2**-33, 2**-32)))
+        hashnoise.grid("perlin", 3, step=0, cell=0)
 
 
 class Wrong(unittest.TestCase):
@@ -330,6 +332,8 @@ class Wrong(unittest.TestCase):
                 (TypeError, {"octaves": 3}, "perlin has no option octaves"),
                 (ValueError, {"period": -4}, "period must be from 0 to 2147483647, not -4"),
                 (ValueError, {"cell": 3, "step": 2.0**31}, "step"),
+                (ValueError, {"cell": 3, "step": (0.1, -1e-12)},
+                 "steps are rounded to multiples of 2.-32 of a cell, and a step of -1e-12 would be 0"),
                 (ValueError, {"cell": 3, "origin": (0.5, 1.5)}, "origin is the fraction in it and must be from 0 to 1"),
                 (ValueError, {"step": 1e38, "origin": 3e38}, ""),
                 (ValueError, {"origin": 1e39}, "origin must be at most 3.4e38"),
