@@ -21,9 +21,9 @@ All functions have these options:
     seed             a whole number from 0 to 2^32 - 1; different seeds give independent fields
     period           the field repeats after so many cells: one whole number, or one for each axis, not negative; 0
                      for none
-    cell             cells, as a tuple with an array of whole numbers for each axis, from -2^31 to 2^31 - 1. The
-                     coordinates are then the fractions in the cells, from 0 to 1, and the field is exact however far
-                     out
+    cell             cells, whole numbers from -2^31 to 2^31 - 1: one for all axes, or a tuple with a number or an array
+                     for each axis. The coordinates are then the fractions in the cells, from 0 to 1, and the field is
+                     exact however far out
     arithmetic       "fast": floats, within the error that the function states (docs/measured/accuracy.md); the last bits may
                      differ from processor to processor. "precise": floats with the bits of IEEE arithmetic. "fixed":
                      integers, with the bits of HN_FIXED in every shader

@@ -300,11 +300,11 @@ def _is_sequence(value):
 
 
 def _cells(function, cell, dimensions, masks):
-    if dimensions == 1 and not isinstance(cell, tuple):
-        cell = (cell,)
-    if not _is_sequence(cell) or len(cell) != dimensions:
-        raise ValueError(
-            f"{function}: cell must be a tuple of {dimensions}: the cells along {', '.join(AXES[:dimensions])}")
+    if not _is_sequence(cell) or (dimensions == 1 and not isinstance(cell, tuple)):
+        cell = (cell,) * dimensions
+    if len(cell) != dimensions:
+        raise ValueError(f"{function}: cell must be a whole number, or a tuple of {dimensions}: the cells along "
+                         f"{', '.join(AXES[:dimensions])}")
     arrays = []
     least, most = _core.rules["cell"]
     for axis, part in zip(AXES, cell):

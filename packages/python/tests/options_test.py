@@ -89,6 +89,9 @@ class Options(unittest.TestCase):
                          hashnoise.fbm(X, X, period=(3, 5)).tobytes())
         self.assertEqual(hashnoise.fbm(X, X, period=[4, 4]).tobytes(), hashnoise.fbm(X, X, period=4).tobytes())
         hashnoise.perlin(X, seed=2**32 - 1)
+        for cell in (3, numpy.int8(3), numpy.array(3)):
+            self.assertEqual(hashnoise.fbm(X % 1, X % 1, cell=cell).tobytes(),
+                             hashnoise.fbm(X % 1, X % 1, cell=(3, 3)).tobytes())
         for wave in ([2, -1], numpy.array([2, -1]), numpy.array([2, -1], numpy.float32), (numpy.float64(2), -1)):
             self.assertEqual(hashnoise.phasor(X, X, wave=wave).tobytes(),
                              hashnoise.phasor(X, X, wave=(2.0, -1.0)).tobytes())
@@ -170,8 +173,10 @@ class Wrong(unittest.TestCase):
                 (ValueError, {"noise": "perlin_d"}, "perlin"),
                 (ValueError, {"gain": 1e39}, r"gain must be at most 3.4e38, as a float32 is, not 1e\+39"),
                 (ValueError, {"detail": 2.0, "period": 4}, "detail"),
-                (ValueError, {"cell": 3}, "cell must be a tuple of 2: the cells along x, y"),
-                (ValueError, {"cell": (3,)}, "cell must be a tuple of 2"),
+                (ValueError, {"cell": (3,)}, "cell must be a whole number, or a tuple of 2: the cells along x, y"),
+                (ValueError, {"cell": 2**31}, "cell must be from -2147483648 to 2147483647, not 2147483648"),
+                (TypeError, {"cell": 0.5}, "the cells along x must be whole numbers, not float64"),
+                (TypeError, {"cell": "3"}, "the cells along x must be whole numbers, not <U1"),
                 (ValueError, {"cell": (2**31, 1)}, "cell must be from -2147483648 to 2147483647, not 2147483648"),
                 (ValueError, {"cell": (1, -2**31 - 1)}, "cell must be from -2147483648 to 2147483647, not -2147483649"),
                 (ValueError, {"cell": (2**70, 1)}, "cell must be from -2147483648 to 2147483647, not 11805916207"),
