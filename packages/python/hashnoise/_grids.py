@@ -22,9 +22,9 @@ def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None
                   size=(width, height) its shape is (height, width), and the point (x, y) is at array[y, x]
     step          from point to point, in cells: one number, or one for each axis
     origin        the first point, in cells; with a cell the fraction in it, in [0, 1]
-    cell          the cell of the first point: one whole number, or one for each axis. Then the grid is exact however far out: it
-                  is computed in whole numbers, and steps are rounded to multiples of 2^-32. Without a cell, a point is
-                  the float32 nearest to origin + i * step
+    cell          the cell of the first point: one whole number, or one for each axis. Then the grid is exact however
+                  far out: it is computed in whole numbers, and steps are rounded to multiples of 2^-32. Without a cell,
+                  a point is the float32 nearest to origin + i * step
     first         the number of the first point, for each axis: the array is then that part of the grid from point 0
                   on, with its bits, whatever the step is. first + size is at most 536870911
     dtype         what the array is of: "float32", "float16" or, for height maps, "uint16"; as `out` is, or else float32

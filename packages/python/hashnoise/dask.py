@@ -36,7 +36,7 @@ except ImportError as error:
 
 __all__ = ["data_array", "grid"]
 
-_OF_GRIDS = ("cell", "chunks", "dtype", "origin", "range", "threads")  # options that are not of a field
+_OF_GRIDS = ("cell", "dtype", "origin", "range", "step", "threads")  # options that are not of a field
 _BLOCK = 22  # 2^22 points: 16 MiB of float32, which take long beside what a task costs Dask
 
 
@@ -63,24 +63,11 @@ def grid(name, size, *, step, chunks="auto", arithmetic="fixed", threads=1, **op
     >>> hashnoise.dask.grid("perlin_d", (1000, 600), step=0.01).shape
     (3, 600, 1000)
     """
-    for option in ("first", "out", "return_range"):
-        if option in options:
-            raise TypeError(f"dask.grid: {option} is an option of hashnoise.grid alone; cut the array in its place, as "
-                            "in grid(...)[600:, 400:]")
-    options = {"step": step, "arithmetic": arithmetic, "threads": threads, **options}
-    size = _size(size)
-    # One point, the last, has all errors that the whole may have.
-    last = _grid(name, (1,) * len(size), first=tuple(max(points - 1, 0) for points in size), **options)
-    planes = last.shape[:last.ndim - len(size)]
-    cut = _chunks(chunks, size, last.dtype)
-    token = _tokenize("hashnoise", __version__, name, size, cut, options)
-    chunks = (*((n,) for n in planes), *cut)
-    return _arrays.map_blocks(functools.partial(_block, __version__, name, len(size), options), chunks=chunks,
-                              dtype=last.dtype, meta=np.empty((0,) * last.ndim, last.dtype),
-                              name=f"hashnoise-{name}-{token}")
+    return _lazy("dask.grid", name, size, chunks,
+                 {"step": step, "arithmetic": arithmetic, "threads": threads, **options})
 
 
-def data_array(name, size, *, step, cell_size=1.0, unit="cells", **options):
+def data_array(name, size, *, step, cell_size=1.0, unit="cells", chunks="auto", **options):
     """The same as an xarray.DataArray, with coordinates: to cut by place, and to write as Zarr.
 
     cell_size  the side of a cell in the unit of the coordinates: with step=1 / 256 and cell_size=256 points are 1 apart
@@ -110,17 +97,38 @@ def data_array(name, size, *, step, cell_size=1.0, unit="cells", **options):
         raise ValueError(f"dask.data_array: cell_size must be more than 0, not {cell_size}")
     if not isinstance(unit, str):
         raise TypeError(f"dask.data_array: unit must be a name, as in \"m\", not {unit!r}")
-    values = grid(name, size, step=step, **options)
-    size = _size(size)
+    options = {"step": step, "arithmetic": "fixed", "threads": 1, **options}
+    values = _lazy("dask.data_array", name, size, chunks, options)
+    size = _size("dask.data_array", size)
     axes = AXES[:len(size)]
     coordinates = {axis: (axis, positions, {"units": unit})
-                   for axis, positions in zip(axes, _positions(size, step, options, cell_size))}
+                   for axis, positions in zip(axes, _positions(size, options, cell_size))}
     dims = tuple(reversed(axes))
     if values.ndim > len(size):
         coordinates["component"] = list(components(name, len(size), noise=options.get("noise")))
         dims = ("component", *dims)
-    attributes = _attributes(name, step, values.dtype, len(size), options)
+    attributes = _attributes(name, values.dtype, len(size), options)
     return xarray.DataArray(values, coordinates, dims, name, attributes)
+
+
+def _lazy(function, name, size, chunks, options):
+    """A grid as a Dask array. `options` are those of hashnoise.grid."""
+    for option in ("first", "out", "return_range"):
+        if option in options:
+            raise TypeError(f"{function}: {option} is an option of hashnoise.grid alone; cut the array in its place, "
+                            "as in grid(...)[600:, 400:]")
+    size = _size(function, size)
+    try:  # one point, the last, which has all errors that the whole may have
+        last = _grid(name, (1,) * len(size), first=tuple(max(points - 1, 0) for points in size), **options)
+    except (TypeError, ValueError) as error:
+        raise type(error)(f"{function}: {str(error).removeprefix('grid: ')}") from None
+    planes = last.shape[:last.ndim - len(size)]
+    cut = _chunks(function, chunks, size, last.dtype)
+    token = _tokenize("hashnoise", __version__, name, size, cut, options)
+    chunks = (*((n,) for n in planes), *cut)
+    return _arrays.map_blocks(functools.partial(_block, __version__, name, len(size), options), chunks=chunks,
+                              dtype=last.dtype, meta=np.empty((0,) * last.ndim, last.dtype),
+                              name=f"hashnoise-{name}-{token}")
 
 
 def _block(version, name, dimensions, options, block_info=None):
@@ -132,29 +140,27 @@ def _block(version, name, dimensions, options, block_info=None):
     return _grid(name, tuple(end - begin for begin, end in place), first=tuple(begin for begin, _ in place), **options)
 
 
-def _size(size):
-    return per_axis("dask.grid", "size", size, len(size) if hasattr(size, "__len__") else 1, ruled_number)
+def _size(function, size):
+    return per_axis(function, "size", size, len(size) if hasattr(size, "__len__") else 1, ruled_number)
 
 
-def _chunks(chunks, size, dtype):
+def _chunks(function, chunks, size, dtype):
     """The blocks along each axis of a plane."""
     shape = size[::-1]
     wanted = _usual_chunks(size) if isinstance(chunks, str) and chunks == "auto" else chunks
     try:
         cut = _normalize_chunks(wanted, shape=shape, dtype=dtype)
-    except (TypeError, ValueError, ZeroDivisionError) as error:
-        raise _wrong_chunks(chunks, shape, str(error)) from None
+    except (TypeError, ValueError, ZeroDivisionError):
+        cut = ()
     for points, blocks in zip(shape, cut):
         if sum(blocks) != points or not all(isinstance(n, (int, np.integer)) and n >= 0 for n in blocks):
-            raise _wrong_chunks(chunks, shape, f"{blocks} are no whole numbers whose sum is {points}")
+            cut = ()
+    if not cut:
+        axes = ", ".join(reversed(AXES[:len(shape)]))
+        raise ValueError(f"{function}: chunks must be a number of points of 1 or more, or a tuple with such a number, "
+                         f"or with the sizes of all blocks, for each of the axes {axes}, along which there are {shape} "
+                         f"points; not {chunks!r}")
     return cut
-
-
-def _wrong_chunks(chunks, shape, why):
-    axes = ", ".join(reversed(AXES[:len(shape)]))
-    return ValueError(f"dask.grid: chunks must be a number of points of 1 or more, or a tuple with such a number, or "
-                      f"with the sizes of all blocks, for each of the axes {axes}, along which there are {shape} "
-                      f"points; not {chunks!r}: {why}")
 
 
 def _usual_chunks(size):
@@ -169,13 +175,13 @@ def _usual_chunks(size):
     return tuple(reversed(sides))
 
 
-def _positions(size, step, options, cell_size):
+def _positions(size, options, cell_size):
     """The coordinates of the points along each axis."""
     dimensions = len(size)
     cell = 0 if options.get("cell") is None else options["cell"]
-    starts = zip(per_axis("dask.grid", "cell", cell, dimensions, ruled_number),
-                 per_axis("dask.grid", "origin", options.get("origin", 0.0), dimensions, real_number))
-    step = per_axis("dask.grid", "step", step, dimensions, real_number)
+    starts = zip(per_axis("dask.data_array", "cell", cell, dimensions, ruled_number),
+                 per_axis("dask.data_array", "origin", options.get("origin", 0.0), dimensions, real_number))
+    step = per_axis("dask.data_array", "step", options["step"], dimensions, real_number)
     return [(cell + origin) * cell_size + _multiples(along * cell_size, points)
             for points, along, (cell, origin) in zip(size, step, starts)]
 
@@ -189,15 +195,14 @@ def _multiples(spacing, points):
     return np.arange(points) * float(exact.numerator) / exact.denominator
 
 
-def _attributes(name, step, dtype, dimensions, options):
+def _attributes(name, dtype, dimensions, options):
     """How an array was made, as Zarr can write it; and of words what they stand for."""
-    attributes = {"hashnoise": __version__, "function": name, "step": step, "arithmetic": "fixed", **options}
-    made = {key: _plain(value) for key, value in attributes.items()
-            if value is not None and key not in ("chunks", "threads")}
+    attributes = {"hashnoise": __version__, "function": name, **options}
+    made = {key: _plain(value) for key, value in attributes.items() if value is not None and key != "threads"}
     if dtype == np.uint16:
         settings = {key: value for key, value in options.items() if key not in _OF_GRIDS}
-        ranges = set(checked_ranges("dask.grid", name, options.get("range"), dtype,
-                                    field_of("dask.grid", name, dimensions, settings)))
+        ranges = set(checked_ranges("dask.data_array", name, options.get("range"), dtype,
+                                    field_of("dask.data_array", name, dimensions, settings)))
         if len(ranges) > 1:
             raise ValueError(f"dask.data_array: the planes of {name} have other ranges each, and an array has one "
                              "scale_factor and one add_offset; name what 0 and 65535 stand for in all planes, by "

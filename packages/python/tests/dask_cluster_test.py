@@ -147,10 +147,14 @@ class Coordinates(unittest.TestCase):
     def test_wrong(self):
         for kind, options, said in ((ValueError, {"cell_size": 0}, "cell_size must be more than 0, not 0.0"),
                                     (TypeError, {"cell_size": "m"}, "cell_size must be a number"),
+                                    (ValueError, {"octaves": 0}, "octaves must be from 1 to 32, not 0"),
+                                    (ValueError, {"size": (9, -9)}, "size must be from 0 to 536870911, not -9"),
+                                    (ValueError, {"chunks": 0}, "chunks must be .*; not 0$"),
+                                    (TypeError, {"first": 0}, "first is an option of hashnoise.grid alone"),
                                     (TypeError, {"unit": 3}, 'unit must be a name, as in "m", not 3'),
                                     (ValueError, {"name": "cellular", "dtype": "uint16"},
                                      r"the planes of cellular have .* by range=\(least, greatest\)")):
-            with self.assertRaisesRegex(kind, said):
+            with self.assertRaisesRegex(kind, f"^dask.data_array: {said}"):
                 hashnoise.dask.data_array(**{"name": "fbm", "size": (9, 9), "step": 0.1, **options})
 
 
