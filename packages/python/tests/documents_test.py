@@ -103,6 +103,12 @@ class Page(unittest.TestCase):
                    for option in function.__kwdefaults__}
         self.assertEqual(documented, options)
 
+    def test_it_names_the_oldest_versions(self):
+        project = (golden.ROOT / "pyproject.toml").read_text(encoding="utf-8")
+        python = re.search(r'^requires-python = ">=(.*)"$', project, re.M)[1]
+        numpys = re.search(r'^dependencies = \["numpy>=(.*)"\]$', project, re.M)[1]
+        self.assertIn(f"Python {python} or later, and NumPy {numpys} or later", PAGE.read_text(encoding="utf-8"))
+
     def test_functions_that_it_names_exist(self):
         for name in re.findall(r"hashnoise\.(\w+)", PAGE.read_text(encoding="utf-8")):
             self.assertTrue(hasattr(hashnoise, name) or importlib.util.find_spec(f"hashnoise.{name}"), name)
