@@ -10,11 +10,13 @@ instructions.
     >>> value, dx, dy = hashnoise.perlin_d(x, 0.5)
 
 Each function takes 1 to 4 coordinates: as many as the field has dimensions. They are arrays or numbers, and are
-broadcast against each other. Positions are in cells, and |x| < 2^23: far out, floats lose the fraction in a cell. What
-is not float32 is converted. The result is an array of float32; of numbers alone it is a float. A function that returns
-several numbers for a point returns planes, an array with an axis for them in front, which can be unpacked. Where a
-coordinate is NaN or infinite, all numbers of the point are NaN. Of masked arrays the result is one, and is masked where
-one of them is.
+broadcast against each other. Positions are in cells, and are rounded to float32, as in a shader. So at x a point is off
+by up to |x| * 2^-24 cells, and in each further octave by twice as much; from 2^23 on no fraction is left. With a `cell`
+the field is exact however far out.
+
+The result is an array of float32; of numbers alone it is a float. A function that returns several numbers for a point
+returns planes, an array with an axis for them in front, which can be unpacked. Where a coordinate is NaN or infinite,
+all numbers of the point are NaN. Of masked arrays the result is one, and is masked where one of them is.
 
 All functions have these options:
 

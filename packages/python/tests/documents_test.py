@@ -103,6 +103,18 @@ class Page(unittest.TestCase):
                    for option in function.__kwdefaults__}
         self.assertEqual(documented, options)
 
+    def test_errors_far_from_the_origin(self):
+        """The page has them: positions are rounded to float32, and those of the octaves with them."""
+        fractions = numpy.random.default_rng(7).random((2, 100_000))
+        for far, most in ((10_000, 0.006), (500_000, 0.2)):
+            self.assertRegex(PAGE.read_text(encoding="utf-8"), f"by up to {most} at {far:,}")
+            places = far + 50 * fractions
+            cells = numpy.floor(places)
+            self.assertLess(numpy.abs(places - places.astype(numpy.float32)).max(), (far + 50) * 2.0**-24)
+            exact = hashnoise.fbm(*(places - cells), cell=tuple(cells.astype(int)))
+            error = numpy.abs(hashnoise.fbm(*places) - exact).max()
+            self.assertTrue(0.75 * most < error < most, error)
+
     def test_it_names_the_oldest_versions(self):
         project = (golden.ROOT / "pyproject.toml").read_text(encoding="utf-8")
         python = re.search(r'^requires-python = ">=(.*)"$', project, re.M)[1]
