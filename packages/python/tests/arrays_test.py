@@ -271,6 +271,19 @@ class Grids(unittest.TestCase):
         self.assertEqual(far[32:, 32:].tobytes(), hashnoise.grid("perlin", (33, 1), step=1 / 16, cell=-2**31).tobytes())
         self.assertGreater(numpy.abs(numpy.diff(far)).min(), 0)
 
+    def test_steps_that_need_no_rounding(self):
+        """Such a grid with a cell has the points of tools/bake, i * cells / size, and repeats bit for bit."""
+        step, size = 8 / 256, 300
+        places = numpy.arange(size) * step + 0.5
+        cell = numpy.floor(places).astype(int)
+        exact = hashnoise.fbm(places - cell, (places - cell)[:, None], cell=(cell + 5, cell[:, None] - 3), period=8,
+                              arithmetic="fixed")
+        whole = hashnoise.grid("fbm", (size, size), step=step, origin=0.5, cell=(5, -3), period=8, arithmetic="fixed")
+        self.assertEqual(whole.tobytes(), exact.tobytes())
+        self.assertEqual(whole[256:, 256:].tobytes(), whole[:44, :44].tobytes())
+        rounded = hashnoise.grid("fbm", (size, size), step=8 / 250, period=8, arithmetic="fixed")
+        self.assertNotEqual(rounded[250:, 250:].tobytes(), rounded[:50, :50].tobytes())
+
     def test_parts(self):
         for where in ({"step": 0.0371, "origin": (0.1, -50)}, {"step": 0.01, "cell": (2**31 - 3, -9), "origin": 0.3}):
             for arithmetic in ("fast", "precise", "fixed"):
