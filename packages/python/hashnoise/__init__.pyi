@@ -11,7 +11,11 @@ _Kind = TypeVar("_Kind", bound=np.float32 | np.float16 | np.uint16)
 _Dtype: TypeAlias = (Literal["float32", "float16", "uint16"] | type[np.float32 | np.float16 | np.uint16]
                      | np.dtype[np.float32 | np.float16 | np.uint16])
 _Extent: TypeAlias = tuple[float, float]
-_Number: TypeAlias = float | np.floating | np.integer
+_Whole: TypeAlias = int | np.integer[Any]
+_Number: TypeAlias = float | np.floating[Any] | np.integer[Any]
+_Wholes: TypeAlias = _Whole | Sequence[_Whole] | npt.NDArray[np.integer[Any]]
+_Vector: TypeAlias = Sequence[_Number] | npt.NDArray[np.floating[Any] | np.integer[Any]]
+_Numbers: TypeAlias = _Number | _Vector
 _Cells: TypeAlias = npt.ArrayLike | Sequence[npt.ArrayLike]
 _Arithmetic: TypeAlias = Literal["fast", "precise", "fixed"]
 # tools/make catalog: metrics
@@ -31,372 +35,371 @@ __version__: str
 # tools/make catalog: functions
 @overload
 def perlin(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-           seed: int = 0, period: int | Sequence[int] | None = None, phase: float | None = None,
-           cell: int | Sequence[int] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
-           threads: int | None = None, instruction_set: str | None = None) -> float: ...
+           seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None,
+           cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
+           threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
 @overload
 def perlin(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-           w: npt.ArrayLike | None = None, /, *, seed: int = 0, period: int | Sequence[int] | None = None,
-           phase: float | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
-           out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+           w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, period: _Wholes | None = None,
+           phase: _Number | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+           out: _Values | None = None, threads: _Whole | None = None,
+           instruction_set: str | None = None) -> _Values: ...
 def perlin_d(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-             w: npt.ArrayLike | None = None, /, *, seed: int = 0, period: int | Sequence[int] | None = None,
-             phase: float | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
-             out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+             w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, period: _Wholes | None = None,
+             phase: _Number | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+             out: _Values | None = None, threads: _Whole | None = None,
+             instruction_set: str | None = None) -> _Values: ...
 @overload
-def value(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *, seed: int = 0,
-          period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
-          arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+def value(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
+          seed: _Whole = 0, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
+          arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
           instruction_set: str | None = None) -> float: ...
 @overload
 def value(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-          w: npt.ArrayLike | None = None, /, *, seed: int = 0, period: int | Sequence[int] | None = None,
+          w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, period: _Wholes | None = None,
           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
-          threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+          threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 def value_d(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-            w: npt.ArrayLike | None = None, /, *, seed: int = 0, period: int | Sequence[int] | None = None,
+            w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, period: _Wholes | None = None,
             cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
-            threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+            threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
-def value_cubic(x: _Number, y: _Number | None = None, z: _Number | None = None, /, *, seed: int = 0,
-                period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
-                arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+def value_cubic(x: _Number, y: _Number | None = None, z: _Number | None = None, /, *, seed: _Whole = 0,
+                period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
+                arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
                 instruction_set: str | None = None) -> float: ...
 @overload
-def value_cubic(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-                period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
-                out: _Values | None = None, threads: int | None = None,
+def value_cubic(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None, /, *,
+                seed: _Whole = 0, period: _Wholes | None = None, cell: _Cells | None = None,
+                arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
                 instruction_set: str | None = None) -> _Values: ...
 @overload
-def simplex(x: _Number, y: _Number, z: _Number | None = None, w: _Number | None = None, /, *, seed: int = 0,
-            period: int | Sequence[int] | None = None, phase: float | None = None,
-            cell: int | Sequence[int] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
-            threads: int | None = None, instruction_set: str | None = None) -> float: ...
+def simplex(x: _Number, y: _Number, z: _Number | None = None, w: _Number | None = None, /, *, seed: _Whole = 0,
+            period: _Wholes | None = None, phase: _Number | None = None, cell: _Whole | Sequence[_Whole] | None = None,
+            arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
+            instruction_set: str | None = None) -> float: ...
 @overload
 def simplex(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, w: npt.ArrayLike | None = None, /, *,
-            seed: int = 0, period: int | Sequence[int] | None = None, phase: float | None = None,
-            cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
-            threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+            seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None, cell: _Cells | None = None,
+            arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+            instruction_set: str | None = None) -> _Values: ...
 def simplex_d(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, w: npt.ArrayLike | None = None, /, *,
-              seed: int = 0, period: int | Sequence[int] | None = None, phase: float | None = None,
-              cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
-              threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+              seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None, cell: _Cells | None = None,
+              arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+              instruction_set: str | None = None) -> _Values: ...
 @overload
-def simplex_smooth(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: int = 0,
-                   period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
-                   arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+def simplex_smooth(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: _Whole = 0,
+                   period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
+                   arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
                    instruction_set: str | None = None) -> float: ...
 @overload
-def simplex_smooth(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-                   period: int | Sequence[int] | None = None, cell: _Cells | None = None,
-                   arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+def simplex_smooth(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+                   period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+                   out: _Values | None = None, threads: _Whole | None = None,
                    instruction_set: str | None = None) -> _Values: ...
-def cellular(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-             period: int | Sequence[int] | None = None, phase: float | None = None, jitter: float = 1.0,
+def cellular(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+             period: _Wholes | None = None, phase: _Number | None = None, jitter: _Number = 1.0,
              metric: _Metric = "euclidean", cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
-             out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
-def cellular_three(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-                   period: int | Sequence[int] | None = None, jitter: float = 1.0, metric: _Metric = "euclidean",
+             out: _Values | None = None, threads: _Whole | None = None,
+             instruction_set: str | None = None) -> _Values: ...
+def cellular_three(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+                   period: _Wholes | None = None, jitter: _Number = 1.0, metric: _Metric = "euclidean",
                    cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
-                   threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
-def cellular_d(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-               period: int | Sequence[int] | None = None, jitter: float = 1.0, cell: _Cells | None = None,
-               arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+                   threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+def cellular_d(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+               period: _Wholes | None = None, jitter: _Number = 1.0, cell: _Cells | None = None,
+               arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
                instruction_set: str | None = None) -> _Values: ...
 @overload
-def cellular_smooth(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: int = 0,
-                    period: int | Sequence[int] | None = None, jitter: float = 1.0,
-                    cell: int | Sequence[int] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
-                    threads: int | None = None, instruction_set: str | None = None) -> float: ...
+def cellular_smooth(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: _Whole = 0,
+                    period: _Wholes | None = None, jitter: _Number = 1.0, cell: _Whole | Sequence[_Whole] | None = None,
+                    arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
+                    instruction_set: str | None = None) -> float: ...
 @overload
-def cellular_smooth(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-                    period: int | Sequence[int] | None = None, jitter: float = 1.0, cell: _Cells | None = None,
-                    arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+def cellular_smooth(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+                    period: _Wholes | None = None, jitter: _Number = 1.0, cell: _Cells | None = None,
+                    arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
                     instruction_set: str | None = None) -> _Values: ...
 @overload
-def cell_border(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: int = 0,
-                period: int | Sequence[int] | None = None, jitter: float = 1.0, cell: int | Sequence[int] | None = None,
-                arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
-                instruction_set: str | None = None) -> float: ...
+def cell_border(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: _Whole = 0, period: _Wholes | None = None,
+                jitter: _Number = 1.0, cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast",
+                out: None = None, threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
 @overload
-def cell_border(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-                period: int | Sequence[int] | None = None, jitter: float = 1.0, cell: _Cells | None = None,
-                arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+def cell_border(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+                period: _Wholes | None = None, jitter: _Number = 1.0, cell: _Cells | None = None,
+                arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
                 instruction_set: str | None = None) -> _Values: ...
-def curl(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-         period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
-         out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
-def value_vector(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-                 period: int | Sequence[int] | None = None, cell: _Cells | None = None,
-                 arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+def curl(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+         period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+         out: _Values | None = None, threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+def value_vector(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+                 period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+                 out: _Values | None = None, threads: _Whole | None = None,
                  instruction_set: str | None = None) -> _Values: ...
-def perlin_vector(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-                  period: int | Sequence[int] | None = None, cell: _Cells | None = None,
-                  arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+def perlin_vector(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+                  period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+                  out: _Values | None = None, threads: _Whole | None = None,
                   instruction_set: str | None = None) -> _Values: ...
-def phasor(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-           period: int | Sequence[int] | None = None, wave: Sequence[float] | None = None, phase: float | None = None,
+def phasor(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+           period: _Wholes | None = None, wave: _Vector | None = None, phase: _Number | None = None,
            cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
-           threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+           threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def random(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-           seed: int = 0, period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
-           arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+           seed: _Whole = 0, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
+           arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> float: ...
 @overload
 def random(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-           w: npt.ArrayLike | None = None, /, *, seed: int = 0, period: int | Sequence[int] | None = None,
+           w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, period: _Wholes | None = None,
            cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
-           threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+           threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
-def fbm(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *, seed: int = 0,
-        noise: _Noise = "perlin", octaves: int | None = None, lacunarity: float = 2.0, gain: float = 0.5,
-        detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
-        cell: int | Sequence[int] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
-        threads: int | None = None, instruction_set: str | None = None) -> float: ...
+def fbm(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
+        seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole | None = None, lacunarity: _Number = 2.0,
+        gain: _Number = 0.5, detail: _Number | None = None, footprint: _Number | None = None,
+        period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast",
+        out: None = None, threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
 @overload
 def fbm(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-        w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: _Noise = "perlin", octaves: int | None = None,
-        lacunarity: float = 2.0, gain: float = 0.5, detail: float | None = None, footprint: float | None = None,
-        period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
-        out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+        w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole | None = None,
+        lacunarity: _Number = 2.0, gain: _Number = 0.5, detail: _Number | None = None, footprint: _Number | None = None,
+        period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+        out: _Values | None = None, threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def turbulence(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-               seed: int = 0, noise: _Noise = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
-               period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
-               arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+               seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
+               gain: _Number = 0.5, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
+               arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
                instruction_set: str | None = None) -> float: ...
 @overload
 def turbulence(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-               w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: _Noise = "perlin", octaves: int = 6,
-               lacunarity: float = 2.0, gain: float = 0.5, period: int | Sequence[int] | None = None,
+               w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+               lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
                cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
-               threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+               threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def clouds(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-           seed: int = 0, noise: _Noise = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
-           period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
-           arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+           seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
+           gain: _Number = 0.5, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
+           arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> float: ...
 @overload
 def clouds(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-           w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: _Noise = "perlin", octaves: int = 6,
-           lacunarity: float = 2.0, gain: float = 0.5, period: int | Sequence[int] | None = None,
-           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
-           threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+           w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+           lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
+           arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+           instruction_set: str | None = None) -> _Values: ...
 @overload
 def billow(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-           seed: int = 0, noise: _Noise = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
-           period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
-           arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+           seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
+           gain: _Number = 0.5, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
+           arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> float: ...
 @overload
 def billow(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-           w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: _Noise = "perlin", octaves: int = 6,
-           lacunarity: float = 2.0, gain: float = 0.5, period: int | Sequence[int] | None = None,
-           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
-           threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+           w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+           lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
+           arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+           instruction_set: str | None = None) -> _Values: ...
 @overload
 def ridged(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-           seed: int = 0, noise: _Noise = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
-           period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
-           arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+           seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
+           gain: _Number = 0.5, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
+           arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> float: ...
 @overload
 def ridged(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-           w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: _Noise = "perlin", octaves: int = 6,
-           lacunarity: float = 2.0, gain: float = 0.5, period: int | Sequence[int] | None = None,
-           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
-           threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+           w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+           lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
+           arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+           instruction_set: str | None = None) -> _Values: ...
 @overload
 def hybrid(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-           seed: int = 0, noise: _Noise = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
-           period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
-           arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+           seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
+           gain: _Number = 0.5, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
+           arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> float: ...
 @overload
 def hybrid(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-           w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: _Noise = "perlin", octaves: int = 6,
-           lacunarity: float = 2.0, gain: float = 0.5, period: int | Sequence[int] | None = None,
-           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
-           threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+           w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+           lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
+           arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+           instruction_set: str | None = None) -> _Values: ...
 @overload
 def ping_pong(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-              seed: int = 0, noise: _Noise = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
-              strength: float = 2.0, period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
-              arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
-              instruction_set: str | None = None) -> float: ...
+              seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
+              gain: _Number = 0.5, strength: _Number = 2.0, period: _Wholes | None = None,
+              cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
+              threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
 @overload
 def ping_pong(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-              w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: _Noise = "perlin", octaves: int = 6,
-              lacunarity: float = 2.0, gain: float = 0.5, strength: float = 2.0,
-              period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
-              out: _Values | None = None, threads: int | None = None,
-              instruction_set: str | None = None) -> _Values: ...
+              w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+              lacunarity: _Number = 2.0, gain: _Number = 0.5, strength: _Number = 2.0, period: _Wholes | None = None,
+              cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+              threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def weighted(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-             seed: int = 0, noise: _Noise = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
-             strength: float = 1.0, period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
-             arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
-             instruction_set: str | None = None) -> float: ...
+             seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
+             gain: _Number = 0.5, strength: _Number = 1.0, period: _Wholes | None = None,
+             cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
+             threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
 @overload
 def weighted(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-             w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: _Noise = "perlin", octaves: int = 6,
-             lacunarity: float = 2.0, gain: float = 0.5, strength: float = 1.0,
-             period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
-             out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
-def fbm_d(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-          noise: _Noise = "perlin_d", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
-          period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
-          out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+             w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+             lacunarity: _Number = 2.0, gain: _Number = 0.5, strength: _Number = 1.0, period: _Wholes | None = None,
+             cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+             threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+def fbm_d(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+          noise: _Noise = "perlin_d", octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5,
+          period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+          out: _Values | None = None, threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
-def eroded(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: int = 0, noise: _Noise = "perlin_d",
-           octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5, strength: float = 1.0,
-           period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
-           arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+def eroded(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin_d",
+           octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5, strength: _Number = 1.0,
+           period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
+           arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> float: ...
 @overload
-def eroded(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-           noise: _Noise = "perlin_d", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
-           strength: float = 1.0, period: int | Sequence[int] | None = None, cell: _Cells | None = None,
-           arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+def eroded(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+           noise: _Noise = "perlin_d", octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5,
+           strength: _Number = 1.0, period: _Wholes | None = None, cell: _Cells | None = None,
+           arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> _Values: ...
-def warp(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-         noise: _Noise = "value_vector", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
-         amplitude: float = 1.0, period: int | Sequence[int] | None = None, cell: _Cells | None = None,
-         arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+def warp(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+         noise: _Noise = "value_vector", octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5,
+         amplitude: _Number = 1.0, period: _Wholes | None = None, cell: _Cells | None = None,
+         arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
          instruction_set: str | None = None) -> _Values: ...
-def warp_progressive(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-                     noise: _Noise = "value_vector", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
-                     amplitude: float = 1.0, period: int | Sequence[int] | None = None, cell: _Cells | None = None,
-                     arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
-                     instruction_set: str | None = None) -> _Values: ...
+def warp_progressive(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+                     noise: _Noise = "value_vector", octaves: _Whole = 6, lacunarity: _Number = 2.0,
+                     gain: _Number = 0.5, amplitude: _Number = 1.0, period: _Wholes | None = None,
+                     cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+                     threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
-def perlin_worley(x: _Number, y: _Number, z: _Number, /, *, seed: int = 0, octaves: int = 6, lacunarity: float = 2.0,
-                  gain: float = 0.5, period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
-                  arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
-                  instruction_set: str | None = None) -> float: ...
+def perlin_worley(x: _Number, y: _Number, z: _Number, /, *, seed: _Whole = 0, octaves: _Whole = 6,
+                  lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
+                  cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
+                  threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
 @overload
-def perlin_worley(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike, /, *, seed: int = 0, octaves: int = 6,
-                  lacunarity: float = 2.0, gain: float = 0.5, period: int | Sequence[int] | None = None,
+def perlin_worley(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike, /, *, seed: _Whole = 0, octaves: _Whole = 6,
+                  lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
                   cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
-                  threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+                  threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 # tools/make catalog: end
 
 # tools/make catalog: grid
 @overload
-def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
-         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
-         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
-         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
-         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
-         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: Literal["float32"] | None = None,
-         range: tuple[float, float] | None = None, out: None = None, return_range: Literal[False] = False,
-         threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+def grid(name: _Name, size: _Wholes, *, step: _Numbers, origin: _Numbers = 0.0, cell: _Wholes | None = None,
+         first: _Wholes = 0, seed: _Whole = 0, noise: _Noise | None = None, octaves: _Whole | None = None,
+         lacunarity: _Number | None = None, gain: _Number | None = None, strength: _Number | None = None,
+         amplitude: _Number | None = None, detail: _Number | None = None, footprint: _Number | None = None,
+         period: _Wholes | None = None, wave: _Vector | None = None, phase: _Number | None = None,
+         jitter: _Number | None = None, metric: _Metric | None = None, arithmetic: _Arithmetic = "fast",
+         dtype: Literal["float32"] | None = None, range: _Vector | None = None, out: None = None,
+         return_range: Literal[False] = False, threads: _Whole | None = None,
+         instruction_set: str | None = None) -> _Values: ...
 @overload
-def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
-         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
-         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
-         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
-         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
-         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: Literal["float16"], range: tuple[float,
-         float] | None = None, out: None = None, return_range: Literal[False] = False, threads: int | None = None,
+def grid(name: _Name, size: _Wholes, *, step: _Numbers, origin: _Numbers = 0.0, cell: _Wholes | None = None,
+         first: _Wholes = 0, seed: _Whole = 0, noise: _Noise | None = None, octaves: _Whole | None = None,
+         lacunarity: _Number | None = None, gain: _Number | None = None, strength: _Number | None = None,
+         amplitude: _Number | None = None, detail: _Number | None = None, footprint: _Number | None = None,
+         period: _Wholes | None = None, wave: _Vector | None = None, phase: _Number | None = None,
+         jitter: _Number | None = None, metric: _Metric | None = None, arithmetic: _Arithmetic = "fast",
+         dtype: Literal["float16"], range: _Vector | None = None, out: None = None,
+         return_range: Literal[False] = False, threads: _Whole | None = None,
          instruction_set: str | None = None) -> npt.NDArray[np.float16]: ...
 @overload
-def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
-         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
-         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
-         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
-         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
-         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: Literal["uint16"], range: tuple[float,
-         float] | None = None, out: None = None, return_range: Literal[False] = False, threads: int | None = None,
-         instruction_set: str | None = None) -> npt.NDArray[np.uint16]: ...
+def grid(name: _Name, size: _Wholes, *, step: _Numbers, origin: _Numbers = 0.0, cell: _Wholes | None = None,
+         first: _Wholes = 0, seed: _Whole = 0, noise: _Noise | None = None, octaves: _Whole | None = None,
+         lacunarity: _Number | None = None, gain: _Number | None = None, strength: _Number | None = None,
+         amplitude: _Number | None = None, detail: _Number | None = None, footprint: _Number | None = None,
+         period: _Wholes | None = None, wave: _Vector | None = None, phase: _Number | None = None,
+         jitter: _Number | None = None, metric: _Metric | None = None, arithmetic: _Arithmetic = "fast",
+         dtype: Literal["uint16"], range: _Vector | None = None, out: None = None, return_range: Literal[False] = False,
+         threads: _Whole | None = None, instruction_set: str | None = None) -> npt.NDArray[np.uint16]: ...
 @overload
-def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
-         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
-         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
-         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
-         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
-         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: type[_Kind] | np.dtype[_Kind],
-         range: tuple[float, float] | None = None, out: None = None, return_range: Literal[False] = False,
-         threads: int | None = None, instruction_set: str | None = None) -> npt.NDArray[_Kind]: ...
+def grid(name: _Name, size: _Wholes, *, step: _Numbers, origin: _Numbers = 0.0, cell: _Wholes | None = None,
+         first: _Wholes = 0, seed: _Whole = 0, noise: _Noise | None = None, octaves: _Whole | None = None,
+         lacunarity: _Number | None = None, gain: _Number | None = None, strength: _Number | None = None,
+         amplitude: _Number | None = None, detail: _Number | None = None, footprint: _Number | None = None,
+         period: _Wholes | None = None, wave: _Vector | None = None, phase: _Number | None = None,
+         jitter: _Number | None = None, metric: _Metric | None = None, arithmetic: _Arithmetic = "fast",
+         dtype: type[_Kind] | np.dtype[_Kind], range: _Vector | None = None, out: None = None,
+         return_range: Literal[False] = False, threads: _Whole | None = None,
+         instruction_set: str | None = None) -> npt.NDArray[_Kind]: ...
 @overload
-def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
-         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
-         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
-         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
-         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
-         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: _Dtype | None = None,
-         range: tuple[float, float] | None = None, out: npt.NDArray[_Kind], return_range: Literal[False] = False,
-         threads: int | None = None, instruction_set: str | None = None) -> npt.NDArray[_Kind]: ...
+def grid(name: _Name, size: _Wholes, *, step: _Numbers, origin: _Numbers = 0.0, cell: _Wholes | None = None,
+         first: _Wholes = 0, seed: _Whole = 0, noise: _Noise | None = None, octaves: _Whole | None = None,
+         lacunarity: _Number | None = None, gain: _Number | None = None, strength: _Number | None = None,
+         amplitude: _Number | None = None, detail: _Number | None = None, footprint: _Number | None = None,
+         period: _Wholes | None = None, wave: _Vector | None = None, phase: _Number | None = None,
+         jitter: _Number | None = None, metric: _Metric | None = None, arithmetic: _Arithmetic = "fast",
+         dtype: _Dtype | None = None, range: _Vector | None = None, out: npt.NDArray[_Kind],
+         return_range: Literal[False] = False, threads: _Whole | None = None,
+         instruction_set: str | None = None) -> npt.NDArray[_Kind]: ...
 @overload
-def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
-         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
-         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
-         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
-         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
-         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: Literal["float32"] | None = None,
-         range: tuple[float, float] | None = None, out: None = None, return_range: Literal[True],
-         threads: int | None = None, instruction_set: str | None = None) -> tuple[_Values, _Extent]: ...
+def grid(name: _Name, size: _Wholes, *, step: _Numbers, origin: _Numbers = 0.0, cell: _Wholes | None = None,
+         first: _Wholes = 0, seed: _Whole = 0, noise: _Noise | None = None, octaves: _Whole | None = None,
+         lacunarity: _Number | None = None, gain: _Number | None = None, strength: _Number | None = None,
+         amplitude: _Number | None = None, detail: _Number | None = None, footprint: _Number | None = None,
+         period: _Wholes | None = None, wave: _Vector | None = None, phase: _Number | None = None,
+         jitter: _Number | None = None, metric: _Metric | None = None, arithmetic: _Arithmetic = "fast",
+         dtype: Literal["float32"] | None = None, range: _Vector | None = None, out: None = None,
+         return_range: Literal[True], threads: _Whole | None = None,
+         instruction_set: str | None = None) -> tuple[_Values, _Extent]: ...
 @overload
-def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
-         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
-         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
-         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
-         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
-         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: Literal["float16"], range: tuple[float,
-         float] | None = None, out: None = None, return_range: Literal[True], threads: int | None = None,
+def grid(name: _Name, size: _Wholes, *, step: _Numbers, origin: _Numbers = 0.0, cell: _Wholes | None = None,
+         first: _Wholes = 0, seed: _Whole = 0, noise: _Noise | None = None, octaves: _Whole | None = None,
+         lacunarity: _Number | None = None, gain: _Number | None = None, strength: _Number | None = None,
+         amplitude: _Number | None = None, detail: _Number | None = None, footprint: _Number | None = None,
+         period: _Wholes | None = None, wave: _Vector | None = None, phase: _Number | None = None,
+         jitter: _Number | None = None, metric: _Metric | None = None, arithmetic: _Arithmetic = "fast",
+         dtype: Literal["float16"], range: _Vector | None = None, out: None = None, return_range: Literal[True],
+         threads: _Whole | None = None,
          instruction_set: str | None = None) -> tuple[npt.NDArray[np.float16], _Extent]: ...
 @overload
-def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
-         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
-         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
-         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
-         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
-         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: Literal["uint16"], range: tuple[float,
-         float] | None = None, out: None = None, return_range: Literal[True], threads: int | None = None,
+def grid(name: _Name, size: _Wholes, *, step: _Numbers, origin: _Numbers = 0.0, cell: _Wholes | None = None,
+         first: _Wholes = 0, seed: _Whole = 0, noise: _Noise | None = None, octaves: _Whole | None = None,
+         lacunarity: _Number | None = None, gain: _Number | None = None, strength: _Number | None = None,
+         amplitude: _Number | None = None, detail: _Number | None = None, footprint: _Number | None = None,
+         period: _Wholes | None = None, wave: _Vector | None = None, phase: _Number | None = None,
+         jitter: _Number | None = None, metric: _Metric | None = None, arithmetic: _Arithmetic = "fast",
+         dtype: Literal["uint16"], range: _Vector | None = None, out: None = None, return_range: Literal[True],
+         threads: _Whole | None = None,
          instruction_set: str | None = None) -> tuple[npt.NDArray[np.uint16], _Extent]: ...
 @overload
-def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
-         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
-         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
-         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
-         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
-         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: type[_Kind] | np.dtype[_Kind],
-         range: tuple[float, float] | None = None, out: None = None, return_range: Literal[True],
-         threads: int | None = None, instruction_set: str | None = None) -> tuple[npt.NDArray[_Kind], _Extent]: ...
+def grid(name: _Name, size: _Wholes, *, step: _Numbers, origin: _Numbers = 0.0, cell: _Wholes | None = None,
+         first: _Wholes = 0, seed: _Whole = 0, noise: _Noise | None = None, octaves: _Whole | None = None,
+         lacunarity: _Number | None = None, gain: _Number | None = None, strength: _Number | None = None,
+         amplitude: _Number | None = None, detail: _Number | None = None, footprint: _Number | None = None,
+         period: _Wholes | None = None, wave: _Vector | None = None, phase: _Number | None = None,
+         jitter: _Number | None = None, metric: _Metric | None = None, arithmetic: _Arithmetic = "fast",
+         dtype: type[_Kind] | np.dtype[_Kind], range: _Vector | None = None, out: None = None,
+         return_range: Literal[True], threads: _Whole | None = None,
+         instruction_set: str | None = None) -> tuple[npt.NDArray[_Kind], _Extent]: ...
 @overload
-def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
-         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
-         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
-         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
-         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
-         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: _Dtype | None = None,
-         range: tuple[float, float] | None = None, out: npt.NDArray[_Kind], return_range: Literal[True],
-         threads: int | None = None, instruction_set: str | None = None) -> tuple[npt.NDArray[_Kind], _Extent]: ...
+def grid(name: _Name, size: _Wholes, *, step: _Numbers, origin: _Numbers = 0.0, cell: _Wholes | None = None,
+         first: _Wholes = 0, seed: _Whole = 0, noise: _Noise | None = None, octaves: _Whole | None = None,
+         lacunarity: _Number | None = None, gain: _Number | None = None, strength: _Number | None = None,
+         amplitude: _Number | None = None, detail: _Number | None = None, footprint: _Number | None = None,
+         period: _Wholes | None = None, wave: _Vector | None = None, phase: _Number | None = None,
+         jitter: _Number | None = None, metric: _Metric | None = None, arithmetic: _Arithmetic = "fast",
+         dtype: _Dtype | None = None, range: _Vector | None = None, out: npt.NDArray[_Kind],
+         return_range: Literal[True], threads: _Whole | None = None,
+         instruction_set: str | None = None) -> tuple[npt.NDArray[_Kind], _Extent]: ...
 @overload
-def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
-         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
-         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
-         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
-         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
-         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: _Dtype | None = None,
-         range: tuple[float, float] | None = None, out: npt.NDArray[Any] | None = None, return_range: bool,
-         threads: int | None = None,
+def grid(name: _Name, size: _Wholes, *, step: _Numbers, origin: _Numbers = 0.0, cell: _Wholes | None = None,
+         first: _Wholes = 0, seed: _Whole = 0, noise: _Noise | None = None, octaves: _Whole | None = None,
+         lacunarity: _Number | None = None, gain: _Number | None = None, strength: _Number | None = None,
+         amplitude: _Number | None = None, detail: _Number | None = None, footprint: _Number | None = None,
+         period: _Wholes | None = None, wave: _Vector | None = None, phase: _Number | None = None,
+         jitter: _Number | None = None, metric: _Metric | None = None, arithmetic: _Arithmetic = "fast",
+         dtype: _Dtype | None = None, range: _Vector | None = None, out: npt.NDArray[Any] | None = None,
+         return_range: bool, threads: _Whole | None = None,
          instruction_set: str | None = None) -> npt.NDArray[Any] | tuple[npt.NDArray[Any], _Extent]: ...
 # tools/make catalog: end
-def components(name: _Name, dimensions: int, *, noise: _Noise | None = None) -> tuple[str, ...]: ...
-def noises(dimensions: int) -> tuple[_Noise, ...]: ...
-def fractals(dimensions: int) -> tuple[_Fractal, ...]: ...
+def components(name: _Name, dimensions: _Whole, *, noise: _Noise | None = None) -> tuple[str, ...]: ...
+def noises(dimensions: _Whole) -> tuple[_Noise, ...]: ...
+def fractals(dimensions: _Whole) -> tuple[_Fractal, ...]: ...
 def instruction_sets() -> tuple[str, ...]: ...

@@ -251,7 +251,7 @@ class Types(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         shutil.copytree(Path(hashnoise.__file__).parent, folder / "hashnoise")
         stub = folder / "hashnoise" / "dask.pyi"
-        stub.write_text(stub.read_text().replace("cell_size: float = 1.0", "cell_side: float = 1.0"))
+        stub.write_text(stub.read_text().replace("cell_size: _Number = 1.0", "cell_side: _Number = 1.0"))
         done = self.compare(folder)
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("error: hashnoise.dask.data_array ", done.stdout)

@@ -9,6 +9,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import documents_test
+
 PROGRAM = '''
 import hashnoise
 import numpy as np
@@ -38,12 +40,24 @@ pictures = [hashnoise.grid(name, (9, 9), step=0.1) for name in hashnoise.noises(
 layers: npt.NDArray[np.float32] = hashnoise.grid("phasor", (9, 9, 9), step=0.1, wave=[1, 2, 3])
 planes: tuple[str, ...] = hashnoise.components("warp", 2, noise="perlin_vector")
 version: str = hashnoise.__version__
+number = hashnoise.fbm(0.5, octaves=np.int64(3), seed=np.uint32(3), gain=np.float32(0.5), period=np.array([4]))
+values = hashnoise.fbm(x % 1, x % 1, octaves=np.int64(3), cell=3, threads=np.int32(1))
+image = hashnoise.grid("fbm", np.array([64, 48]), step=np.array([0.01, 0.02]), origin=[1, np.float64(0.5)],
+                       first=np.int64(3), period=np.array([3, 4]))
+layers = hashnoise.grid("phasor", (9, 9), step=(1, np.float32(0.5)), wave=np.array([1.5, 2]), phase=np.float64(0.5))
+heights = hashnoise.grid("fbm", [64, 48], step=0.01, dtype="uint16", range=[-0.5, np.float64(0.5)],
+                         cell=np.array([1, 2]))
+text: str = "fbm"
+if text in hashnoise.noises(2) + hashnoise.fractals(2):
+    image = hashnoise.grid(text, (9, 9), step=0.1)
 '''
 WRONG = {
     'hashnoise.perlin()': "call-overload",
     'hashnoise.perlin(0.5, metric="euclidean")': "call-overload",
     'hashnoise.perlin(0.5, arithmetic="exact")': "call-overload",
     'hashnoise.perlin(0.5, seed=0.5)': "call-overload",
+    'hashnoise.perlin(0.5, seed=np.float32(0.5))': "call-overload",
+    'hashnoise.fbm(0.5, gain=np.array([0.5]))': "call-overload",
     'hashnoise.cellular(0.5, 0.5, metric="taxicab")': "arg-type",
     'hashnoise.phasor(0.5, 0.5, wave=2.5)': "arg-type",
     'hashnoise.simplex(0.5)': "call-overload",
@@ -94,6 +108,14 @@ class Types(unittest.TestCase):
     def test_the_program_runs(self):
         exec(compile(PROGRAM, "program", "exec"), {})  # its asserts hold
 
+    def test_the_page(self):
+        for number, block in enumerate(documents_test.FENCE.findall(documents_test.PAGE.read_text(encoding="utf-8"))):
+            if "matplotlib" in block:  # which is not here
+                continue
+            with self.subTest(block):
+                done = self.check(block)
+                self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+
     def test_wrong_calls(self):
         lines = [f"{call}  # {number}" for number, call in enumerate(WRONG)]
         done = self.check("import hashnoise, numpy as np, numpy.typing as npt\n" + "\n".join(lines) + "\n")
@@ -120,8 +142,8 @@ class Types(unittest.TestCase):
         stub = self.scratch / "hashnoise" / "__init__.pyi"
         text = stub.read_text()
         # A default, an option, and a function.
-        stub.write_text(text.replace("octaves: int = 6", "octaves: int = 5").replace("jitter: float", "jiter: float")
-                        + "def no_such() -> int: ...\n")
+        stub.write_text(text.replace("octaves: _Whole = 6", "octaves: _Whole = 5")
+                        .replace("jitter: _Number", "jiter: _Number") + "def no_such() -> int: ...\n")
         try:
             done = self.compare_with_the_code()
         finally:

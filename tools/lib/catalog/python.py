@@ -25,16 +25,14 @@ SUMS = '''\
 """The fractals and the warps, over any noise. help(hashnoise) describes what they have in common."""
 '''
 # Overloads of a grid in a stub: its array has the type of dtype, or of `out`.
-GRID = ("name: _Name, size: int | Sequence[int], *, step: float | Sequence[float], "
-        "origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, "
-        "first: int | Sequence[int] = 0, seed: int = 0, "
-        "noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None, "
-        "gain: float | None = None, strength: float | None = None, amplitude: float | None = None, "
-        "detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None, "
-        "wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None, "
-        'metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: {dtype}, '
-        "range: tuple[float, float] | None = None, out: {out}, return_range: {return_range}, "
-        "threads: int | None = None, instruction_set: str | None = None")
+GRID = ("name: _Name, size: _Wholes, *, step: _Numbers, origin: _Numbers = 0.0, cell: _Wholes | None = None, "
+        "first: _Wholes = 0, seed: _Whole = 0, noise: _Noise | None = None, octaves: _Whole | None = None, "
+        "lacunarity: _Number | None = None, gain: _Number | None = None, strength: _Number | None = None, "
+        "amplitude: _Number | None = None, detail: _Number | None = None, footprint: _Number | None = None, "
+        "period: _Wholes | None = None, wave: _Vector | None = None, phase: _Number | None = None, "
+        'jitter: _Number | None = None, metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", '
+        "dtype: {dtype}, range: _Vector | None = None, out: {out}, return_range: {return_range}, "
+        "threads: _Whole | None = None, instruction_set: str | None = None")
 ARRAYS = (('Literal["float32"] | None = None', "None = None", "_Values"),
           ('Literal["float16"]', "None = None", "npt.NDArray[np.float16]"),
           ('Literal["uint16"]', "None = None", "npt.NDArray[np.uint16]"),
@@ -71,14 +69,15 @@ class _Option:
     is_setting: bool = True  # of the field; the others state where it is evaluated
 
 
-_PERIOD = _Option("period", "None", "int | Sequence[int] | None")
-_WAVE = _Option("wave", "None", "Sequence[float] | None")
-_PHASE = _Option("phase", "None", "float | None")
-_SUM_IN_DETAIL = (_Option("detail", "None", "float | None"), _Option("footprint", "None", "float | None"))
-_CELL = _Option("cell", "None", "_Cells | None", "int | Sequence[int] | None", is_setting=False)
+_PERIOD = _Option("period", "None", "_Wholes | None")
+_WAVE = _Option("wave", "None", "_Vector | None")
+_PHASE = _Option("phase", "None", "_Number | None")
+_SUM_IN_DETAIL = (_Option("detail", "None", "_Number | None"), _Option("footprint", "None", "_Number | None"))
+_CELL = _Option("cell", "None", "_Cells | None", "_Whole | Sequence[_Whole] | None", is_setting=False)
 _ARITHMETIC = _Option("arithmetic", '"fast"', "_Arithmetic")
 _LAST = (_Option("out", "None", "_Values | None", "None", is_setting=False),
-         _Option("threads", "None", "int | None", is_setting=False), _Option("instruction_set", "None", "str | None"))
+         _Option("threads", "None", "_Whole | None", is_setting=False),
+         _Option("instruction_set", "None", "str | None"))
 
 
 def _options(function: Function, catalog: Catalog) -> tuple[_Option, ...]:
@@ -105,11 +104,11 @@ def _of_sum(function: Sum, catalog: Catalog) -> Iterable[_Option]:
     in_detail = tuple(option for option in _SUM_IN_DETAIL if option.name in function.options)
     if function.takes_noise:
         yield _Option("noise", f'"{function.noise}"', "_Noise")
-    yield _Option("octaves", "None", "int | None") if in_detail else _setting("octaves", catalog)
+    yield _Option("octaves", "None", "_Whole | None") if in_detail else _setting("octaves", catalog)
     yield _setting("lacunarity", catalog)
     yield _setting("gain", catalog)
     if function.strength:
-        yield _Option(function.strength.name, repr(float(function.strength.default)), "float")
+        yield _Option(function.strength.name, repr(float(function.strength.default)), "_Number")
     yield from in_detail
 
 
@@ -118,8 +117,8 @@ def _setting(name: str, catalog: Catalog) -> _Option:
     if setting.default is None:
         raise CatalogError(f"catalog/settings.toml: {name} has no default")
     if setting.is_whole:
-        return _Option(name, str(setting.default), "int")
-    return _Option(name, repr(float(setting.default)), "float")
+        return _Option(name, str(setting.default), "_Whole")
+    return _Option(name, repr(float(setting.default)), "_Number")
 
 
 def _module(head: str, functions: Sequence[Noise] | Sequence[Sum], table: str, catalog: Catalog) -> str:
