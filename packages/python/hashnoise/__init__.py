@@ -56,20 +56,15 @@ from ._sums import *  # noqa: F403
 __all__ = ["components", "fractals", "grid", "instruction_sets", "noises", *_noises.__all__, *_sums.__all__]
 
 
-# The noises by their names in other packages.
-_ELSEWHERE = {"snoise": "simplex", "pnoise": "perlin", "cnoise": "perlin", "worley": "cellular", "voronoi": "cellular"}
-
-
 def __getattr__(name):
     """Called for a name that there is not: that of GLSL or of another package is meant, or the nearest one."""
     bare = name.removeprefix("hn_")
-    elsewhere = _ELSEWHERE.get(name.rstrip("1234d"))
     if name == "dask":
         meant = "; import hashnoise.dask"
     elif bare == "cellular_phase":
         meant = "; cellular has the option phase"
-    elif elsewhere:
-        meant = f" (here it is {elsewhere})"
+    elif bare.lower() in ("fastnoise", "fastnoiselite"):
+        meant = "; call a function such as fbm, which has its settings as options"
     else:
-        meant = f" (did you mean {bare}?)" if bare in __all__ else _suggestion(bare, __all__)
+        meant = _suggestion(bare, __all__)
     raise AttributeError(f"module 'hashnoise' has no attribute {name!r}{meant}")

@@ -64,7 +64,7 @@ def points(function, coordinates, cell, out, threads, *, noise=None, fractal="",
 
 def make_field(function, dimensions, noise, fractal, options):
     settings = _core.Settings()
-    settings.noise = "" if noise is None else _name(function, "noise", noise)
+    settings.noise = "" if noise is None else _noise(function, noise, dimensions)
     settings.fractal = fractal
     for name, value in options.items():
         if value is not None:
@@ -91,7 +91,7 @@ def whole_number(function, name, value, least, most):
 def real_number(function, name, value):
     """`value` as a float, if it is finite."""
     try:
-        # What is an array float() takes or not, which depends on NumPy's version.
+        # NumPy's version decides whether float() takes an array of one number.
         if isinstance(value, (bool, np.bool_, str, bytes)) or np.ndim(value) > 0:
             raise TypeError
         number = float(value)
@@ -176,9 +176,26 @@ def checked_ranges(function, name, range, dtype, field):
     return [(least, greatest)] * len(field.component_names)
 
 
+# Functions by their names in other libraries, in lower case and without the dimensions at the end.
+_NAMES = {"pnoise": "perlin", "cnoise": "perlin", "perlinnoise": "perlin", "snoise": "simplex", "noise": "simplex",
+          "opensimplex": "simplex", "opensimplex2s": "simplex_smooth", "worley": "cellular", "voronoi": "cellular",
+          "noise2array": "grid", "noise3array": "grid", "noise4array": "grid"}
+
+
 def suggestion(word, names):
     """ (did you mean perlin?), or nothing."""
-    return _core.suggestion(word, list(names)) if isinstance(word, str) else ""
+    if not isinstance(word, str):
+        return ""
+    return _meant(word, names) or _core.suggestion(word, list(names))
+
+
+def _meant(word, names):
+    """The one of the names that is meant for certain, as of suggestion()."""
+    bare = word.lower().removeprefix("hn_")
+    elsewhere = _NAMES.get(bare.rstrip("1234d"))
+    if elsewhere in names:
+        return f" (here it is {elsewhere})"
+    return f" (did you mean {bare}?)" if bare in names else ""
 
 
 # Options by their names in other libraries: of a function, and of a grid.
@@ -190,7 +207,15 @@ _PERIOD = ("period is after how many cells the field repeats",) * 2
 _ELSEWHERE = {
     "frequency": _FREQUENCY, "freq": _FREQUENCY, "scale": _SCALE, "wavelength": _SCALE, "zoom": _FREQUENCY,
     "persistence": ("gain is the persistence, of fractals such as fbm",) * 2,
-    **dict.fromkeys(("repeat", "tile", "tileable", "repeatx"), _PERIOD),
+    **dict.fromkeys(("repeat", "tile", "tileable", "tile_sizes", "repeatx", "repeaty", "repeatz"), _PERIOD),
+    "base": ("seed takes the place of the base",) * 2,
+    **dict.fromkeys(AXES, ("coordinates have no names: pass them first", "size, step and origin set the coordinates")),
+    # These are options of other functions than the called one.
+    **dict.fromkeys(("octaves", "lacunarity", "gain"), ("fractals such as fbm have that, over any noise",) * 2),
+    "strength": ("ping_pong, weighted and eroded have that",) * 2,
+    "amplitude": ("warp and warp_progressive have that",) * 2,
+    "jitter": ("cellular noises have that",) * 2,
+    "metric": ("cellular and cellular_three have that",) * 2,
     **dict.fromkeys(("fractal", "fractal_type"), ("the fractals are functions, such as fbm and ridged",
                                                   "the first argument names the fractal, such as \"fbm\"")),
     "noise_type": ("the noises are functions; noise is what a fractal such as fbm takes",
@@ -206,6 +231,13 @@ _ELSEWHERE = {
 }
 
 
+def no_option(option, options, is_grid=False):
+    """The end of a message about an option that there is not: what takes its place, or the others."""
+    if option in _ELSEWHERE:
+        return f"; {_ELSEWHERE[option][is_grid]}"
+    return suggestion(option, options) or f"; the options are {', '.join(options)}"
+
+
 def suggesting(function):
     """The function, with a TypeError that names for an option that it has not the nearest that it has, or what takes
     the place of an option of other libraries."""
@@ -216,17 +248,12 @@ def suggesting(function):
     def called(*arguments, **given):
         try:
             return function(*arguments, **given)
-        except TypeError as error:
-            unknown = [option for option in given if option not in options and f"'{option}'" in str(error)]
+        except TypeError:
+            unknown = [option for option in given if option not in options]
             if not unknown:
                 raise
-            if unknown[0] in _ELSEWHERE:
-                meant = f"; {_ELSEWHERE[unknown[0]]['step' in options]}"
-            else:  # Python itself names the nearest from 3.13 on
-                meant = "" if "mean" in str(error) else suggestion(unknown[0], options)
-            if not meant:
-                raise
-            raise TypeError(f"{error}{meant}") from None
+            raise TypeError(f"{function.__name__}: there is no option {unknown[0]}"
+                            f"{no_option(unknown[0], options, 'step' in options)}") from None
 
     called.__kwdefaults__ = function.__kwdefaults__  # for tools that list the options
     return called
@@ -338,12 +365,15 @@ def _empty(wanted, shape, arrays):
     return np.moveaxis(np.empty((*planes, *shape[::-1]), _FLOAT32).T, range(-len(planes), 0), range(len(planes)))
 
 
-def _name(function, name, value):
-    if not isinstance(value, str):
-        raise TypeError(f"{function}: {name} must be a name, not {_shown(value)}")
-    if not value:  # the compiled part takes the usual one then
-        raise ValueError(f"{function}: {name} must be a name, and is empty")
-    return value
+def _noise(function, noise, dimensions):
+    if not isinstance(noise, str):
+        raise TypeError(f"{function}: noise must be a name, not {_shown(noise)}")
+    if noise.lower() in ("", "none"):  # the compiled part takes the usual one for none
+        raise ValueError(f"{function}: noise must be a name, not {noise!r}; leave it out for the usual one")
+    names = _core.noise_names(dimensions)
+    if noise not in names and (meant := _meant(noise, names)):
+        raise ValueError(f"{function}: there is no noise {noise!r}{meant}")
+    return noise
 
 
 def _one_of(names):

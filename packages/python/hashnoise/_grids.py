@@ -3,8 +3,8 @@
 import numpy as np
 
 from . import _core, _noises, _sums
-from ._evaluate import (AXES, checked_dtype, checked_out, checked_ranges, checked_threads, make_field, per_axis,
-                        real_number, ruled_number, single_number, suggesting, suggestion, whole_number)
+from ._evaluate import (AXES, checked_dtype, checked_out, checked_ranges, checked_threads, make_field, no_option,
+                        per_axis, real_number, ruled_number, single_number, suggesting, suggestion, whole_number)
 
 MOST_POINTS = _core.rules["size"][1]
 
@@ -165,7 +165,7 @@ def _options(function, name, given):
     defaults = own.__kwdefaults__
     for option in given:
         if option not in defaults:
-            raise TypeError(f"{function}: {name} has no option {option}; it has {', '.join(defaults)}")
+            raise TypeError(f"{function}: {name} has no option {option}{no_option(option, defaults)}")
     made = {option: value for option, value in defaults.items() if option not in ("cell", "out", "threads")}
     return {**made, **chosen, **given}
 
