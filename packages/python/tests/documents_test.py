@@ -91,6 +91,15 @@ class Page(unittest.TestCase):
         self.assertEqual(names[3]["line"].shape, (1024,))
         self.assertEqual(names[4]["heights"].mask.tolist(), [False, True, False])
 
+    def test_code_for_users_of_other_packages_runs(self):
+        page = PAGE.with_name("moving.md").read_text(encoding="utf-8")
+        (block,) = FENCE.findall(page)
+        names = run(block)
+        self.assertEqual((names["heights"].shape, names["waves"].shape), ((256, 512), (256, 512)))
+        table = page.partition("| Python | hashnoise |")[2].partition("\n## ")[0]
+        called = re.findall(r"`(\w+)\(", "".join(row.split(" | ")[1] for row in table.splitlines() if " | " in row))
+        self.assertEqual(set(called), {"perlin", "simplex", "fbm"})
+
     def test_code_that_fails_is_noticed(self):
         with self.assertRaises(TypeError):
             run("import hashnoise\nhashnoise.perlin(0.5, octaves=3)\n")
