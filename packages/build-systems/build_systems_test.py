@@ -9,7 +9,6 @@ class needs cannot be had here.
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import shlex
@@ -273,11 +272,6 @@ def library_version() -> str:
 
 class Files(unittest.TestCase):
     """Tests that need no tool."""
-
-    def test_versions(self):
-        port = json.loads((ROOT / "packages" / "vcpkg" / "hashnoise" / "vcpkg.json").read_text())
-        self.assertEqual(port["version"], library_version())
-        self.assertIn(f"\nhashnoise/{library_version()}\n", PAGE)
 
     def test_the_usage_of_the_port_names_what_the_page_does(self):
         usage = (ROOT / "packages" / "vcpkg" / "hashnoise" / "usage").read_text()

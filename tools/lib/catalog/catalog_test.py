@@ -10,7 +10,8 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from catalog import command, grid, sections, shaders, suite
+from base.tree import ROOT
+from catalog import command, copies, grid, sections, shaders, suite
 from catalog.model import CATALOG, CatalogError, read
 from catalog.tables import functions
 
@@ -35,6 +36,26 @@ class Made(unittest.TestCase):
                 self.assertEqual(status, 1)
                 self.assertRegex(output, rf"{re.escape(path.name)}: it is not what the catalog makes; "
                                          r"run tools/make catalog$")
+
+    def test_what_repeats_the_version_has_the_next_one(self):
+        """Whatever the lines are now, they are right in another version and at another address."""
+        with mock.patch.object(copies, "version", return_value="2.13.4"), \
+                mock.patch.object(copies, "released", return_value="2.12.0"), \
+                mock.patch.object(copies, "address", return_value="https://example.org/an/hashnoise"):
+            wrong = copies.wrong()
+            made = {path.relative_to(ROOT).as_posix(): text for path, text in command.files().items()}
+            for file, lines in copies.LINES.items():
+                for line in lines:
+                    self.assertIn(copies.filled(line), made[file])
+                    self.assertTrue([one for one in wrong if one.startswith(f"{file}: ") and one.endswith(
+                        f" must be {copies.filled(line).strip()}; tools/make catalog writes it")], line)
+        self.assertIn("#define HN_I_NAMESPACE v2_13\n#define HN_I_LIBRARY v2\n", made["include/hashnoise/glsl.hpp"])
+        self.assertIn("GIT_TAG v2.12.0", made["docs/guide/build-systems.md"])
+        self.assertEqual(copies.wrong(), [])
+
+    def test_a_line_that_is_missing_is_told(self):
+        with self.assertRaisesRegex(LookupError, "CITATION.cff must have version: "):
+            copies.made("CITATION.cff", "title: hashnoise\n")
 
     def test_every_part_knows_of_every_entry(self):
         made = {path.name: text for path, text in command.files().items()}

@@ -4,7 +4,8 @@
     tools/make catalog --check    whether it is what it should be
 
 A noise or a sum is one entry of catalog/noises.toml or sums.toml; the comments at their top state what the keys mean.
-Files that are made state it at their top, and in others what is made stands between two marks.
+Files that are made state it at their top, and in others what is made stands between two marks. It also writes the
+version and the address of the project into the files that repeat them, which catalog/copies.py lists.
 
 Exit status: 0 all is as it should be, 1 (--check) a file is not, 2 bad usage, or an entry that is wrong.
 """
@@ -17,15 +18,17 @@ from pathlib import Path
 
 from base.tree import ROOT
 from base.usage import Parser
-from catalog import grid, javascript, pages, python, shaders
+from catalog import copies, grid, javascript, pages, python, shaders
 from catalog.model import CatalogError, read
 
 
 def files() -> dict[Path, str]:
     """All that is made, by its path."""
     catalog = read()
-    return {**grid.files(catalog), **python.files(catalog), **javascript.files(catalog), **shaders.files(catalog),
+    made = {**grid.files(catalog), **python.files(catalog), **javascript.files(catalog), **shaders.files(catalog),
             **pages.files(catalog)}
+    return made | {ROOT / name: copies.made(name, made.get(ROOT / name) or (ROOT / name).read_text(encoding="utf-8"))
+                   for name in copies.LINES}
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from catalog.copies import LINES
+
 
 class Part(NamedTuple):
     """Inputs and products are patterns from the top of the repository; the code that makes a part is an input, too, as
@@ -35,15 +37,17 @@ PAGES = ("README.md", "docs/guide/gallery/README.md",
              "measured/measuring", "measured/silicon", "reference/fractals", "reference/noises")))
 
 PARTS = (
-    Part("catalog", "what the library, packages and pages have of catalog/", "a second", "catalog.command",
-         ("catalog/*.toml",),
+    Part("catalog", "what the library, packages and pages have of catalog/, the version and the address", "a second",
+         "catalog.command",
+         ("catalog/*.toml", "glsl/hashnoise/config.glsl", "conformance/web/address.js", "CHANGELOG.md"),
          ("README.md", "docs/guide/javascript.md", "docs/reference/noises.md", "docs/reference/fractals.md",
           "glsl/hashnoise/fbm2d.glsl", "glsl/hashnoise/octaves2d.glsl", "include/hashnoise/hashnoise.hpp",
           "packages/npm/src/index.*", "packages/npm/wasm/twin.cpp", "packages/python/hashnoise/*.py*",
-          "playground/catalog.js", "src/grid/catalog.inc")),
+          "playground/catalog.js", "src/grid/catalog.inc", *LINES)),
     Part("umbrella", "files of glsl/ that only include others, and what other dimensions have of the plane's text",
          "a second", "translate.dimensions.command", ("include/hashnoise/*.hpp",),
-         ("glsl/hashnoise/**/*.glsl", "glsl/hashnoise/detail/*.h"), python=(3, 9)),
+         # config.glsl is by hand, and what is above this part is made of it.
+         ("glsl/hashnoise/[!c]*.glsl", "glsl/hashnoise/c[!o]*.glsl", "glsl/hashnoise/detail/*"), python=(3, 9)),
     Part("readme", "pictures, numbers and tables of pages", "half a minute", "ship.readme.command",
          (*PAGES, *LIBRARY, "docs/measured/results/**/*.csv", "tools/costs.csv", "tools/lib/ship/readme/*.[ch]pp",
           "catalog/*.toml"),

@@ -157,14 +157,6 @@ class Refuses(Project):
         self.git(self.root, "commit", "-qam", "Take the day back")
         self.refused(1, 'has "not released" in place of the day', "--only", "single")
 
-    def test_a_citation_is_of_this_version(self):
-        self.assertIn(f"\nversion: {version()}\n", (ROOT / "CITATION.cff").read_text())
-
-    def test_a_namespace_is_of_this_version(self):
-        major, minor, _ = version().split(".")
-        self.assertIn(f"\n#define HN_I_NAMESPACE v{major}_{minor}\n#define HN_I_LIBRARY v{major}\n",
-                      (ROOT / "include/hashnoise/glsl.hpp").read_text())
-
     def test_pages_have_the_address_of_the_project(self):
         """It changes when the project gets a public place: then each page that has another is named here."""
         others = [f"{path.relative_to(ROOT)}: {found}" for path in [ROOT / "README.md", *ROOT.glob("docs/**/*.md")]
