@@ -1,4 +1,4 @@
-"""The Conan package: headers and GLSL, with the CMake files that `cmake --install` makes (docs/guide/build-systems.md)."""
+"""The Conan package: headers and GLSL, with the CMake files of `cmake --install` (docs/guide/build-systems.md)."""
 
 import re
 from pathlib import Path
@@ -15,6 +15,8 @@ class Hashnoise(ConanFile):
     description = "Procedural noise from hash functions, for shaders and C++"
     topics = ("noise", "procedural", "shaders", "glsl", "header-only")
     license = "MIT"
+    url = "https://example.com/hashnoise"
+    homepage = "https://example.com/hashnoise"
     package_type = "header-library"
     settings = "os", "arch", "compiler", "build_type"
     no_copy_source = True
@@ -25,7 +27,8 @@ class Hashnoise(ConanFile):
         self.version = ".".join(re.findall(r"^#define HN_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)$", config, re.MULTILINE))
 
     def export_sources(self):
-        for pattern in ("CMakeLists.txt", "LICENSE", "glsl/*", "include/*", "tools/*.in", "vectors/*", "build/vectors/*"):
+        for pattern in ("CMakeLists.txt", "LICENSE", "glsl/*", "include/*", "tools/*.in", "vectors/*",
+                        "build/vectors/*"):
             copy(self, pattern, Path(self.recipe_folder, TOP), self.export_sources_folder)
 
     def package_id(self):

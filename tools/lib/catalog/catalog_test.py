@@ -41,7 +41,7 @@ class Made(unittest.TestCase):
         """Whatever the lines are now, they are right in another version and at another address."""
         with mock.patch.object(copies, "version", return_value="2.13.4"), \
                 mock.patch.object(copies, "released", return_value="2.12.0"), \
-                mock.patch.object(copies, "address", return_value="https://example.org/an/hashnoise"):
+                mock.patch.object(copies, "address", return_value="https://example.org/another"):
             wrong = copies.wrong()
             made = {path.relative_to(ROOT).as_posix(): text for path, text in command.files().items()}
             for file, lines in copies.LINES.items():

@@ -12,13 +12,15 @@ ANY = {"VERSION": r"\d+\.\d+\.\d+", "RELEASED": r"\d+\.\d+\.\d+", "MAJOR": r"\d+
 NAME = re.compile("|".join(ANY))
 # Each stands in its file at least once. RELEASED is the last version that has a tag.
 LINES = {
-    "CITATION.cff": ("\nversion: VERSION\n",),
-    "docs/guide/build-systems.md": ("GIT_TAG vRELEASED`", "revision = vRELEASED`", "\nhashnoise/VERSION\n"),
+    "CITATION.cff": ("\nversion: VERSION\n", "\nrepository-code: ADDRESS\n"),
+    "docs/guide/build-systems.md": ("GIT_TAG vRELEASED`", "revision = vRELEASED`", "\nhashnoise/VERSION\n", "ADDRESS.git"),
     "docs/guide/godot.md": ("hashnoise-godot-VERSION.zip",),
     "docs/guide/javascript.md": ("hashnoise-VERSION.tgz",),
     "docs/reference/frozen.md": ("`hashnoise::vMAJOR_MINOR`", "`hashnoise::vMAJOR`"),
     "include/hashnoise/glsl.hpp": ("\n#define HN_I_NAMESPACE vMAJOR_MINOR\n", "\n#define HN_I_LIBRARY vMAJOR\n"),
-    "packages/vcpkg/hashnoise/vcpkg.json": ('"version": "VERSION"',),
+    "packages/conan/conanfile.py": ('    url = "ADDRESS"', '    homepage = "ADDRESS"'),
+    "packages/vcpkg/hashnoise/vcpkg.json": ('"version": "VERSION"', '"homepage": "ADDRESS"'),
+    "pyproject.toml": ('Repository = "ADDRESS"',),
 }
 
 

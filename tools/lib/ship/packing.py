@@ -11,7 +11,7 @@ import textwrap
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from base.tree import ROOT, version
+from base.tree import ROOT, address, version
 from base.twin import NotBuilt
 from base.usage import Parser
 from ship.page import of_package
@@ -29,13 +29,15 @@ def own_files(folder: Path) -> dict[str, str]:
 
 
 def of_npm(manifest: str, name: str) -> str:
-    """A package.json, which has neither a name nor a version of its own."""
-    return json.dumps({"name": name, "version": version(), **json.loads(manifest)}, indent=2) + "\n"
+    """A package.json, which has no name, no version and no address of its own."""
+    where = {"homepage": address(), "repository": {"type": "git", "url": f"git+{address()}.git"},
+             "bugs": f"{address()}/issues"}
+    return json.dumps({"name": name, "version": version(), **json.loads(manifest), **where}, indent=2) + "\n"
 
 
 def of_cargo(manifest: str) -> str:
-    """A Cargo.toml, which has no version of its own."""
-    return manifest.replace("[package]\n", f'[package]\nversion = "{version()}"\n', 1)
+    """A Cargo.toml, which has no version and no address of its own."""
+    return manifest.replace("[package]\n", f'[package]\nversion = "{version()}"\nrepository = "{address()}"\n', 1)
 
 
 def papers(package: Path) -> dict[str, str]:

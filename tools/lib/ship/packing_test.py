@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import io
+import json
 import tempfile
 import unittest
 import zipfile
@@ -27,6 +28,19 @@ def call(*arguments: str) -> tuple[int, str, str]:
         except SystemExit as ended:
             status = ended.code
     return status, out.getvalue(), error.getvalue()
+
+
+class Manifests(unittest.TestCase):
+    def test_they_have_the_address_of_the_project(self) -> None:
+        with mock.patch.object(packing, "address", return_value="https://example.org/another"):
+            for name in ("npm", "unity", "glsl-noise", "wesl"):
+                written = (ROOT / "packages" / name / "package.json").read_text(encoding="utf-8")
+                described = json.loads(packing.of_npm(written, name))
+                self.assertEqual(described["repository"]["url"], "git+https://example.org/another.git")
+                self.assertEqual(described["homepage"], "https://example.org/another")
+            for name in ("rust", "wesl"):
+                written = (ROOT / "packages" / name / "Cargo.toml").read_text(encoding="utf-8")
+                self.assertIn('\nrepository = "https://example.org/another"\n', packing.of_cargo(written))
 
 
 class Usage(unittest.TestCase):

@@ -7,7 +7,7 @@ import zipfile
 from functools import cache
 from pathlib import Path
 
-from base.tree import GLSL, ROOT, version
+from base.tree import GLSL, ROOT, address, version
 from catalog import asked
 from catalog.tables.markdown import table
 from ship.packing import Refused, papers
@@ -55,7 +55,8 @@ def package(wheel: str | None = None) -> dict[str, str | bytes]:
     """All files, by their paths, with a wheel of the Python package if that is named."""
     found: dict[str, str | bytes] = {path.name: path.read_text(encoding="utf-8")
                                      for path in sorted(PACKAGE.glob("*.py"))}
-    found[MANIFEST] = (PACKAGE / MANIFEST).read_text(encoding="utf-8").replace('"VERSION"', f'"{version()}"')
+    manifest = (PACKAGE / MANIFEST).read_text(encoding="utf-8")
+    found[MANIFEST] = manifest.replace("VERSION", version()).replace("ADDRESS", address())
     found |= papers(PACKAGE)
     found |= {f"shaders/{shader(form)}.osl": text for form, text in texts().items()}
     if wheel is not None:

@@ -21,8 +21,18 @@ from ship.release import files
 # Enough of the tree for what is tried here.
 COPIED = ("CMakeLists.txt", "LICENSE", "catalog/asked.toml", "glsl", "include", "packages/npm/package.json",
           "packages/wesl/Cargo.toml", "pyproject.toml", "tools")
-ADDRESS = re.compile(r"https://[\w./-]+/hashnoise(?=[^\w-]|$)")
+# Of the project, or of a page of a registry on it.
+ADDRESS = "https://[A-Za-z0-9_./-]+/hashnoise[A-Za-z0-9_-]*"
+REGISTRIES = ("https://pypi.org/", "https://www.npmjs.com/", "https://crates.io/")
 CHEAP = "single,parts,vectors,headers,source"
+
+
+def other_addresses(root: Path) -> list[str]:
+    """Of files in git that end like the project's, and are others."""
+    found = subprocess.run(["git", "-C", root, "grep", "-IoE", ADDRESS], stdout=subprocess.PIPE, text=True, check=False)
+    lines = [line.split(":", 1) for line in found.stdout.splitlines()]
+    return [f"{name}: {other} must be {address()}, which conformance/web/address.js has" for name, other in lines
+            if other.endswith("/hashnoise") and other != address() and not other.startswith(REGISTRIES)]
 
 
 class Project(unittest.TestCase):
@@ -157,12 +167,16 @@ class Refuses(Project):
         self.git(self.root, "commit", "-qam", "Take the day back")
         self.refused(1, 'has "not released" in place of the day', "--only", "single")
 
-    def test_pages_have_the_address_of_the_project(self):
-        """It changes when the project gets a public place: then each page that has another is named here."""
-        others = [f"{path.relative_to(ROOT)}: {found}" for path in [ROOT / "README.md", *ROOT.glob("docs/**/*.md")]
-                  for found in ADDRESS.findall(path.read_text(encoding="utf-8")) if found != address()]
-        self.assertEqual(others, [])
-        self.assertEqual(ADDRESS.findall("URL https://example.org/a/hashnoise.git."), ["https://example.org/a/hashnoise"])
+    def test_each_file_has_the_address_of_the_project(self):
+        """It changes when the project gets a public place: then each file that has another is named here."""
+        if not (ROOT / ".git").exists():
+            self.skipTest(f"{ROOT} is no git repository")
+        self.assertEqual(other_addresses(ROOT), [])
+        other = address().replace("://", "://old.")
+        (self.root / "page.md").write_text(f"{other}.git {address()} {address()}_wgsl https://pypi.org/project/hashnoise")
+        self.git(self.root, "add", "page.md")
+        self.assertEqual(other_addresses(self.root), [
+            f"page.md: {other} must be {address()}, which conformance/web/address.js has"])
 
     def test_a_version_that_the_changelog_does_not_have(self):
         with self.assertRaisesRegex(files.NoRelease, "has no part on 7.0.0"):

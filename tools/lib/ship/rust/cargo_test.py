@@ -88,19 +88,16 @@ class Crate(unittest.TestCase):
         self.assertEqual((self.folder / "LICENSE").read_bytes(), (ROOT / "LICENSE").read_bytes())
 
     def test_what_a_registry_wants_is_in_the_manifest(self) -> None:
-        """crates.io refuses a crate without a description or a license; cargo warns of these and of others. The project
-        has no address yet (docs/develop/publishing.md)."""
+        """crates.io refuses a crate without a description or a license; cargo warns of these and of others."""
         path = self.folder / "Cargo.toml"
         right = path.read_text(encoding="utf-8")
         self.addCleanup(path.write_text, right, encoding="utf-8")
-        for without, said in (("none", "documentation, homepage or repository"),
-                              ("description", "description, documentation"),
-                              ("license ", "license, license-file, documentation")):
+        for without, said in (("none", []), ("repository", ["documentation, homepage or repository"]),
+                              ("description", ["description"]), ("license ", ["license or license-file"])):
             path.write_text(re.sub(rf"(?m)^{without}.*\n", "", right), encoding="utf-8")
             done = self.cargo("package", "--allow-dirty", "--no-verify", "--offline")
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertIn(f"warning: manifest has no {said}", done.stderr)
-            self.assertEqual(done.stderr.count("warning:"), 1, done.stderr)
+            self.assertEqual(re.findall("warning: (?:manifest has no )?(.*)", done.stderr), said)
 
     @in_thorough_runs
     def test_its_pages_compile_and_its_comments_are_comments(self) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from functools import cache
 
-from base.tree import ROOT, version
+from base.tree import ROOT, address, version
 from catalog.tables.markdown import table
 from ship.hlsl_nodes import ARITHMETICS, NODES, PORTS, call, forms, ports, shader
 from ship.packing import own_files
@@ -41,7 +41,8 @@ def node_table() -> str:
 def package() -> dict[str, str]:
     """All files, by their paths."""
     found = own_files(PACKAGE)
-    found[DESCRIPTION] = json.dumps({**json.loads(found[DESCRIPTION]), "VersionName": version()}, indent=2) + "\n"
+    own = {"VersionName": version(), "CreatedByURL": address()}
+    found[DESCRIPTION] = json.dumps({**json.loads(found[DESCRIPTION]), **own}, indent=2) + "\n"
     found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
     for arithmetic, suffix in ARITHMETICS.items():
         found[f"Shaders/HashNoise{suffix}.ush"] = shader(arithmetic)
