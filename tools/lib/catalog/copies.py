@@ -25,8 +25,10 @@ LINES = {
 
 
 def released() -> str:
-    """The newest version that has a day in the changelog."""
-    return re.search(r"^## ([\d.]+) \([\d-]+\)$", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.MULTILINE)[1]
+    """The newest version that has a day in the changelog; before the first this one."""
+    changelog = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    found = re.search(r"^## ([\d.]+) \(\d{4}-\d\d-\d\d\)$", changelog, re.MULTILINE)
+    return found[1] if found else version()
 
 
 def values() -> dict[str, str]:

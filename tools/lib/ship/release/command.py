@@ -12,14 +12,15 @@ from pathlib import Path
 from base.tree import ROOT, version
 from base.usage import Parser, near
 from proof.vectors.files import NoVectors
-from ship.release.files import PARTS, NoRelease, Release, named, notes, run
+from ship.release.files import PARTS, NoRelease, Release, named, notes, problems, run
 
 DESCRIPTION = textwrap.dedent("""\
     Makes all that a release has, from a clean tree: files for shaders, headers, packages, the playground, checksums.
 
     FOLDER is build/release/hashnoise-VERSION unless you name one; it must not exist. The version is that of
-    glsl/hashnoise/config.glsl. The tree must be what is committed, and CHANGELOG.md must give the version's day; with
-    --trial neither has to be. With --tag v1.2.3 the version must be that one.
+    glsl/hashnoise/config.glsl. The tree must be what is committed, CHANGELOG.md must begin with the version and its
+    day, and every file that repeats the version or the project's address must have it; with --trial nothing of that
+    has to be so. With --tag v1.2.3 the version must be that one.
 
     {parts}
 
@@ -34,7 +35,7 @@ DESCRIPTION = textwrap.dedent("""\
 def parsed_arguments(arguments: list[str] | None) -> argparse.Namespace:
     parser = Parser("tools/pack release", DESCRIPTION)
     parser.add_argument("--trial", action="store_true",
-                        help="whatever is not committed, and whatever day CHANGELOG.md has")
+                        help="whatever is not committed, not dated or not of this version")
     parser.add_argument("--tag", metavar="NAME",
                         help="there is no release unless the version is that of this tag: v1.2.3")
     chosen = parser.add_mutually_exclusive_group()
@@ -67,11 +68,11 @@ def make(folder: Path, parts: list[str], trial: bool) -> None:
     """All of it, or nothing: the folder appears when everything is in it."""
     if not (ROOT / ".git").exists():
         raise NoRelease(f"{ROOT} is no git repository, and a release is made of a commit")
-    changed = run(["git", "-C", ROOT, "status", "--porcelain"]).splitlines()
-    if changed and not trial:
-        raise NoRelease(f"the tree is not what is committed: {changed[0]}"
-                        f"{f' and {len(changed) - 1} more' if len(changed) > 1 else ''}; --trial makes one all the same")
-    said = notes((ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), version(), trial)  # before what takes minutes
+    changed = [f"{line[3:]}: it is not as it is committed"
+               for line in run(["git", "-C", ROOT, "status", "--porcelain"]).splitlines()]
+    if not trial and (wrong := [*changed, *problems()]):
+        raise NoRelease("this tree is no release; --trial makes one all the same\n" + "\n".join(wrong))
+    said = notes((ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), version())  # before what takes minutes
     with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}.") as scratch:
         release = Release(Path(scratch) / "release")
         release.folder.mkdir()

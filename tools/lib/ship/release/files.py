@@ -8,16 +8,22 @@ import os
 import re
 import subprocess
 import tempfile
+from datetime import date
 from pathlib import Path
 
-from base.tree import HN_CONFORM, ROOT, TOOLS, version
+from base.tree import GOLDEN, HN_CONFORM, ROOT, TOOLS, address, version
+from catalog import copies
 from catalog.tables import glsl
+from measure.results.command import VERSIONS
+from measure.results.sets import FrozenSets, GoldenSets
 from proof.vectors.files import vectors_folder
 from ship.recipes import RECIPES
 from ship.release import sbom
 from ship.zips import zipped
 from translate.pick import pages as snippets
 from translate.single_file.files import text
+
+STAND_IN = "https://example.com/"
 
 
 class NoRelease(Exception):
@@ -32,16 +38,44 @@ def run(command: list[str | Path], **options) -> str:
     return done.stdout
 
 
-def notes(changelog: str, wanted: str, trial: bool) -> str:
-    """The changelog's part on a version. Its heading has the day of the release: "## 1.2.3 (2026-11-22)"."""
-    section = re.search(rf"^## {re.escape(wanted)} \((.*?)\)\n+(.*?)(?=^## |\Z)", changelog, re.M | re.S)
+def newest(changelog: str) -> tuple[str, str]:
+    """The version of the changelog's first heading, and the day or other words behind it: "## 1.2.3 (2026-11-22)"."""
+    found = re.search(r"^## (\S+)(?: \((.*)\))?", changelog, re.MULTILINE)
+    return (found[1], found[2] or "") if found else ("", "")
+
+
+def is_day(words: str) -> bool:
+    try:
+        return date.fromisoformat(words).isoformat() == words
+    except ValueError:
+        return False
+
+
+def problems() -> list[str]:
+    """Everything in the committed files that keeps them from being a release: the file, and what would be right."""
+    found = copies.wrong()
+    wanted = version()
+    named, day = newest((ROOT / "CHANGELOG.md").read_text(encoding="utf-8"))
+    if named != wanted or not is_day(day):
+        found.append(f'CHANGELOG.md: the first heading is "## {named} ({day})", and must be "## {wanted} (DAY)" with '
+                     "the day of the release, such as 2026-11-22")
+    digests = VERSIONS / f"{wanted}.csv"
+    if not digests.exists() or FrozenSets(digests).golden != GoldenSets(GOLDEN).golden:
+        found.append(f"{digests.relative_to(ROOT)}: it must have the checksums of the golden files; tools/make results "
+                     "--freeze writes it")
+    if address().startswith(STAND_IN):
+        found.append(f"conformance/web/address.js: {address()} must be the project's address; write it there, and run "
+                     "tools/make catalog")
+    return found
+
+
+def notes(changelog: str, wanted: str) -> str:
+    """The changelog's part on a version."""
+    section = re.search(rf"^## {re.escape(wanted)} \(.*?\)\n+(.*?)(?=^## |\Z)", changelog, re.M | re.S)
     if not section:
         raise NoRelease(f'CHANGELOG.md has no part on {wanted}; it must have a heading like "## {wanted} (2026-11-22)"')
-    if not re.fullmatch(r"\d{4}-\d\d-\d\d", section[1]) and not trial:
-        raise NoRelease(f'CHANGELOG.md has "{section[1]}" in place of the day on which {wanted} is released; '
-                        "--trial makes one all the same")
     # Links to the pages of the repository lead nowhere from a release.
-    text = re.sub(r"\[([^\]]+)\]\((?!\w+://)[^)]*\)", r"\1", section[2].rstrip())
+    text = re.sub(r"\[([^\]]+)\]\((?!\w+://)[^)]*\)", r"\1", section[1].rstrip())
     return f"# hashnoise {wanted}\n\n{text}\n"
 
 

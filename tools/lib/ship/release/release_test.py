@@ -11,17 +11,23 @@ import tarfile
 import tempfile
 import unittest
 import zipfile
+from collections.abc import Callable
 from pathlib import Path
 from unittest import mock
 
 from base.tree import ROOT, TOOLS, address, version
+from catalog import copies
+from measure.results.sets import GoldenSets, write
 from proof.vectors.files import vectors_folder
 from ship.release import files
 
 # Enough of the tree for what is tried here.
-COPIED = ("CMakeLists.txt", "LICENSE", "catalog/asked.toml", "glsl", "include", "packages/npm/package.json",
-          "packages/wesl/Cargo.toml", "pyproject.toml", "tools")
+COPIED = ("CMakeLists.txt", "LICENSE", "catalog/asked.toml", "conformance/expected/golden/hash.word.golden",
+          "conformance/web/address.js", "glsl", "include", "packages/npm/package.json", "packages/wesl/Cargo.toml",
+          "tools", *(name for name in copies.LINES if not name.startswith("include/")))
+PLACE = "https://example.org/a-place"
 # Of the project, or of a page of a registry on it.
+DIGESTS = f"docs/measured/results/devices/versions/{version()}.csv"
 ADDRESS = "https://[A-Za-z0-9_./-]+/hashnoise[A-Za-z0-9_-]*"
 REGISTRIES = ("https://pypi.org/", "https://www.npmjs.com/", "https://crates.io/")
 CHEAP = "single,parts,vectors,headers,source"
@@ -53,12 +59,22 @@ class Project(unittest.TestCase):
         (cls.original / ".gitignore").write_text("/vectors/\n")
         for name in ("index.json", "hash.word.json"):
             shutil.copy(vectors_folder() / name, cls.original / "vectors")
-        changelog = f"# Changelog\n\n## {version()} (2026-11-22)\n\n- It is [there](docs/x.md).\n\n## 0.0.1 (2025-01-01)\n\n- Old.\n"
-        (cls.original / "CHANGELOG.md").write_text(changelog)
+        (cls.original / "CHANGELOG.md").write_text(
+            f"# Changelog\n\n## {version()} (2026-11-22)\n\n- It is [there](docs/x.md).\n\n"
+            "## 0.0.1 (2025-01-01)\n\n- Old.\n")
+        with mock.patch.multiple(copies, released=version, address=lambda: PLACE):
+            for name in copies.LINES:
+                cls.change(cls.original / name, lambda text, name=name: copies.made(name, text))
+        cls.change(cls.original / "conformance/web/address.js", lambda text: text.replace(address(), PLACE))
+        write(cls.original / DIGESTS, GoldenSets(cls.original / "conformance/expected/golden"))
         # Of one pack fewer files are copied than of a thousand objects.
         for arguments in (["init", "-q", "--template="], ["add", "-A"], ["commit", "-qm", "All of it"],
                           ["repack", "-adq"]):
             cls.git(cls.original, *arguments)
+
+    @staticmethod
+    def change(path: Path, how: Callable[[str], str]) -> None:
+        path.write_text(how(path.read_text()))
 
     @staticmethod
     def git(folder: Path, *arguments: str) -> None:
@@ -156,16 +172,38 @@ class Makes(Project):
 class Refuses(Project):
     def test_a_tree_that_is_not_what_is_committed(self):
         (self.root / "glsl" / "mine.glsl").write_text("// not in any commit\n")
-        self.refused(1, r"the tree is not what is committed: \?\? glsl/mine\.glsl; --trial", "--only", "single")
+        self.refused(1, r"--trial makes one all the same\nglsl/mine\.glsl: it is not as it is committed\n\Z",
+                     "--only", "single")
         done = self.call("--trial", "--only", "single")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("This is a trial", done.stderr)
 
-    def test_a_version_without_a_day(self):
-        path = self.root / "CHANGELOG.md"
-        path.write_text(path.read_text().replace("2026-11-22", "not released"))
-        self.git(self.root, "commit", "-qam", "Take the day back")
-        self.refused(1, 'has "not released" in place of the day', "--only", "single")
+    def test_files_that_disagree(self):
+        """A new number in config.glsl alone, no day, and no address."""
+        self.change(self.root / "glsl/hashnoise/config.glsl", lambda text: re.sub(
+            r"(HN_VERSION_M\w+) \d+", r"\1 77", text))
+        self.change(self.root / "conformance/web/address.js", lambda text: text.replace(PLACE, "https://example.com/x"))
+        self.change(self.root / "CHANGELOG.md", lambda text: text.replace("2026-11-22", "2026-13-99"))
+        self.git(self.root, "commit", "-qam", "Begin the next version")
+        patch = version().split(".")[2]
+        new = f"77.77.{patch}"
+        said = [f'CHANGELOG.md: the first heading is "## {version()} (2026-13-99)", and must be "## {new} (DAY)"',
+                f"docs/measured/results/devices/versions/{new}.csv: it must have the checksums of the golden files; ",
+                "conformance/web/address.js: https://example.com/x must be the project's address; write it there",
+                f"CITATION.cff: repository-code: {PLACE} must be repository-code: https://example.com/x; ",
+                f'vcpkg.json: "version": "{version()}" must be "version": "{new}"; tools/make catalog writes it',
+                "must be #define HN_I_NAMESPACE v77_77; tools/make catalog writes it"]
+        self.refused(1, "(?s)" + "".join(f"(?=.*{re.escape(one)})" for one in said), "--only", "single")
+
+    def test_what_is_a_day(self):
+        words = ("2026-11-22", "2026-13-99", "20261122", "not released")
+        self.assertEqual([day for day in words if files.is_day(day)], ["2026-11-22"])
+
+    def test_checksums_of_other_golden_files(self):
+        self.change(self.root / "conformance/expected/golden/hash.word.golden", lambda text: text + "# more\n")
+        self.git(self.root, "commit", "-qam", "Change values")
+        self.refused(1, rf"all the same\n{DIGESTS}: it must have the checksums of the golden files; .*\n\Z",
+                     "--only", "single")
 
     def test_each_file_has_the_address_of_the_project(self):
         """It changes when the project gets a public place: then each file that has another is named here."""
@@ -180,7 +218,7 @@ class Refuses(Project):
 
     def test_a_version_that_the_changelog_does_not_have(self):
         with self.assertRaisesRegex(files.NoRelease, "has no part on 7.0.0"):
-            files.notes("## 0.7.0 (2026-01-01)\n\n- Something.\n", "7.0.0", trial=True)
+            files.notes("## 0.7.0 (2026-01-01)\n\n- Something.\n", "7.0.0")
 
     def test_a_folder_that_exists(self):
         self.out.mkdir(parents=True)
@@ -221,8 +259,7 @@ class Refuses(Project):
 
 class Version(unittest.TestCase):
     def test_it_is_the_one_of_cmake_and_of_the_changelog(self):
-        found = re.search(r"^## (\S+) \(", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.M)
-        self.assertEqual(found[1], version())
+        self.assertEqual(files.newest((ROOT / "CHANGELOG.md").read_text(encoding="utf-8"))[0], version())
 
 
 if __name__ == "__main__":
