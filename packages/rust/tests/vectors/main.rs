@@ -122,3 +122,20 @@ fn a_function_that_is_wrong_is_noticed() {
     };
     assert!(held(&lattice).1.len() > 40);
 }
+
+#[test]
+fn a_place_names_its_cell() {
+    let cell = [i32::MIN, -1, 0, i32::MAX];
+    macro_rules! places {
+        ($($place:ident $cell:expr;)*) => {$(
+            assert_eq!(hashnoise::fast::$place::in_cell($cell, $cell.map(|_| 0.5)).cell(), $cell);
+            assert_eq!(hashnoise::fixed::$place::in_cell($cell, $cell.map(|_| 0.5)).cell(), $cell);
+        )*};
+    }
+    places! {
+        Place1 [cell[0]];
+        Place2 [cell[0], cell[1]];
+        Place3 [cell[0], cell[1], cell[2]];
+        Place4 cell;
+    }
+}

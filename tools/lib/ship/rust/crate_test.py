@@ -51,6 +51,15 @@ class Calls(unittest.TestCase):
         self.assertGreater(len(all_names), 100)
 
 
+class Places(unittest.TestCase):
+    def test_a_place_has_the_same_traits_in_each_arithmetic_and_no_field_of_callers(self) -> None:
+        found = [files.written(files.Made(arithmetic, "place")) for arithmetic in files.ARITHMETICS]
+        for shown in found:
+            self.assertEqual(re.findall(r"(?m)^#\[derive\((.*)\)\]", shown), ["Clone, Copy, Debug, Default, PartialEq"] * 4)
+            self.assertEqual(len(re.findall(r"(?m)^    pub\(crate\) tiled: bool,", shown)), 4)
+            self.assertNotRegex(shown, r"(?m)^    pub \w+:")
+
+
 class Command(unittest.TestCase):
     def setUp(self) -> None:
         scratch = tempfile.TemporaryDirectory()

@@ -18,8 +18,8 @@ from translate.parsing.syntax import Function as Declared
 from translate.pick import command
 from translate.pick.evaluate import Module
 from translate.pick.program import Program, facts, name_of, names, read
-from translate.pick.rust import Rust
-from translate.pick.scalars import bare, text
+from translate.pick.rust import MADE_BY, Rust
+from translate.pick.scalars import Part, bare, text
 
 PACKAGE = ROOT / "packages" / "rust"
 ARITHMETICS = ("fast", "fixed")
@@ -29,8 +29,17 @@ ALL = (*MODULES, "hash")
 NEEDED = ("place", "hash")
 HASHES = (("hn_hash", "hn_lattice", "hn_unorm", "hn_snorm"), 4)  # of every arithmetic
 STRUCT = re.compile(r"#\[derive\([^\n]*\)\]\npub struct (Place[1-4]) \{\n.*?\n\}\n\n?", re.DOTALL)
-PLACE = "/// Where noise is evaluated: a cell, the fraction in it, and periods.\n#[allow(missing_docs)]\n"
+PLACE = "/// Where noise is evaluated: a cell, the fraction in it, and periods.\n"
 MADE = "// Of hashnoise {}, by tools/pack rust. Copyright (c) 2026 The hashnoise authors; MIT License.\n"
+
+
+class OfCrate(Rust):
+    """Fields are the crate's own, so that a later version may have others, and no caller makes a place that overflows.
+    A place can be compared alike with floats and with integers."""
+
+    def struct(self, name: str, fields: Sequence[Part]) -> str:
+        shown = super().struct(name, fields).removeprefix(f"/// {MADE_BY}\n")
+        return shown.replace("    pub ", "    pub(crate) ").replace(", Eq)]", ")]")
 
 
 class Made(NamedTuple):
@@ -59,7 +68,7 @@ def written(made: Made) -> str:
     known = of.forms
     functions = [known[name] for name in of_module(known, *(HASHES if made.module == "hash" else MODULES[made.module]))]
     program = Program(of, functions)
-    shown = text(program, Rust(False), facts(program, GLSL, False), [])
+    shown = text(program, OfCrate(), facts(program, GLSL, False), [])
     structs = sorted(set(STRUCT.findall(shown)))
     if made.module == "place":
         shown = STRUCT.sub(lambda found: PLACE + found[0], shown)
@@ -69,9 +78,11 @@ def written(made: Made) -> str:
 
 
 def methods(n: int) -> str:
-    """The constructors of a place, by vectors."""
+    """Of a place, by vectors."""
     def all_of(of: str) -> str:
         return ", ".join(f"{of}[{i}]" for i in range(n))
+
+    cell = "self.cell" if n == 1 else ", ".join(f"self.cell_{axis}" for axis in AXES[:n])
 
     return f"""
 impl Place{n} {{
@@ -93,6 +104,11 @@ impl Place{n} {{
     /// The place in a tile: the field repeats after its period, in cells. 0 is none.
     pub fn tile(self, period: [i32; {n}]) -> Self {{
         tile{n}_place(self, {all_of("period")})
+    }}
+
+    /// The cell in which it is.
+    pub fn cell(self) -> [i32; {n}] {{
+        [{cell}]
     }}
 }}
 """

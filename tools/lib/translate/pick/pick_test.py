@@ -530,6 +530,11 @@ class Comments(unittest.TestCase):
                 shown = self.comment(self.pick(["hn_cellular2_nearest"], command.Choice(language, "fixed")))
                 self.assertIn(call, shown)
 
+    def test_a_place_in_rust_names_who_makes_a_valid_one(self) -> None:
+        shown = self.pick(["hn_perlin2_place"], command.Choice("rust"))
+        self.assertRegex(shown, r"/// Only functions that return one make a valid one:.*\n#\[derive.*\n"
+                                r"pub struct Place2 \{\n    pub cell_x: i32,")
+
     def test_they_compile_in_c_and_in_hlsl(self) -> None:
         cases = {"c": ("float x = 1.0f, y = 1.0f;\nhn_ivec2 nearest;\nhn_vec2 offset;", "gcc", "-x", "c",
                        "-fsyntax-only", "-Wall", "-Werror", "-Wno-unused-function", "-include", "text", "call"),

@@ -8,6 +8,7 @@ import struct
 from collections.abc import Sequence
 from decimal import Decimal
 
+from translate.names import OF_AXES
 from translate.pick.printer import CHOICE, PRIMARY, UNARY
 from translate.pick.scalars import Part, Piece, Syntax, Taken, bare, pascal
 from translate.pick.values import AXES, SIZES, Operation, scalar_of
@@ -33,6 +34,7 @@ def single(value: float) -> float:
 
 
 CONSTANTS = _constants()
+MADE_BY = "Only functions that return one make a valid one: with other fields an addition may overflow."
 NEGATIVE_ONE = ("-1", "-1.0")
 MOST_ARGUMENTS = 7  # before clippy complains
 ROTATED = re.compile(r"(\S.*) (<<|>>) (\d+)")  # half of a rotation
@@ -267,4 +269,5 @@ fn abs(x: f32) -> f32 {
         if all(field.type in ("int", "uint", "bool", *self.whole) for field in fields):
             self.whole.add(name)
         equal = "PartialEq, Eq" if name in self.whole else "PartialEq"
-        return f"#[derive(Clone, Copy, Debug, Default, {equal})]\npub struct {pascal(bare(name))} {{\n{inside}}}\n"
+        made = f"/// {MADE_BY}\n" if OF_AXES.fullmatch(name) else ""
+        return f"{made}#[derive(Clone, Copy, Debug, Default, {equal})]\npub struct {pascal(bare(name))} {{\n{inside}}}\n"
