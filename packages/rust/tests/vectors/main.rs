@@ -124,18 +124,28 @@ fn a_function_that_is_wrong_is_noticed() {
 }
 
 #[test]
-fn a_place_names_its_cell() {
-    let cell = [i32::MIN, -1, 0, i32::MAX];
+fn a_place_is_where_it_was_made() {
     macro_rules! places {
-        ($($place:ident $cell:expr;)*) => {$(
-            assert_eq!(hashnoise::fast::$place::in_cell($cell, $cell.map(|_| 0.5)).cell(), $cell);
-            assert_eq!(hashnoise::fixed::$place::in_cell($cell, $cell.map(|_| 0.5)).cell(), $cell);
+        ($($place:ident $far:expr, $near:expr;)*) => {$(
+            let half = $near.map(|_| 0.5);
+            assert_eq!($place::in_cell($far, half).cell(), $far);
+            assert_eq!($place::at_cell($far), $place::in_cell($far, $near.map(|_| 0.0)));
+            assert_eq!($place::in_cell($near, half), $place::of($near.map(|cell| cell as f32 + 0.5)));
+            assert_eq!($place::in_cell($near, half), $place::of_units($near.map(|cell| 2 * cell + 1), 1, 2));
+            assert_eq!($place::of($near.map(|cell| cell as f32 + 0.5)).position(), $near.map(|cell| cell as f32 + 0.5));
+            assert_eq!($place::at_cell($near).tile($near.map(|_| 4)).cell(), $near);
         )*};
     }
-    places! {
-        Place1 [cell[0]];
-        Place2 [cell[0], cell[1]];
-        Place3 [cell[0], cell[1], cell[2]];
-        Place4 cell;
+    macro_rules! arithmetics {
+        ($($arithmetic:ident)*) => {$({
+            use hashnoise::$arithmetic::{Place1, Place2, Place3, Place4};
+            places! {
+                Place1 [i32::MIN], [-3];
+                Place2 [i32::MIN, i32::MAX], [-3, 5];
+                Place3 [i32::MIN, i32::MAX, 0], [-3, 5, 0];
+                Place4 [i32::MIN, i32::MAX, 0, -1], [-3, 5, 0, 7];
+            }
+        })*};
     }
+    arithmetics!(fast fixed);
 }

@@ -29,6 +29,7 @@ ALL = (*MODULES, "hash")
 NEEDED = ("place", "hash")
 HASHES = (("hn_hash", "hn_lattice", "hn_unorm", "hn_snorm"), 4)  # of every arithmetic
 STRUCT = re.compile(r"#\[derive\([^\n]*\)\]\npub struct (Place[1-4]) \{\n.*?\n\}\n\n?", re.DOTALL)
+OF_A_POSITION = re.compile(r"hn_tile\d")  # which a place has no method for: it takes Place2::of(p).tile(period)
 PLACE = "/// Where noise is evaluated: a cell, the fraction in it, and periods.\n"
 MADE = "// Of hashnoise {}, by tools/pack rust. Copyright (c) 2026 The hashnoise authors; MIT License.\n"
 
@@ -66,37 +67,44 @@ def written(made: Made) -> str:
     """The text of a module. Places are those of the module `place`, so that all modules have the same."""
     of = library(made.arithmetic)
     known = of.forms
-    functions = [known[name] for name in of_module(known, *(HASHES if made.module == "hash" else MODULES[made.module]))]
+    names = of_module(known, *(HASHES if made.module == "hash" else MODULES[made.module]))
+    is_of_places = made.module == "place"
+    functions = [known[name] for name in names if not (is_of_places and OF_A_POSITION.fullmatch(name))]
     program = Program(of, functions)
-    shown = text(program, OfCrate(), facts(program, GLSL, False), [])
+    shown = text(program, OfCrate(), [] if is_of_places else facts(program, GLSL, False), [])
     structs = sorted(set(STRUCT.findall(shown)))
-    if made.module == "place":
-        shown = STRUCT.sub(lambda found: PLACE + found[0], shown)
+    if is_of_places:
+        shown = STRUCT.sub(lambda found: PLACE + found[0], re.sub("(?m)^pub fn", "fn", shown))
         return MADE.format(version()) + "\n" + shown.lstrip("\n") + "".join(methods(n) for n in range(1, 5))
     used = f"use super::place::{{{', '.join(structs)}}};\n\n" if structs else ""
     return MADE.format(version()) + "\n" + used + STRUCT.sub("", shown).lstrip("\n")
 
 
 def methods(n: int) -> str:
-    """Of a place, by vectors."""
+    """Of a place, by vectors: the functions of the library, which are the module's own."""
     def all_of(of: str) -> str:
         return ", ".join(f"{of}[{i}]" for i in range(n))
 
     cell = "self.cell" if n == 1 else ", ".join(f"self.cell_{axis}" for axis in AXES[:n])
-
+    position = f"[position{n}(self)]" if n == 1 else f"position{n}(self)"
     return f"""
 impl Place{n} {{
-    /// The place of a position.
-    pub fn at(p: [f32; {n}]) -> Self {{
+    /// The place of a position, in cells: a coordinate times a frequency. Floats from 2^23 on have no fraction.
+    pub fn of(p: [f32; {n}]) -> Self {{
         place_of{n}({all_of("p")})
     }}
 
-    /// A cell, and a position in it from 0 to 1. It names cells exactly where a float no longer can.
+    /// A cell, and a position in it from 0 to 1. It names cells exactly where a float no longer can. Cells wrap at 2^32.
     pub fn in_cell(cell: [i32; {n}], fraction: [f32; {n}]) -> Self {{
         place_in_cell{n}({all_of("cell")}, {all_of("fraction")})
     }}
 
-    /// The place of whole units; `units` of them make so many `cells`.
+    /// The first corner of a cell.
+    pub fn at_cell(cell: [i32; {n}]) -> Self {{
+        place_at_cell{n}({all_of("cell")})
+    }}
+
+    /// The place of whole units, exactly; `units` of them make so many `cells`. Both are from 1 to 65536.
     pub fn of_units(position: [i32; {n}], cells: i32, units: i32) -> Self {{
         place_of_units{n}({all_of("position")}, cells, units)
     }}
@@ -109,6 +117,11 @@ impl Place{n} {{
     /// The cell in which it is.
     pub fn cell(self) -> [i32; {n}] {{
         [{cell}]
+    }}
+
+    /// Its cell and its fraction in one float along each axis, which far out rounds them.
+    pub fn position(self) -> [f32; {n}] {{
+        {position}
     }}
 }}
 """
@@ -132,20 +145,20 @@ def call(function: Function, name: str, module: str) -> str:
     words = {column.name: argument(column.type, i) for i, column in enumerate(function.inputs)}
     n = function.axes
 
-    def along(prefix: str) -> list[str]:
-        return [words.pop(f"{prefix}{axis}") for axis in AXES[:n]]
+    def along(prefix: str) -> str:
+        return f"[{', '.join(words.pop(f'{prefix}{axis}') for axis in AXES[:n])}]"
 
     def called(made: str, *arguments: str) -> str:
         return f"{module}::{made}({', '.join(arguments)})"
 
     if function.has_place:
         if function.has_cell:
-            place = called(f"place_in_cell{n}", *along("c"), *along("f"))
+            place = called(f"Place{n}::in_cell", along("c"), along("f"))
         elif function.form == "place_of_noise":
-            place = called(f"place_of_units{n}", *along(""), words.pop("cells"), words.pop("units"))
+            place = called(f"Place{n}::of_units", along(""), words.pop("cells"), words.pop("units"))
         else:
-            place = called(f"place_of{n}", *along(""))
-        arguments = [called(f"tile{n}_place", place, *along("p")) if function.has_period else place]
+            place = called(f"Place{n}::of", along(""))
+        arguments = [f"{place}.tile({along('p')})" if function.has_period else place]
         arguments += words.values()
     else:
         arguments = list(words.values())
