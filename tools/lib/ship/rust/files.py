@@ -37,6 +37,7 @@ MADE = "// Of hashnoise {}, by tools/pack rust. Copyright (c) 2026 The hashnoise
 class OfCrate(Rust):
     """Fields are the crate's own, so that a later version may have others, and no caller makes a place that overflows.
     A place can be compared alike with floats and with integers."""
+    passed = "/// A metric of cellular noise.\npub const {}: i32 = {};"
 
     def struct(self, name: str, fields: Sequence[Part]) -> str:
         shown = super().struct(name, fields).removeprefix(f"/// {MADE_BY}\n")

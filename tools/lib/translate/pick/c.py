@@ -38,6 +38,7 @@ def _of_two(name: str, sign: str) -> dict[str, str]:
 
 class C(Syntax):
     example_struct = example_set = "&{}"
+    passed = "#define {} {}"
     indent = 2
     types = TYPES
     reserved = frozenset("""auto break case char const continue default do double else enum extern float for goto if
@@ -80,6 +81,9 @@ static inline uint32_t hn_i_as_uint(float x) {
         return name
 
     def type_name(self, name: str) -> str:
+        return name
+
+    def constant_name(self, name: str) -> str:
         return name
 
     def field_name(self, name: str) -> str:

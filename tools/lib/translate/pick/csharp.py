@@ -15,6 +15,7 @@ NAME = "HashNoise"  # of the class
 
 class CSharp(Syntax):
     example_of, example_struct = f"{NAME}.", "ref {}"
+    passed = "public const int {} = {};"
     types = {"float": "float", "int": "int", "uint": "uint", "bool": "bool"}
     reserved = frozenset("""abstract as base bool break byte case catch char checked class const continue decimal
         default delegate do double else enum event explicit extern false finally fixed float for
@@ -67,6 +68,9 @@ private struct Bits {
 
     def function_name(self, name: str, is_public: bool) -> str:
         return re.sub(r"_(?=\d)", "", pascal(bare(name)))
+
+    def constant_name(self, name: str) -> str:
+        return pascal(super().constant_name(name).lower())
 
     def field_name(self, name: str) -> str:
         return pascal(name)

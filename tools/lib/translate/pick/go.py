@@ -17,6 +17,7 @@ NUMBERS = re.compile(r"(?:0x[\dA-F]+|[\d.]+|[-+*/ ()])+")  # no type follows fro
 class Go(Syntax):
     item = "  - "  # as gofmt has it
     example_of, example_struct = "hashnoise.", "&{}"
+    passed = "const {} = {}"
     end = ""
     head = "{}"
     types = {"float": "float32", "int": "int32", "uint": "uint32", "bool": "bool"}
@@ -77,6 +78,9 @@ func toWord(x float32) uint32 {
 
     def function_name(self, name: str, is_public: bool) -> str:
         return re.sub(r"_(?=\d)", "", (pascal if is_public else camel)(bare(name)))
+
+    def constant_name(self, name: str) -> str:
+        return pascal(super().constant_name(name).lower())
 
     def field_name(self, name: str) -> str:
         return pascal(name)

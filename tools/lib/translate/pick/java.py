@@ -16,6 +16,7 @@ UNSIGNED = {"/": "divideUnsigned", "%": "remainderUnsigned"}
 
 class Java(Syntax):
     example_of = f"{NAME}."
+    passed = "public static final int {} = {};"
     types = {"float": "float", "int": "int", "uint": "int", "bool": "boolean"}
     reserved = frozenset("""abstract assert boolean break byte case catch char class const continue default do
         double else enum extends final finally float for goto if implements import instanceof

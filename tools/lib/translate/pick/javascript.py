@@ -35,6 +35,7 @@ def counted(piece: Piece) -> Piece:
 
 class JavaScript(Syntax):
     indent = 2
+    passed = "export const {} = {};"
     types = {"float": "number", "int": "number", "uint": "number", "bool": "boolean"}
     reserved = frozenset("""arguments await break case catch class const continue debugger default delete do else
         enum eval export extends false finally for function if implements import in instanceof

@@ -29,6 +29,7 @@ COMPONENTS = {f"hn_i_{axis}_of_{name.removeprefix('hn_')}": (axis, name)
 
 class Osl(Syntax):
     example_set = "{}"
+    passed = "#define {} {}"
     indent = 2
     library = {"__VERSION__": "130"}
     no_precise = ("a renderer may reorder what OSL computes with floats: take --arithmetic fixed, whose bits are the same "
@@ -91,6 +92,9 @@ int hn_i_to_word(float x) {
         return name
 
     def type_name(self, name: str) -> str:
+        return name
+
+    def constant_name(self, name: str) -> str:
         return name
 
     def field_name(self, name: str) -> str:

@@ -116,12 +116,7 @@ class Language:
 
     def constants(self, functions: Sequence[Function], module: Module) -> str:
         """The constants that users pass to the functions, where no library beside the text has them."""
-        if not self.structs:
-            return ""
-        taken = {parameter.at.text for function in functions for parameter in function.parameters}
-        beginnings = tuple(PASSED[name] for name in PASSED if name in taken)
-        return "".join(self.constant(name, module.constant(name).at.text)
-                       for name in module.constants if name.startswith(beginnings))
+        return "".join(self.constant(*one) for one in constants_of(functions, module)) if self.structs else ""
 
     def constant(self, name: str, value: str) -> str:
         return f"#define {name} {value}\n"
@@ -149,6 +144,13 @@ class Language:
     def writer(self, block: list[Statement], hints: Mapping[Node, str], parameters: Sequence[Parameter],
                names: Mapping[Kept, str], precise: bool) -> Writer:
         return Writer(self, block, hints, [parameter.at.text for parameter in parameters], names, precise)
+
+
+def constants_of(functions: Sequence[Function], module: Module) -> list[tuple[str, str]]:
+    """The constants that users pass to functions, with their numbers."""
+    taken = {parameter.at.text for function in functions for parameter in function.parameters}
+    beginnings = tuple(PASSED[name] for name in PASSED if name in taken)
+    return [(name, module.constant(name).at.text) for name in module.constants if name.startswith(beginnings)]
 
 
 class Expressions:

@@ -66,6 +66,7 @@ def rotated(left: Piece, right: Piece) -> Piece | None:
 
 class Rust(Syntax):
     example_struct = "&mut {}"
+    passed = "#[allow(dead_code)] pub const {}: i32 = {};"
     head = "{}"
     counts_a_range = True
     branches_are_values = True

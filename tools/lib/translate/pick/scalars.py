@@ -17,12 +17,14 @@ from translate.parsing.lines import wrapped
 from translate.parsing.syntax import Function, Parameter
 from translate.pick import comments
 from translate.pick.evaluate import Kept, Module, dotted
-from translate.pick.printer import BITS, CHOICE, PRIMARY, STRENGTH, TRUTH, UNARY, UNNAMED, Language, Writer, declarations_joined
+from translate.pick.printer import (
+    BITS, CHOICE, EXAMPLES, PRIMARY, STRENGTH, TRUTH, UNARY, UNNAMED, Language, Writer, constants_of, declarations_joined)
 from translate.pick.program import Evaluated, Program
 from translate.pick.statements import Break, Declare, If, Loop, Return, Set, Statement, blocks, operands, reachable, walk
 from translate.pick.values import AXES, Constant, Node, Operation, Variable, converted, operation, scalar_of
 from translate.names import PASSED, wgsl_name
 
+CONSTANT = re.compile(rf"\b(?:{'|'.join(PASSED.values())})\w+")
 ROOM = 84  # for components in one line
 NEGATED = {"<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "=="}  # of whole numbers
 
@@ -97,6 +99,8 @@ def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: comments.Fa
     sets = [one.at.text for one in function.parameters if one.is_set and not module.passed(one)]
 
     def argument(one: Parameter, numbers: Sequence[float] | None) -> str:
+        if one.at.text in PASSED:
+            return f"{syntax.example_of}{syntax.constant_name(EXAMPLES[one.at.text])}"
         if one.at.text in sets:
             return syntax.example_set.format(syntax.variable(one.at.text))
         if numbers is not None:
@@ -109,27 +113,18 @@ def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: comments.Fa
         return (syntax.example_struct if one.is_set else "{}").format(", ".join(taken[one.at.text]))
 
     passed = ", ".join(filter(None, comments.arguments_of(function, argument)))
-    shown = {", ".join(taken[one]) or syntax.variable(one): _of_numbers(text, one, module)
+    shown = {", ".join(taken[one]) or syntax.variable(one): _of_numbers(text, one, syntax)
              for one, text in known.parameters.items()}
     call = f"{syntax.example_of}{name}({passed})" if known.what else ""
     return Facts(known.what, known.returns, known.error, shown, call, sets)
 
 
-def _number(module: Module, constant: str) -> str:
-    return module.constant(constant).at.text.rstrip("u")
-
-
-def _of_numbers(text: str, parameter: str, module: Module) -> str:
-    """Without constants, and without what GLSL writes behind a number."""
-    if parameter in PASSED:
-        begin = PASSED[parameter]
-        return ", ".join(f"{_number(module, name)} {name.removeprefix(begin).lower()}"
-                         for name in module.constants if name.startswith(begin))
+def _of_numbers(text: str, parameter: str, syntax: Syntax) -> str:
+    """With the language's constants, and without what GLSL writes behind a number."""
+    if parameter in PASSED:  # HN_METRIC_SQUARED, _MANHATTAN; behind it a sentence on compilers of GLSL
+        text = re.sub(r"(?<= )_(?=[A-Z])", PASSED[parameter], text).partition(". ")[0]
     text = re.sub(r"any uint: 7u, not 7", "any", text)
-    # hn_distribution(HN_DISTRIBUTION_PERLIN2) is hn_distribution(9) of perlin2.
-    for begin in PASSED.values():
-        text = re.sub(rf"\({begin}(\w+)\)", lambda found, begin=begin: f"({_number(module, f'{begin}{found[1]}')}) of "
-                      f"{found[1].lower()}", text)
+    text = CONSTANT.sub(lambda found: syntax.constant_name(found[0]), text)
     return text.replace("|p|", "the size of a coordinate") if parameter != "p" else text
 
 
@@ -179,6 +174,7 @@ class Syntax:
     example_of = ""        # what a call begins with
     example_struct = "{}"  # what is passed for a struct that changes
     example_set = ""       # what is passed for what a function sets
+    passed = ""            # the declaration of a constant that users pass, with a place for its name and its number
     joins: re.Pattern[str] | None = None  # what a declaration looks like, if several may share a line
 
     def __init__(self, precise: bool = False):
@@ -198,6 +194,10 @@ class Syntax:
 
     def field_name(self, name: str) -> str:
         return camel(name)
+
+    def constant_name(self, name: str) -> str:
+        """Of one that users pass, such as HN_METRIC_EUCLIDEAN."""
+        return name.removeprefix("HN_")
 
     def variable(self, name: str) -> str:
         name = camel(name)
@@ -610,9 +610,12 @@ def text(program: Program, syntax: Syntax, known: Sequence[comments.Facts] = (),
         written_root = _function(root, shown, True, syntax, parts, names)
         of_roots.append("\n".join([*said, written_root]))
     structs = [syntax.struct(name, fields) for name, fields in parts.items()]
+    constants = "".join(f"{syntax.passed.format(syntax.constant_name(name), number)}\n"
+                        for name, number in constants_of([root.function for root in program.roots], program.module))
     helpers = [syntax.helpers[name] for name in syntax.helpers if name in syntax.used]
     functions = [*helpers, *written, *of_roots] if syntax.helpers_first else [*of_roots, *written, *helpers]
-    return syntax.file(heading, [syntax.function_name(name, is_public=True) for name in public], [*structs, *functions])
+    return syntax.file(heading, [syntax.function_name(name, is_public=True) for name in public],
+                       [*filter(None, [constants]), *structs, *functions])
 
 
 def pieces(program: Program, syntax: Syntax) -> Iterator[tuple[str, str]]:
