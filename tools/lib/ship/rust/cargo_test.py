@@ -81,8 +81,8 @@ class Crate(unittest.TestCase):
         done = self.cargo("package", "--list", "--allow-dirty", "--offline")
         self.assertEqual(done.returncode, 0, done.stderr)
         names = set(done.stdout.split("\n"))
-        self.assertLess({"Cargo.toml", "LICENSE", "README.md", "src/lib.rs", "src/fixed/place.rs",
-                         "vectors/hash.lattice2.json", "tests/vectors/calls.rs"}, names)
+        self.assertLess({"Cargo.toml", "LICENSE", "README.md", "src/lib.rs", "src/fixed/place.rs"}, names)
+        self.assertEqual({name for name in names if name.startswith(("tests", "vectors"))}, set())
         self.assertIn(f'version = "{version()}"', (self.folder / "Cargo.toml").read_text(encoding="utf-8"))
         self.assertNotRegex((ROOT / "packages" / "rust" / "Cargo.toml").read_text(encoding="utf-8"), r"(?m)^version\b")
         self.assertEqual((self.folder / "LICENSE").read_bytes(), (ROOT / "LICENSE").read_bytes())
@@ -97,7 +97,9 @@ class Crate(unittest.TestCase):
             path.write_text(re.sub(rf"(?m)^{without}.*\n", "", right), encoding="utf-8")
             done = self.cargo("package", "--allow-dirty", "--no-verify", "--offline")
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertEqual(re.findall("warning: (?:manifest has no )?(.*)", done.stderr), said)
+            warned = re.findall("warning: (?:manifest has no )?(.*)", done.stderr)
+            # Newer ones name the tests that are not packed, too.
+            self.assertEqual([one for one in warned if not one.startswith("ignoring test `vectors`")], said)
 
     @in_thorough_runs
     def test_its_pages_compile_and_its_comments_are_comments(self) -> None:
