@@ -58,8 +58,8 @@ class Facts(NamedTuple):
     @property
     def all_returns(self) -> str:
         """With what is returned behind it."""
-        beside = f"; then {', '.join(self.sets)}" if self.sets else ""
-        return f"{self.returns}{beside}" if self.returns else ", ".join(self.sets)
+        described = (f"{one}, {self.parameters.get(one, '').removeprefix('set to ')}".rstrip(", ") for one in self.sets)
+        return "; then ".join(filter(None, [self.returns, *described]))
 
 
 def paragraph_lines(text: str, width: int = 96, begin: str = "", indent: str = "") -> list[str]:
@@ -116,7 +116,7 @@ def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: comments.Fa
     shown = {", ".join(taken[one]) or syntax.variable(one): _of_numbers(text, one, syntax)
              for one, text in known.parameters.items()}
     call = f"{syntax.example_of}{name}({passed})" if known.what else ""
-    return Facts(known.what, known.returns, known.error, shown, call, sets)
+    return Facts(known.what, known.returns, known.error, shown, call, () if syntax.sets_parameters else sets)
 
 
 def _of_numbers(text: str, parameter: str, syntax: Syntax) -> str:
@@ -347,7 +347,7 @@ class Syntax:
 
     def paragraphs(self, facts: Facts) -> list[str]:
         """Of a comment in sentences."""
-        listed = [line for names, text in facts.parameters.items()
+        listed = [line for names, text in facts.parameters.items() if names not in facts.sets
                   for line in paragraph_lines(f"{names}: {text}.", begin=self.item, indent=" " * len(self.item))]
         paragraphs = [paragraph_lines(facts.what), listed,
                       paragraph_lines(f"Example: `{facts.call}`" if facts.call else ""),

@@ -50,7 +50,7 @@ class InRust(unittest.TestCase):
         # Parameters that are set are returned; vectors are their components.
         ("void hn_f(vec2 p, uint seed, out ivec2 near, out float far) "
          "{ near = ivec2(p) - 1; far = p.x < p.y ? p.x : p.y; }",
-         "/// Returns near, far.\npub fn f2(x: f32, y: f32, _seed: u32) -> ([i32; 2], f32) {\n"
+         "/// Returns near; then far.\npub fn f2(x: f32, y: f32, _seed: u32) -> ([i32; 2], f32) {\n"
          "    ([x as i32 - 1, y as i32 - 1], if x < y { x } else { y })\n}"),
         # A cast in front of < would be the beginning of arguments of its type.
         ("bool hn_f(float a, int b) { return int(a) < b && b > int(a) << 2; }",
