@@ -58,6 +58,22 @@ class Places(unittest.TestCase):
             self.assertNotRegex(shown, r"(?m)^    pub \w+:|^pub fn")
 
 
+class Comments(unittest.TestCase):
+    def test_they_have_the_crates_names_and_one_arithmetic(self) -> None:
+        for arithmetic, error in (("fast", "at most 3.53e-6 against the exact value, in any metric and rounding mode. "
+                                   "From a cell at most 3.18e-6; of the offset at most 3.88e-7."),
+                                  ("fixed", "at most 6.81e-5 against the exact value, in any metric; of the offset at "
+                                   "most 2.39e-6.")):
+            shown = files.written(files.Made(arithmetic, "cellular"))
+            comments = re.sub(r"\s*/// *", " ", "".join(re.findall(r"(?m)^///.*\n", shown)))
+            with self.subTest(arithmetic):
+                self.assertIn(f"Error: {error}", comments)
+                self.assertEqual("(in steps of 2^-18)" in comments, arithmetic == "fixed")
+                self.assertIn("; then nearest, the cell of the nearest point, modulo the period: lattice2(nearest, seed) is",
+                              comments)
+                self.assertNotRegex(comments, r"HN_|hn_|tools/pick|- nearest|set to|[iu]vec")
+
+
 class Command(unittest.TestCase):
     def setUp(self) -> None:
         scratch = tempfile.TemporaryDirectory()

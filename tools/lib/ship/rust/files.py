@@ -16,6 +16,7 @@ from proof.vectors.files import vectors_folder
 from ship.packing import Refused, of_cargo, own_files
 from translate.parsing.syntax import Function as Declared
 from translate.pick import command
+from translate.pick.comments import Facts, of_one_arithmetic
 from translate.pick.evaluate import Module
 from translate.pick.program import Program, facts, name_of, names, read
 from translate.pick.rust import MADE_BY, Rust
@@ -31,6 +32,7 @@ HASHES = (("hn_hash", "hn_lattice", "hn_unorm", "hn_snorm"), 4)  # of every arit
 STRUCT = re.compile(r"#\[derive\([^\n]*\)\]\npub struct (Place[1-4]) \{\n.*?\n\}\n\n?", re.DOTALL)
 OF_A_POSITION = re.compile(r"hn_tile\d")  # which a place has no method for: it takes Place2::of(p).tile(period)
 PLACE = "/// Where noise is evaluated: a cell, the fraction in it, and periods.\n"
+MAKERS = re.compile(r": hn_place and hn_tile make one \(tools/pick writes [^)]*\)")  # in the comment of a place
 MADE = "// Of hashnoise {}, by tools/pack rust. Copyright (c) 2026 The hashnoise authors; MIT License.\n"
 
 
@@ -64,6 +66,24 @@ def of_module(known: dict[str, Declared], functions: Sequence[str], most: int) -
     return found
 
 
+def facts_of(program: Program, arithmetic: str) -> list[Facts]:
+    """The library's comments, as they are for a crate with an arithmetic: by the names of its functions."""
+    known = program.module.forms
+
+    def texts(function: Declared, text: str) -> str:
+        n = next(filter(None, (re.search(r"\d", type_) for type_ in function.types)), ["1"])[0]
+
+        def named(found: re.Match[str]) -> str:
+            return bare(next((one for one in (f"{found[0]}{n}", found[0]) if one in known), found[0]))
+
+        text = MAKERS.sub("", of_one_arithmetic(text, arithmetic == "fixed"))
+        return re.sub(r"\bhn_[a-z_]\w*", named, text.replace("hn_place(", f"Place{n}::in_cell("))
+
+    return [Facts(texts(root.function, one.what), {name: texts(root.function, text) for name, text in one.parameters.items()},
+                  texts(root.function, one.returns), texts(root.function, one.error))
+            for root, one in zip(program.roots, facts(program, GLSL, False))]
+
+
 def written(made: Made) -> str:
     """The text of a module. Places are those of the module `place`, so that all modules have the same."""
     of = library(made.arithmetic)
@@ -72,7 +92,7 @@ def written(made: Made) -> str:
     is_of_places = made.module == "place"
     functions = [known[name] for name in names if not (is_of_places and OF_A_POSITION.fullmatch(name))]
     program = Program(of, functions)
-    shown = text(program, OfCrate(), [] if is_of_places else facts(program, GLSL, False), [])
+    shown = text(program, OfCrate(), [] if is_of_places else facts_of(program, made.arithmetic), [])
     structs = sorted(set(STRUCT.findall(shown)))
     if is_of_places:
         shown = STRUCT.sub(lambda found: PLACE + found[0], re.sub("(?m)^pub fn", "fn", shown))

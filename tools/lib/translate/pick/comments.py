@@ -19,7 +19,7 @@ OF_ABOVE = re.compile(r"\bas above\b")
 FOR_ANOTHER = re.compile(r"as for (hn_\w+)")
 LIKE_ANOTHER = re.compile(r"(This form|The same|Add the noise of an octave as it is, and)\b")
 REFERENCE = re.compile(r"docs/|\.glsl")
-TYPES = re.compile(": int, ivec2, ivec3 or ivec4")  # of overloads, where a function that stands alone has one
+TYPES = re.compile(": (?:int, ivec2, ivec3 or ivec4|uint, uvec2, uvec3 or uvec4)")  # of overloads, where a function that stands alone has one
 IN_PLACE = re.compile(r"in place of (?:p|the cell)\b")  # begins what a comment has of a place, for who may pass either
 PLACE = ("a place, that is a cell and a position in it, in cells{0}: hn_place and hn_tile make one (tools/pick writes "
          "hn_place_in_cell{1} and hn_tile{1})")
@@ -139,6 +139,26 @@ def facts(function: Function, library: Path, has_overloads: bool) -> Facts:
                  {one.at.text: _parameter(one, found.entries.get(one.at.text, ""), seedless)
                   for one in function.parameters},
                  *(without_references(text).rstrip(".") for text in (returns, found.entries.get("error", ""))))
+
+
+# In a text of one arithmetic, the patterns of what is of others, and what stands there with floats and with HN_FIXED.
+OF_ONE = (
+    (r"; (?:with )?HN_GRADIENT_SINE.*?(?=;|\. |$)", "", ""),
+    (r" \(HN_PRECISE: [^()]*\)", "", ""),
+    (r" \(HN_FIXED: ([^()]*)\)", "", r" (\1)"),
+    (r"\bat most \S+( against the exact value)?(?:(, in any metric)? and rounding mode|, in any rounding mode)?"
+     r"\. HN_FIXED (\S+e-\d+)", None, r"at most \3\1\2"),
+    (r"\. HN_FIXED \S+e-\d+", "", None),
+    (r"\. From a cell at most \S+e-\d+", None, ""),
+    (r"\. With HN_FIXED a(.*?)(?=\. |$)", "", r". A\1"),
+)
+
+
+def of_one_arithmetic(text: str, is_fixed: bool) -> str:
+    for pattern, with_floats, with_integers in OF_ONE:
+        by = with_integers if is_fixed else with_floats
+        text = text if by is None else re.sub(pattern, by, text)
+    return text
 
 
 def first_sentence(function: Function, library: Path) -> str:
