@@ -9,6 +9,7 @@ Exit status: 0 it has, 1 it has not, 77 there is no npm, no cargo or no wgpu her
 
 from __future__ import annotations
 
+import json
 import re
 import shutil
 import subprocess
@@ -55,13 +56,15 @@ class Linker:
             project = self.folder / "linker"
             shutil.copytree(TESTS / "linker", project, dirs_exist_ok=True)
             # wesl names a Rust that is newer than it needs.
-            done = subprocess.run(["cargo", "build", "--quiet", "--ignore-rust-version", "--manifest-path",
-                                   project / "Cargo.toml", "--target-dir", self.folder / "target"],
-                                  capture_output=True, text=True, check=False)
+            done = self.cargo("build", "--quiet", "--ignore-rust-version", "--target-dir", str(self.folder / "target"))
             if done.returncode != 0:
                 if re.search("could not compile `(linker|hashnoise_wgsl)`", done.stderr):
                     raise RuntimeError(done.stderr)
                 raise Absent(f"wesl cannot be built: {done.stderr.strip().splitlines()[0]}")
+
+    def cargo(self, command: str, *arguments: str) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(["cargo", command, "--manifest-path", self.folder / "linker" / "Cargo.toml", *arguments],
+                              capture_output=True, text=True, check=False)
 
     def linked(self, shaders: Mapping[str, str]) -> dict[str, str]:
         with tempfile.TemporaryDirectory() as scratch:
@@ -127,12 +130,35 @@ class Linked(unittest.TestCase):
         with self.assertRaisesRegex(Refused, "merlin2"):
             self.linker.linked({"wrong": call})
 
-    def test_the_code_of_the_page(self) -> None:
+    def of_page(self, language: str) -> str:
         page = (ROOT / "docs" / "guide" / "engines.md").read_text(encoding="utf-8")
         page = page.partition("\n## WESL\n")[2].partition("\n## ")[0]
-        shaders = re.findall(r"^```wgsl\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
-        self.assertEqual(len(shaders), 1)
-        self.device.compile(self.linker.linked({"page": shaders[0]})["page"])
+        shown, = re.findall(rf"^```{language}\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+        return shown
+
+    def test_the_code_of_the_page(self) -> None:
+        self.device.compile(self.linker.linked({"page": self.of_page("wgsl")})["page"])
+
+    def test_the_page_and_the_manifest_in_rust(self) -> None:
+        if self.linker.kind != "cargo":
+            self.skipTest("it is cargo's")
+        shown = self.of_page("rust")
+        program = self.linker.folder / "linker" / "src" / "bin" / "page.rs"
+        program.parent.mkdir(exist_ok=True)
+        self.addCleanup(program.unlink)
+        for text, status in ((shown, 0), (shown.replace("use wesl", "// use wesl"), 101)):
+            program.write_text(f"fn main() -> Result<(), Box<dyn std::error::Error>> {{\n{text}println!(\"{{linked}}\");\n"
+                               "Ok(())\n}\n", encoding="ascii")
+            done = self.linker.cargo("check", "--quiet", "--offline", "--ignore-rust-version", "--bin", "page",
+                                     "--target-dir", str(self.linker.folder / "target"))
+            self.assertEqual(done.returncode, status, done.stderr)
+        host = re.search("(?m)^host: (.*)", subprocess.run(["rustc", "-vV"], capture_output=True, text=True, check=True).stdout)
+        done = self.linker.cargo("metadata", "--offline", "--format-version", "1", "--filter-platform", host[1])
+        known = json.loads(done.stdout)["packages"]
+        asked = {one["name"]: one["rust_version"] for one in known}
+        self.assertEqual(asked["hashnoise_wgsl"], asked["wesl-core"])
+        self.assertIn(f"Rust {asked['wesl']}, ", (PACKAGE / "README.md").read_text(encoding="utf-8"))
+        self.assertEqual(asked["wesl"], asked["wesl-core"])
 
 
 if __name__ == "__main__":
