@@ -66,6 +66,11 @@ def of_module(known: dict[str, Declared], functions: Sequence[str], most: int) -
     return found
 
 
+def must_use(shown: str) -> str:
+    """Nothing in the crate has an effect beside its result."""
+    return re.sub(r"(?m)^( *)pub fn", r"\1#[must_use]\n\1pub fn", shown)
+
+
 def facts_of(program: Program, arithmetic: str) -> list[Facts]:
     """The library's comments, as they are for a crate with an arithmetic: by the names of its functions."""
     known = program.module.forms
@@ -96,9 +101,9 @@ def written(made: Made) -> str:
     structs = sorted(set(STRUCT.findall(shown)))
     if is_of_places:
         shown = STRUCT.sub(lambda found: PLACE + found[0], re.sub("(?m)^pub fn", "fn", shown))
-        return MADE.format(version()) + "\n" + shown.lstrip("\n") + "".join(methods(n) for n in range(1, 5))
+        return MADE.format(version()) + "\n" + shown.lstrip("\n") + must_use("".join(methods(n) for n in range(1, 5)))
     used = f"use super::place::{{{', '.join(structs)}}};\n\n" if structs else ""
-    return MADE.format(version()) + "\n" + used + STRUCT.sub("", shown).lstrip("\n")
+    return MADE.format(version()) + "\n" + used + must_use(STRUCT.sub("", shown)).lstrip("\n")
 
 
 def methods(n: int) -> str:
