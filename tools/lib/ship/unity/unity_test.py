@@ -34,7 +34,14 @@ namespace UnityEngine {
     public class MonoBehaviour { public T GetComponent<T>() where T : new() { return new T(); } }
     public class MeshFilter { public Mesh sharedMesh; }
     public class MeshRenderer {}
-    public struct Vector3 { public float x, y, z; public Vector3(float a, float b, float c) { x = a; y = b; z = c; } }
+    public struct Vector3 {
+        public float x, y, z;
+        public Vector3(float a, float b, float c) { x = a; y = b; z = c; }
+        public Vector3 normalized { get {
+            float size = (float)System.Math.Sqrt(x * x + y * y + z * z);
+            return new Vector3(x / size, y / size, z / size);
+        } }
+    }
     public class Mesh { public Vector3[] vertices; public int[] triangles; public void RecalculateNormals() {} }
 }
 """
@@ -120,6 +127,31 @@ class Package(unittest.TestCase):
         self.assertEqual(values, [struct.pack(">f", row["out"][0]).hex() for row in rows])
         self.assertGreater(len(rows), 10)
         self.assertEqual(of_sample, expected)
+
+    def test_the_normal_of_the_page_is_that_of_the_land(self) -> None:
+        code, = re.findall(r"```csharp\n(.*?)```", (self.folder / "README.md").read_text(), re.DOTALL)
+        (self.root / "engine.cs").write_text(ENGINE)
+        (self.root / "normal.cs").write_text(f"""using UnityEngine;
+class Normal {{
+    static Vector3 At(float x, float z, out float y) {{
+        const float cells = 0.3f, height = 5f;
+        {code.replace("float y", "y")}
+        return normal;
+    }}
+    static void Main() {{
+        float left, right, back, front, unused;
+        At(1.99f, 3f, out left); At(2.01f, 3f, out right); At(2f, 2.99f, out back); At(2f, 3.01f, out front);
+        Vector3 normal = At(2f, 3f, out unused);
+        System.Console.WriteLine((normal.x * 0.02f + normal.y * (right - left)) + " "
+                                 + (normal.z * 0.02f + normal.y * (front - back)) + " " + normal.x + " " + normal.z);
+    }}
+}}
+""")
+        self.run_in("mcs", "-langversion:7.2", "-warn:4", "-warnaserror", "-main:Normal", "-out:normal.exe", "engine.cs",
+                    "normal.cs", *self.scripts())
+        along_x, along_z, x, z = map(float, self.run_in("mono", "normal.exe").split())
+        self.assertLess(max(abs(along_x), abs(along_z)), 2e-4)
+        self.assertGreater(min(abs(x), abs(z)), 0.05)
 
     def refusals(self, stage: str, entry: str, text: str) -> dict[str, str]:
         path = self.root / "shader.hlsl"

@@ -7,7 +7,7 @@ import re
 from collections.abc import Sequence
 
 from translate.pick.printer import PRIMARY, UNARY
-from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, indented, paragraph_lines, pascal
+from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, components, indented, paragraph_lines, pascal
 from translate.pick.values import AXES, SIZES, scalar_of
 
 NAME = "HashNoise"  # of the class
@@ -75,8 +75,15 @@ private struct Bits {
     def field_name(self, name: str) -> str:
         return pascal(name)
 
-    def vector(self, type_: str) -> str:
-        return f"({', '.join(f'{self.type(scalar_of(type_))} {axis.upper()}' for axis in AXES[:SIZES[type_]])})"
+    def vector(self, type_: str, axes: Sequence[str] = AXES) -> str:
+        return f"({', '.join(f'{self.type(scalar_of(type_))} {pascal(axis)}' for axis in axes[:SIZES[type_]])})"
+
+    def axes(self, result: Part) -> Sequence[str]:
+        return components(result.function) if result.function else AXES
+
+    def returned_type(self, result: Part, is_public: bool) -> str:
+        is_vector = is_public and SIZES.get(result.type, 1) > 1
+        return self.vector(result.type, self.axes(result)) if is_vector else self.type(result.type)
 
     def __init__(self, precise: bool = False):
         super().__init__(precise)
@@ -99,7 +106,7 @@ private struct Bits {
         return Piece(f"(float)({piece.text})", UNARY) if self.precise else piece
 
     def member(self, of: Piece, axis: str) -> Piece:
-        return super().member(of, axis.upper())
+        return super().member(of, pascal(axis))
 
     def convert(self, to: str, of: str, piece: Piece) -> Piece:
         if of == "float" and to in ("int", "uint"):
@@ -127,8 +134,9 @@ private struct Bits {
 
     def function(self, name: str, parameters: Sequence[Taken], results: Sequence[Part], is_public: bool) -> str:
         taken = ", ".join(f"{'ref ' if one.is_set else ''}{self.type(one.type)} {one.name}" for one in parameters)
-        types = [f"{self.type(one.type)} {pascal(one.name)}" for one in results]
-        given = f"({', '.join(types)})" if len(types) > 1 else self.type(results[0].type) if results else "void"
+        types = [self.returned_type(one, is_public) for one in results]
+        parts = ", ".join(f"{of} {pascal(one.name)}" for of, one in zip(types, results))
+        given = f"({parts})" if len(types) > 1 else types[0] if types else "void"
         return f"{'public' if is_public else 'private'} static {given} {name}({taken}) {{"
 
     def body(self, lines: Sequence[str]) -> Sequence[str]:

@@ -127,12 +127,12 @@ class Runner:
             fields = fields_of(module, type_)
             return syntax.make_struct(type_, fields, [made(part.type, f"{name}{i}") for i, part in enumerate(fields)])
 
-        def leaves(type_: str, value: str) -> list[tuple[str, str]]:
+        def leaves(type_: str, value: str, axes: Sequence[str] = AXES) -> list[tuple[str, str]]:
             if type_ in module.structs:
                 return [leaf for part in fields_of(module, type_)
                         for leaf in leaves(part.type, f"{value}.{syntax.field_name(part.name)}")]
             if SIZES[type_] > 1:
-                return [(scalar_of(type_), syntax.member(Piece(value), axis).text) for axis in AXES[:SIZES[type_]]]
+                return [(scalar_of(type_), syntax.member(Piece(value), axis).text) for axis in axes[:SIZES[type_]]]
             return [(type_, value)]
 
         for parameter in function.parameters:
@@ -145,7 +145,7 @@ class Runner:
                 arguments.append(self.passed(name, parameter.is_set))
                 if parameter.is_set:
                     outputs += leaves(type_, name)
-        of_results = [leaf for i, part in enumerate(results) for leaf in leaves(part.type, self.result(results, i))]
+        of_results = [leaf for i, part in enumerate(results) for leaf in leaves(part.type, self.result(results, i), syntax.axes(part))]
         # Parameters that are set stand behind the result; further results in the order of the parameters.
         lines += self.called(syntax.function_name(wgsl_name(function), is_public=True), arguments, results)
         lines += [self.write[type_].format(value) for type_, value in (*of_results, *outputs)]

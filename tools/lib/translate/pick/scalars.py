@@ -7,12 +7,14 @@ leave their range, as long as coordinates and settings are finite.
 
 from __future__ import annotations
 
+import functools
 import itertools
 import re
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from catalog.tables.functions import expanded, read_functions
 from translate.parsing.lines import wrapped
 from translate.parsing.syntax import Function, Parameter
 from translate.pick import comments
@@ -21,7 +23,7 @@ from translate.pick.printer import (
     BITS, CHOICE, EXAMPLES, PRIMARY, STRENGTH, TRUTH, UNARY, UNNAMED, Language, Writer, constants_of, declarations_joined)
 from translate.pick.program import Evaluated, Program
 from translate.pick.statements import Break, Declare, If, Loop, Return, Set, Statement, blocks, operands, reachable, walk
-from translate.pick.values import AXES, Constant, Node, Operation, Variable, converted, operation, scalar_of
+from translate.pick.values import AXES, SIZES, Constant, Node, Operation, Variable, converted, operation, scalar_of
 from translate.names import PASSED, wgsl_name
 
 CONSTANT = re.compile(rf"\b(?:{'|'.join(PASSED.values())})\w+")
@@ -41,9 +43,10 @@ class Piece(NamedTuple):
 
 
 class Part(NamedTuple):
-    """A field of a struct, or a result."""
+    """A field of a struct, or a result, with the function that returns it."""
     name: str
     type: str
+    function: Function | None = None
 
 
 class Facts(NamedTuple):
@@ -213,6 +216,10 @@ class Syntax:
 
     def vector(self, type_: str) -> str:
         raise NotImplementedError
+
+    def axes(self, result: Part) -> Sequence[str]:
+        """The names that users read the components of a result by."""
+        return AXES
 
     def helper(self, name: str) -> str:
         """The name of what the language lacks, which is then written behind the functions."""
@@ -640,9 +647,22 @@ def fields_of(module: Module, name: str) -> list[Part]:
 
 def results_of(function: Function, module: Module) -> list[Part]:
     """Its result, and behind it the parameters that it sets in GLSL."""
-    results = [Part("value", function.type)] if function.type != "void" else []
+    results = [Part("value", function.type, function)] if function.type != "void" else []
     return results + [Part(one.at.text, one.type) for one in function.parameters
                       if one.is_set and not module.passed(one)]
+
+
+@functools.cache
+def _results() -> dict[str, tuple[str, ...]]:
+    """By the function, the catalog's names for the components of a result that is no vector."""
+    return {row.calls: row.gives for row in read_functions() if row.gives[0] in ("value", "first") and not row.returns}
+
+
+def components(function: Function) -> Sequence[str]:
+    """The names of the components of its result: those of a vector are its axes."""
+    is_mean_with_slopes = function.name == "hn_mean" and function.types[1:] and "slopes" in function.types[1]
+    given = _results().get("hn_fbm_d" if is_mean_with_slopes else function.name, AXES)
+    return expanded(given, SIZES[function.type] - 1) if len(given) > 1 else AXES
 
 
 def _names(program: Program, syntax: Syntax, public: Sequence[str]) -> dict[Kept, str]:

@@ -11,6 +11,7 @@ from translate.parsing.syntax import Parser
 from translate.parsing.tokens import Unknown, tokens_of
 from translate.pick import command
 from translate.pick.c import C
+from translate.pick.csharp import CSharp
 from translate.pick.evaluate import Module
 from translate.pick.javascript import JavaScript, TypeScript
 from translate.pick.program import Program, chosen, read
@@ -89,6 +90,25 @@ class InC(unittest.TestCase):
     def test_a_negative_number_is_shifted_to_the_left(self) -> None:
         self.assertIn("  return (int32_t)((uint32_t)x << 3u);\n",
                       written("int hn_f(int x) { return x << 3u; }", C))
+
+
+class InCSharp(unittest.TestCase):
+    def test_what_is_no_vector_has_names_of_its_own(self) -> None:
+        of = library()
+        cases = {"hn_perlin_d2": "float Value, float Dx, float Dy", "hn_value_d1": "float Value, float Dx",
+                 "hn_fbm_d3": "float Value, float Dx, float Dy, float Dz",
+                 "hn_mean2_slopes": "float Value, float Dx, float Dy", "hn_gullies2": "float Value, float Dx, float Dy",
+                 "hn_cellular_d2": "float Value, float Dx, float Dy", "hn_cellular2": "float First, float Second",
+                 "hn_cellular_three3": "float First, float Second, float Third",
+                 "hn_cellular2_nearest": "(float First, float Second) Value, (int X, int Y) Nearest, (float X, float Y) "
+                                         "Offset",
+                 "hn_phasor2": "float Value, float Quadrature", "hn_uniform_d": "float Value, float Slope",
+                 "hn_mean2_shifts": "float X, float Y", "hn_warp3": "float X, float Y, float Z",
+                 "hn_circle": "float X, float Y"}
+        for name, returned in cases.items():
+            with self.subTest(name):
+                shown = " ".join(text(Program(of, chosen(of, [name])), CSharp()).split())
+                self.assertIn(f"public static ({returned}) {CSharp().function_name(name, True)}(", shown)
 
 
 class InTypeScript(unittest.TestCase):
