@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import re
-import zlib
 from collections.abc import Sequence
 
-from translate.pick.printer import UNARY
+from translate.pick.printer import UNARY, guard
 from translate.pick.scalars import Part, Piece, Syntax, Taken
 from translate.pick.values import AXES, PREFIXES, Constant
 
@@ -154,9 +153,8 @@ static inline uint32_t hn_i_as_uint(float x) {
         return f"typedef struct {{\n{inside}}} {name};\n"
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
-        """The guard is that of this text alone, so that it leaves out no other one."""
         contraction = [CONTRACTION] if self.precise else []
         code = "\n".join([*contraction, *parts])
-        guard = f"{names[0].upper()}_{zlib.crc32(code.encode('ascii')):08X}_H"
-        begin = f"#ifndef {guard}\n#define {guard}\n\n{ALONE}\n#include <math.h>\n#include <stdint.h>\n"
+        name = guard(names[0], code)
+        begin = f"#ifndef {name}\n#define {name}\n\n{ALONE}\n#include <math.h>\n#include <stdint.h>\n"
         return super().file(heading, names, [begin, *contraction, *parts, "#endif\n"])

@@ -41,8 +41,10 @@ from typing import TYPE_CHECKING
 
 from base.tree import GLSL
 from translate.library_file import ARITHMETICS, IMPORT_PATH_HELP, add_options, import_path, imported_as, write
+from translate.names import wgsl_name
 from translate.parsing.tokens import Unknown
 from translate.pick.evaluate import Module
+from translate.pick.printer import guard
 from translate.pick.program import Program, check_sums, chosen, expanded, facts, heading, listed, origin, over, read
 from translate.pick.shading import LANGUAGES
 from translate.settings import Settings, settings_of
@@ -177,8 +179,11 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
         if choice.language == TSL:
             from translate.pick import tsl
             return tsl.text(made, facts(made, library, True), origin(command))
-        return (imported_as(choice.import_path) + heading(made, language, command, library)
-                + made.text(language, precise, with_seedless=True))
+        code = made.text(language, precise, with_seedless=True)
+        if language.is_included:
+            name = guard(wgsl_name(made.roots[0].function), code)
+            code = f"#ifndef {name}\n#define {name}\n{code}#endif\n"
+        return imported_as(choice.import_path) + heading(made, language, command, library) + code
 
     return pick
 

@@ -584,6 +584,21 @@ class Comments(unittest.TestCase):
             self.assertEqual(bool(done.returncode), bool(status), done.stderr)
             self.assertEqual("name all functions in one call" in done.stderr, bool(status))
 
+    def test_two_files_of_a_shader_may_include_a_text(self) -> None:
+        """Of Metal there is no compiler here but that of C++."""
+        shown = self.pick(["hn_cellular2_jitter"], command.Choice("metal"))
+        self.assertRegex(shown, r"\n#ifndef (HN_CELLULAR2_JITTER_[0-9A-F]{8}_H)\n#define \1\n#include <metal_stdlib>\n")
+        main = "float4 main() : SV_Target { return hn_fbm(float2(1, 2), 6, 2.0, 0.5, 7u); }\n"
+        shown = self.pick(["hn_fbm2"], command.Choice("hlsl"))
+        for text_, status in ((shown, 0), (re.sub("#(?:ifndef|define|endif).*", "", shown), 1)):
+            with self.subTest(status), tempfile.TemporaryDirectory() as folder:
+                for name, written in (("picked.hlsl", text_), ("one.hlsl", '#include "picked.hlsl"\n'),
+                                      ("main.hlsl", f'#include "one.hlsl"\n#include "picked.hlsl"\n{main}')):
+                    (Path(folder) / name).write_text(written, encoding="ascii")
+                done = subprocess.run(["glslangValidator", "-D", "-V", "-I.", "-S", "frag", "-e", "main", "-o", "out",
+                                       "main.hlsl"], cwd=folder, capture_output=True, text=True, check=False)
+                self.assertEqual(bool(done.returncode), bool(status), done.stdout)
+
     def test_the_seed_may_be_left_out_where_functions_have_overloads(self) -> None:
         for language in LANGUAGES:
             shown = code(self.pick(["hn_fbm2", "hn_ball"], command.Choice(language)))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import zlib
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -35,6 +36,11 @@ UNNAMED = {"floor": "whole", "abs": "size"}  # what a value is called that has n
 Place = tuple[tuple[int, int], ...]  # of a statement: of each block around it the number, and the index in it
 
 
+def guard(name: str, code: str) -> str:
+    """The name of the include guard of a text. It is that of this text alone, so that it leaves out no other one."""
+    return f"{name.upper()}_{zlib.crc32(code.encode('ascii')):08X}_H"
+
+
 @dataclass(frozen=True)
 class Language:
     """How a language writes the same. This is what those that come from C have in common."""
@@ -50,6 +56,7 @@ class Language:
     fills: bool = True    # whether constructors of vectors take one number
     structs: bool = True  # whether structs are defined
     joins: bool = True    # whether one statement declares several variables
+    is_included: bool = False  # whether files include the text, and a shader may include two of them
     names_choices: bool = False  # whether what is chosen from is computed before
     no_precise: str = ""  # why it has no `precise`, and what to take
     names: Mapping[str, str] = field(default_factory=dict)  # of types and functions, where they are not GLSL's

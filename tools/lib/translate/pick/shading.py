@@ -33,12 +33,13 @@ class Godot(Language):
 GLSL = Language(qualifier="highp ", scope="precision highp float;", names_choices=True)
 NO_PRECISE_IN_METAL = ("Metal's language has no `precise`, and its compiler computes by fast math unless an option "
                        "turns it off: take --arithmetic fixed, whose bits are the same everywhere")
-HLSL = Language(fills=False, names=HLSL_NAMES, library={"HN_I_FXC": "1"})
+HLSL = Language(fills=False, is_included=True, names=HLSL_NAMES, library={"HN_I_FXC": "1"})
 # Slang does not find a variable that was declared before it in the same statement, if `<` stands behind its name.
-SLANG = replace(HLSL, joins=False, no_precise="Slang's compiler leaves `precise` out of SPIR-V: take --arithmetic "
-                "fixed, whose bits are the same everywhere")
-METAL = Metal(opening="#include <metal_stdlib>\nusing namespace metal;\n\n", float_suffix="f", function="inline ",
-              out="thread {}&", inout="thread {}&", no_precise=NO_PRECISE_IN_METAL, names=HLSL_NAMES)
+SLANG = replace(HLSL, is_included=False, joins=False, no_precise="Slang's compiler leaves `precise` out of SPIR-V: "
+                "take --arithmetic fixed, whose bits are the same everywhere")
+METAL = Metal(opening="#include <metal_stdlib>\nusing namespace metal;\n\n", is_included=True, float_suffix="f",
+              function="inline ", out="thread {}&", inout="thread {}&", no_precise=NO_PRECISE_IN_METAL,
+              names=HLSL_NAMES)
 # Its operators are used as the text of the library uses them, which Godot has compiled: of two vectors.
 GODOT = Godot(splats=False, names_choices=True, no_precise="Godot's language has no `precise`: take --arithmetic "
               "fixed, whose bits are the same everywhere")
