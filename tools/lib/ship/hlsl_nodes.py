@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from functools import cache
 
 from base.tree import GLSL
@@ -12,6 +11,8 @@ from translate.pick.command import Choice, picker, read_library
 
 # The arithmetics, with what they add to the names of classes, files and nodes.
 ARITHMETICS = {"fast": "", "fixed": "Fixed"}
+# One shader may have both arithmetics, and one program.
+NAMES = {("hlsl", "fixed"): "hn_fixed", ("csharp", "fixed"): "HashNoiseFixed"}
 NODES = asked.nodes("graphs")
 TILE = "hn_tile2"
 PORTS = {"float": "float", "int": "float", "uint": "float", "vec2": "float2", "vec3": "float3", "ivec2": "float2"}
@@ -21,7 +22,7 @@ CONVERTED = {"int": "(int){}", "uint": "(uint)(int){}"}
 
 @cache
 def picked(names: tuple[str, ...], language: str, arithmetic: str) -> str:
-    return picker()(names, Choice(language, arithmetic))
+    return picker()(names, Choice(language, arithmetic, name=NAMES.get((language, arithmetic), "")))
 
 
 @cache
@@ -50,21 +51,14 @@ def ports(form: str) -> list[tuple[str, str]]:
     return taken
 
 
-def call(form: str) -> str:
+def call(form: str, arithmetic: str) -> str:
     """Of the function, with the ports."""
-    function = forms()[form]
-    arguments = ["hn_tile(Position, (int2)Period)" if one.type == "hn_place2" else
+    function, begin = forms()[form], NAMES.get(("hlsl", arithmetic), "hn")
+    arguments = [f"{begin}_tile(Position, (int2)Period)" if one.type == "hn_place2" else
                  CONVERTED.get(one.type, "{}").format(port(one.at.text)) for one in function.parameters]
-    return f"{function.name}({', '.join(arguments)})"
+    return f"{begin}{function.name.removeprefix('hn')}({', '.join(arguments)})"
 
 
-def own_names(text: str, arithmetic: str) -> str:
-    """One shader may have both arithmetics."""
-    return re.sub(r"\bhn_", "hn_fixed_", text) if ARITHMETICS[arithmetic] else text
-
-
-def shader(arithmetic: str, more: str = "") -> str:
-    """A file with all functions, and with more behind them."""
-    guard = f"HASH_NOISE{'_FIXED' if ARITHMETICS[arithmetic] else ''}_HLSL"
-    text = f"#ifndef {guard}\n#define {guard}\n\n{picked((*NODES, TILE), 'hlsl', arithmetic)}\n{more}#endif\n"
-    return own_names(text, arithmetic)
+def shader(arithmetic: str) -> str:
+    """A file with all functions."""
+    return picked((*NODES, TILE), "hlsl", arithmetic)

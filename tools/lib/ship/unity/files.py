@@ -26,19 +26,20 @@ def node(form: str, arithmetic: str) -> str:
     declared = ", ".join(f"{of} {name}" for of, name in taken)
     passed = ", ".join(name for _, name in taken)
     return (f"void {title}_float({declared}, out {type_} Out) {{\n"
-            f"  Out = {call(form)};\n}}\n"
+            f"  Out = {call(form, arithmetic)};\n}}\n"
             f"void {title}_half({declared.replace('float', 'half')}, out {type_.replace('float', 'half')} Out) {{\n"
             f"  {type_} n;\n  {title}_float({passed}, n);\n  Out = n;\n}}\n")
 
 
 def graph(arithmetic: str) -> str:
-    return shader(arithmetic, "// For Custom Function nodes of Shader Graph.\n" +
-                  "".join(node(form, arithmetic) for form in NODES) + "\n")
+    guard = f"HASH_NOISE{'_FIXED' if ARITHMETICS[arithmetic] else ''}_HLSL"
+    nodes = "".join(node(form, arithmetic) for form in NODES)
+    return (f"#ifndef {guard}\n#define {guard}\n\n{shader(arithmetic)}\n"
+            f"// For Custom Function nodes of Shader Graph.\n{nodes}\n#endif\n")
 
 
 def script(arithmetic: str) -> str:
-    return picked(SCRIPTS, "csharp", arithmetic).replace("static class HashNoise ",
-                                                         f"static class HashNoise{ARITHMETICS[arithmetic]} ")
+    return picked(SCRIPTS, "csharp", arithmetic)
 
 
 def node_table() -> str:

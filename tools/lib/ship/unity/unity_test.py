@@ -18,7 +18,7 @@ import sys
 import unittest
 from pathlib import Path
 
-from base.tree import version
+from base.tree import TOOLS, version
 from proof.vectors.files import vectors_folder
 from ship.packing_support import made
 from ship.unity import files
@@ -89,6 +89,10 @@ class Package(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return done.stdout
 
+    def blocks(self, language: str) -> list[str]:
+        """Of the page."""
+        return re.findall(rf"```{language}\n(.*?)```", (self.folder / "README.md").read_text(), re.DOTALL)
+
     def scripts(self) -> list[Path]:
         return sorted(self.folder.rglob("*.cs"))
 
@@ -129,7 +133,7 @@ class Package(unittest.TestCase):
         self.assertEqual(of_sample, expected)
 
     def test_the_normal_of_the_page_is_that_of_the_land(self) -> None:
-        code, = re.findall(r"```csharp\n(.*?)```", (self.folder / "README.md").read_text(), re.DOTALL)
+        code, = self.blocks("csharp")
         (self.root / "engine.cs").write_text(ENGINE)
         (self.root / "normal.cs").write_text(f"""using UnityEngine;
 class Normal {{
@@ -147,8 +151,8 @@ class Normal {{
     }}
 }}
 """)
-        self.run_in("mcs", "-langversion:7.2", "-warn:4", "-warnaserror", "-main:Normal", "-out:normal.exe", "engine.cs",
-                    "normal.cs", *self.scripts())
+        self.run_in("mcs", "-langversion:7.2", "-warn:4", "-warnaserror", "-main:Normal", "-out:normal.exe",
+                    "engine.cs", "normal.cs", *self.scripts())
         along_x, along_z, x, z = map(float, self.run_in("mono", "normal.exe").split())
         self.assertLess(max(abs(along_x), abs(along_z)), 2e-4)
         self.assertGreater(min(abs(x), abs(z)), 0.05)
@@ -195,10 +199,29 @@ class Normal {{
         program = sample.read_text().partition("HLSLPROGRAM")[2].partition("ENDHLSL")[0]
         for stage, entry in (("vert", "vert"), ("frag", "frag")):
             self.assertEqual(self.refusals(stage, entry, program), {})
-        block, = re.findall(r"```hlsl\n(.*?)```", (self.folder / "README.md").read_text(), re.DOTALL)
+        block, _ = self.blocks("hlsl")
         include, _, code = block.partition("\n")
         self.assertEqual(self.refusals("frag", "frag", f"{include}\nfloat4 frag(float2 uv : TEXCOORD0) : SV_Target {{\n"
                                        f"{code}  return height + tiled;\n}}\n"), {})
+
+    def test_the_texts_of_other_functions_stand_beside_it(self) -> None:
+        for words in re.findall(r"^    tools/pick (.*)$", (self.folder / "README.md").read_text(), re.MULTILINE):
+            self.run_in(TOOLS / "pick", *words.split())
+        _, block = self.blocks("hlsl")
+        main = (f'#include "Packages/{files.NAME}/Shaders/HashNoise.hlsl"\n{block}'
+                "float4 frag(float2 uv : TEXCOORD0) : SV_Target {\n  float n;\n"
+                "  Clouds3_float(float3(uv, 0.5), 6, 2, 0.5, 7, n);\n  return n + hn_perlin(uv, 7u);\n}\n")
+        self.assertEqual(self.refusals("frag", "frag", main), {})
+        (self.root / "both.cs").write_text("""class Both {
+    static float At(float x) { return Clouds.Clouds3(x, 0f, 0f, 6, 2f, 0.5f, 7u) + HashNoise.Perlin2(x, 0f, 7u); }
+}
+""")
+        (self.root / "engine.cs").write_text(ENGINE)
+        self.run_in("mcs", "-langversion:7.2", "-target:library", "-out:both.dll", "engine.cs", "both.cs",
+                    "Assets/Clouds.cs", *self.scripts())
+        shared = self.root / "Assets" / "Clouds.hlsl"
+        shared.write_text(re.sub(r"\bmy_", "hn_", shared.read_text()))
+        self.assertIn("glslang", self.refusals("frag", "frag", main.replace("my_clouds", "hn_clouds")))
 
 
 if __name__ == "__main__":

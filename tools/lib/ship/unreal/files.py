@@ -14,9 +14,9 @@ PACKAGE = ROOT / "packages" / "unreal"
 DESCRIPTION = "HashNoise.uplugin"
 
 
-def code(form: str) -> str:
+def code(form: str, arithmetic: str = "fast") -> str:
     """The text of a custom node."""
-    return f"return {call(form)};"
+    return f"return {call(form, arithmetic)};"
 
 
 def output(form: str) -> str:

@@ -17,8 +17,8 @@ import sys
 import unittest
 from pathlib import Path
 
-from base.tree import version
-from ship.hlsl_nodes import NODES, PORTS, forms, own_names, ports
+from base.tree import TOOLS, version
+from ship.hlsl_nodes import NODES, PORTS, forms, ports
 from ship.packing_support import made
 from ship.unreal import files
 from translate.hlsl.compilers import missing as missing_compilers
@@ -112,7 +112,7 @@ class Plugin(unittest.TestCase):
         for i, form in enumerate(NODES):
             type_ = PORTS[forms()[form].type]
             taken = ", ".join(f"{of} {name}" for of, name in ports(form))
-            text += f"{type_} CustomExpression{i}({taken})\n{{\n{own_names(files.code(form), arithmetic)}\n}}\n"
+            text += f"{type_} CustomExpression{i}({taken})\n{{\n{files.code(form, arithmetic)}\n}}\n"
             calls += f"  sum += CustomExpression{i}({', '.join(f'({of})uv.x' for of, _ in ports(form))}).x;\n"
         return (f"{text}float4 Main(float2 uv : TEXCOORD0) : SV_Target {{\n  float sum = 0.0;\n{calls}"
                 "  return sum;\n}\n")
@@ -131,6 +131,17 @@ class Plugin(unittest.TestCase):
         include, _, code = block.partition("\n")
         self.assertEqual(self.refusals(f"{include}\nfloat4 Main(float2 uv : TEXCOORD0) : SV_Target {{\n{code}"
                                        "  return height + tiled;\n}\n"), {})
+
+    def test_the_text_of_another_function_stands_beside_it(self) -> None:
+        page = (self.folder / "README.md").read_text()
+        words = re.search(r"^    tools/pick (.*)$", page, re.MULTILINE)[1].split()
+        subprocess.run([TOOLS / "pick", *words], cwd=self.folder, check=True, stdout=subprocess.DEVNULL)
+        code = re.search(r"`(return my_.*?)`", page)[1]
+        self.assertEqual(self.refusals(
+            '#include "/HashNoise/HashNoise.ush"\n#include "/HashNoise/Clouds.ush"\n'
+            f"float Node(float3 Position, float Octaves, float Lacunarity, float Gain, float Seed) {{\n{code}\n}}\n"
+            "float4 Main(float2 uv : TEXCOORD0) : SV_Target {\n"
+            "  return Node(float3(uv, 0.5), 6, 2, 0.5, 7) + hn_perlin(uv, 7u);\n}\n"), {})
 
     def test_the_module_compiles(self) -> None:
         for name, text in ENGINE.items():

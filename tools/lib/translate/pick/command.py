@@ -20,7 +20,8 @@ stays a function. Constants are folded, and unused code is removed. The values a
 name is that of the library where the language has overloads, and that of its form elsewhere: hn_perlin2 in WGSL and C,
 perlin2 in Rust, Perlin2 in C# and Go.
 
-Ask for all functions of a shader or program at once: two texts may have the same function.
+Ask for all functions of a shader or program at once: two texts may have the same function. In HLSL, C#, Java and Go
+--name gives a second text names of its own.
 
 tools/pick whole writes files of the library with all that they include, as one: tools/pick whole --help.
 
@@ -32,6 +33,7 @@ from __future__ import annotations
 import argparse
 import functools
 import importlib
+import re
 import shlex
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -76,6 +78,9 @@ ALIASES = {"glsl-es": "glsl"}  # since one text is for both
 VERILOG = "verilog"  # modules for programs that make circuits
 OF_VERILOG = ("constants", "clock", "stages", "multipliers")
 TSL = "tsl"  # three.js's, which is none: a module with the text of two of the shading languages
+# The languages in which --name names something, and what.
+NAMED = {"csharp": "the class", "java": "the class", "go": "the package",
+         "hlsl": "names, which begin with it in place of hn"}
 NO_PRECISE = "three.js passes `precise` to no shader: take --arithmetic fixed, whose bits are the same everywhere"
 
 
@@ -89,6 +94,7 @@ class Choice:
     gradient: str = "octahedral"
     noise: str = ""
     import_path: str = ""
+    name: str = ""
     constants: str = ""
     clock: str = ""
     stages: str = ""
@@ -105,6 +111,11 @@ class Choice:
                 for word in (f"--{name.replace('_', '-')}", value)]
 
     def check(self) -> None:
+        if self.name and self.language not in NAMED:
+            raise Unknown(f"--name is of --language {', '.join(NAMED)}. A text in Rust, TypeScript or JavaScript is a "
+                          "module of any name; elsewhere name all functions in one call of tools/pick")
+        if self.name and self.language in SYNTAXES and self.name in SYNTAXES[self.language].reserved:
+            raise Unknown(f"--name {self.name} is a word of the language: take another name")
         of_verilog = next((name for name in OF_VERILOG if getattr(self, name)), None)
         if self.language == VERILOG:
             if self.arithmetic != "fixed":
@@ -145,6 +156,13 @@ def circuits(names: Sequence[str], choice: Choice, module: Module | None = None,
     return [verilog.Made(module, one, library, choice) for one in chosen(module, names)]
 
 
+def renaming(code: str, choice: Choice) -> Callable[[str], str]:
+    """Writes the name that was chosen in place of hn where names are those of the code."""
+    names = {*re.findall(r"\bhn_\w+", code)} - {choice.hash_function}
+    return lambda text: re.sub(r"\bhn(_\w+)", lambda found: f"{choice.name or 'hn'}{found[1]}" if found[0] in names else
+                               found[0], text)
+
+
 def command_of(names: Sequence[str], choice: Choice) -> str:
     return shlex.join(["tools/pick", *dict.fromkeys(names), *choice.options()])
 
@@ -175,15 +193,19 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
         command, precise = command_of(names, choice), choice.arithmetic == "precise"
         if syntax:
             from translate.pick import scalars
-            return scalars.text(made, syntax(precise), facts(made, library, False), origin(command))
+            written = syntax(precise)
+            written.name = choice.name or written.name
+            return scalars.text(made, written, facts(made, library, False), origin(command))
         if choice.language == TSL:
             from translate.pick import tsl
             return tsl.text(made, facts(made, library, True), origin(command))
         code = made.text(language, precise, with_seedless=True)
+        renamed = renaming(code, choice)
+        code = renamed(code)
         if language.is_included:
             name = guard(wgsl_name(made.roots[0].function), code)
             code = f"#ifndef {name}\n#define {name}\n{code}#endif\n"
-        return imported_as(choice.import_path) + heading(made, language, command, library) + code
+        return imported_as(choice.import_path) + heading(made, language, command, library, renamed) + code
 
     return pick
 
@@ -197,6 +219,14 @@ def count(text: str) -> str:
     """A whole number, as it is written."""
     if not text.isdecimal():
         raise argparse.ArgumentTypeError(f"{text} is not a whole number, such as 28")
+    return text
+
+
+def own_name(text: str) -> str:
+    """An identifier, which GLSL's rule for underscores does not reserve either."""
+    if not re.fullmatch(r"[A-Za-z](_?[A-Za-z0-9])*", text):
+        raise argparse.ArgumentTypeError("a name is made of letters, digits and single underscores, such as Terrain, "
+                                         f"not {text!r}")
     return text
 
 
@@ -220,6 +250,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     add_options(parser, ARITHMETICS, None, "default: fast, and of verilog fixed")
     parser.add_argument("--noise", metavar="FORM", help="what sums are over, in place of hn_perlin: such as "
                         "hn_simplex3, or for sums with derivatives hn_simplex_d3")
+    parser.add_argument("--name", metavar="NAME", type=own_name, help="for a program that has another text of "
+                        f"tools/pick: {', '.join(f'of {language} {what}' for language, what in NAMED.items())}")
     parser.add_argument("--constants", metavar="NAME=VALUE,...", help="verilog: parameters that are constant, such as "
                         "octaves=6,lacunarity=2,gain=0.5; seed=7 leaves out the port of the seed")
     parser.add_argument("--clock", metavar="MHZ", type=positive, help="verilog: where registers stand: as many as this clock "

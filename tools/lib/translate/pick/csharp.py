@@ -10,11 +10,10 @@ from translate.pick.printer import PRIMARY, UNARY
 from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, components, indented, paragraph_lines, pascal
 from translate.pick.values import AXES, SIZES, scalar_of
 
-NAME = "HashNoise"  # of the class
-
 
 class CSharp(Syntax):
-    example_of, example_struct = f"{NAME}.", "ref {}"
+    name = "HashNoise"  # of the class
+    example_of, example_struct = "{}.", "ref {}"
     passed = "public const int {} = {};"
     types = {"float": "float", "int": "int", "uint": "uint", "bool": "bool"}
     reserved = frozenset("""abstract as base bool break byte case catch char checked class const continue decimal
@@ -159,4 +158,4 @@ private struct Bits {
         return [f"/// {line}" for line in lines]
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
-        return super().file(heading, names, [f"public static class {NAME} {{\n{indented(parts)}}}\n"])
+        return super().file(heading, names, [f"public static class {self.name} {{\n{indented(parts)}}}\n"])

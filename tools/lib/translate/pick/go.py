@@ -16,7 +16,8 @@ NUMBERS = re.compile(r"(?:0x[\dA-F]+|[\d.]+|[-+*/ ()])+")  # no type follows fro
 
 class Go(Syntax):
     item = "  - "  # as gofmt has it
-    example_of, example_struct = "hashnoise.", "&{}"
+    name = "hashnoise"  # of the package
+    example_of, example_struct = "{}.", "&{}"
     passed = "const {} = {}"
     end = ""
     head = "{}"
@@ -176,5 +177,5 @@ func toWord(x float32) uint32 {
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
         imports = '\nimport "math"\n' if any("math." in part for part in parts) else ""
-        text = super().file(heading, names, [f"package hashnoise\n{imports}", *parts])
+        text = super().file(heading, names, [f"package {self.name}\n{imports}", *parts])
         return formatted(re.sub(r"^( {4})+", lambda found: "\t" * (len(found[0]) // 4), text, flags=re.MULTILINE))

@@ -10,12 +10,12 @@ from translate.pick.printer import STRENGTH, UNARY
 from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, block_comment, indented, pascal
 from translate.pick.values import AXES, SIZES, scalar_of
 
-NAME = "HashNoise"  # of the class
 UNSIGNED = {"/": "divideUnsigned", "%": "remainderUnsigned"}
 
 
 class Java(Syntax):
-    example_of = f"{NAME}."
+    name = "HashNoise"  # of the class
+    example_of = "{}."
     passed = "public static final int {} = {};"
     types = {"float": "float", "int": "int", "uint": "int", "bool": "boolean"}
     reserved = frozenset("""abstract assert boolean break byte case catch char class const continue default do
@@ -126,4 +126,4 @@ private static int toWord(float x) {
         return block_comment(facts, "@return")
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
-        return super().file(heading, names, [f"public final class {NAME} {{\n{indented(parts)}}}\n"])
+        return super().file(heading, names, [f"public final class {self.name} {{\n{indented(parts)}}}\n"])

@@ -728,6 +728,34 @@ class Command(unittest.TestCase):
         self.assertIn("  hn_cellular2_nearest             vec2 hn_cellular(vec2 p, float jitter, int metric, uint "
                       "seed, out ivec2 nearest, out vec2 offset)", lines)
 
+    def test_a_second_text_has_names_of_its_own(self) -> None:
+        for language, name, begins, example in (
+                ("csharp", "Terrain", "public static class Terrain {", "<code>Terrain.Lattice2(3, -5, 7u)</code>"),
+                ("java", "Terrain", "public final class Terrain {", "Example: Terrain.lattice2(3, -5, 7)"),
+                ("go", "terrain", "package terrain\n", "Example: `terrain.Lattice2(3, -5, 7)`")):
+            with self.subTest(language):
+                shown = self.call("hn_lattice2", "--language", language, "--name", name)[1]
+                self.assertIn(f"by: tools/pick hn_lattice2 --language {language} --name {name}\n", shown)
+                self.assertIn(begins, shown)
+                self.assertIn(example, shown)
+                self.assertNotIn("hashnoise", shown.partition("by:")[2].lower().replace("the hashnoise authors", ""))
+
+    def test_two_texts_of_hlsl_with_names_of_their_own_are_one_shader(self) -> None:
+        of_hlsl = ("--language", "hlsl", "--hash", "custom", "--hash-function", "hn_mine")
+        usual, other = (self.call("hn_cellular2_jitter", *of_hlsl, *more)[1] for more in
+                        ((), ("--name", "my", "--arithmetic", "fixed")))
+        self.assertIn("// my_cellular(vec2 p, float jitter, int metric, uint seed)\n", other)
+        self.assertIn("by: tools/pick hn_cellular2_jitter --language hlsl", other)
+        main = ("float4 main(float2 uv : TEXCOORD0) : SV_Target {\n"
+                "  return float4(hn_cellular(uv, 1.0, HN_METRIC_MANHATTAN, 7u), my_cellular(uv, 1.0, 1, 7u));\n}\n")
+        for second, status in ((other, 0), (other.replace("my_", "hn_"), 1)):
+            with self.subTest(status), tempfile.TemporaryDirectory() as folder:
+                file = Path(folder) / "shader.hlsl"
+                file.write_text(f"uint hn_mine(uint k) {{ return k; }}\n{usual}{second}{main}", encoding="ascii")
+                done = subprocess.run(["glslangValidator", "-D", "-V", "-S", "frag", "-e", "main", "-o", "/dev/null",
+                                       file], capture_output=True, text=True, check=False)
+                self.assertEqual(bool(done.returncode), bool(status), done.stdout)
+
     def test_a_tile_is_found_from_the_name_of_a_function(self) -> None:
         both = self.call("hn_tile2", "hn_fbm2_place")
         self.assertEqual(self.call("hn_fbm2_tile"), both)
@@ -773,6 +801,11 @@ class Command(unittest.TestCase):
                                    (("hn_fbm2", "--noise", "hn_simplx2"), "there is no function hn_simplx2"),
                                    (("hn_fbm2", "--noise", "hn_curl2"), "returns vec2, and a sum"),
                                    (("hn_fbm2", "--noise", "hn_unorm"), "there is no hn_unorm(hn_place1, uint)"),
+                                   (("hn_value2", "--name", "Mine"), "is of --language csharp, java, go, hlsl."),
+                                   (("hn_value2", "--language", "rust", "--name", "mine"), "a module of any name"),
+                                   (("hn_value2", "--language", "java", "--name", "a-b"), "such as Terrain, not 'a-b'"),
+                                   (("hn_value2", "--language", "hlsl", "--name", "my_"), "single underscores"),
+                                   (("hn_value2", "--language", "go", "--name", "func"), "a word of the language"),
                                    (("hn_value2", "--list"), "or ask for --list"),
                                    (("hn_value2", "--glsl", "/nowhere"), "/nowhere")):
             with self.subTest(arguments):

@@ -8,7 +8,7 @@ import functools
 import re
 import textwrap
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -449,14 +449,14 @@ class Program:
         return "\n".join([*wrapped(head, 0), *lines, "}"]) + "\n"
 
 
-def heading(program: Program, language: Language, command: str, library: Path) -> str:
+def heading(program: Program, language: Language, command: str, library: Path, renamed: Callable[[str], str]) -> str:
     """The head: functions, arguments, results, errors, and the command that makes the text again."""
     lines: list[str] = []
     for root, of_function in zip(program.roots, facts(program, library, language.has_overloads)):
         function = root.function
         lines += [*textwrap.wrap(f" {language.signature(function)}", 118, subsequent_indent="     "),
                   *comments.lines(of_function, language.variable, language.example(function))]
-    return "".join(f"//{line}\n" for line in (*lines, *origin(command)))
+    return "".join(f"//{line}\n" for line in (*map(renamed, lines), *origin(command)))
 
 
 def origin(command: str) -> list[str]:

@@ -118,7 +118,7 @@ def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: comments.Fa
     passed = ", ".join(filter(None, comments.arguments_of(function, argument)))
     shown = {", ".join(taken[one]) or syntax.variable(one): _of_numbers(text, one, syntax)
              for one, text in known.parameters.items()}
-    call = f"{syntax.example_of}{name}({passed})" if known.what else ""
+    call = f"{syntax.example_of.format(syntax.name)}{name}({passed})" if known.what else ""
     return Facts(known.what, known.returns, known.error, shown, call, () if syntax.sets_parameters else sets)
 
 
@@ -174,7 +174,8 @@ class Syntax:
     component: re.Pattern[str] | None = None
     components = ""
     item = "- "            # before an item of a list in a comment
-    example_of = ""        # what a call begins with
+    name = ""              # of what the functions are in, if users may name it
+    example_of = ""        # what a call begins with, with that name
     example_struct = "{}"  # what is passed for a struct that changes
     example_set = ""       # what is passed for what a function sets
     passed = ""            # the declaration of a constant that users pass, with a place for its name and its number
