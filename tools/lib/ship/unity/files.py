@@ -20,14 +20,16 @@ SCRIPTS = (*NODES, TILE, "hn_place_in_cell2", "hn_perlin_d2", "hn_simplex_d2", "
 
 
 def node(form: str, arithmetic: str) -> str:
-    """The functions of a node, in the precisions that Shader Graph has."""
+    """The functions of a node, in the precisions that Shader Graph has. A half does not hold positions and seeds whose bits
+    are the same everywhere."""
     title = f"HashNoise{ARITHMETICS[arithmetic]}{camel(form)}"
     type_, taken = PORTS[forms()[form].type], ports(form)
     declared = ", ".join(f"{of} {name}" for of, name in taken)
     passed = ", ".join(name for _, name in taken)
-    return (f"void {title}_float({declared}, out {type_} Out) {{\n"
-            f"  Out = {call(form, arithmetic)};\n}}\n"
-            f"void {title}_half({declared.replace('float', 'half')}, out {type_.replace('float', 'half')} Out) {{\n"
+    of_floats = f"void {title}_float({declared}, out {type_} Out) {{\n  Out = {call(form, arithmetic)};\n}}\n"
+    if arithmetic == "fixed":
+        return of_floats
+    return (f"{of_floats}void {title}_half({declared.replace('float', 'half')}, out {type_.replace('float', 'half')} Out) {{\n"
             f"  {type_} n;\n  {title}_float({passed}, n);\n  Out = n;\n}}\n")
 
 
