@@ -132,6 +132,17 @@ class Plugin(unittest.TestCase):
         self.assertEqual(self.refusals(f"{include}\nfloat4 Main(float2 uv : TEXCOORD0) : SV_Target {{\n{code}"
                                        "  return height + tiled;\n}\n"), {})
 
+    def test_a_position_of_four_components_is_an_error_where_there_is_2d_and_3d(self) -> None:
+        for type_ in ("float", "float4"):
+            for code, refused in (("hn_perlin(Position, 7u)", True), ("hn_cell_border(Position, 7u)", False)):
+                found = self.refusals('#include "/HashNoise/HashNoise.ush"\n'
+                                      f"float Node({type_} Position) {{ return {code}; }}\n"
+                                      "float4 Main(float2 uv : TEXCOORD0) : SV_Target { return Node(uv.x); }\n")
+                with self.subTest(code, type=type_):
+                    self.assertEqual(bool(found), refused)
+                    for said in found.values():
+                        self.assertIn("ambiguous", said)
+
     def test_the_text_of_another_function_stands_beside_it(self) -> None:
         page = (self.folder / "README.md").read_text()
         words = re.search(r"^    tools/pick (.*)$", page, re.MULTILINE)[1].split()
