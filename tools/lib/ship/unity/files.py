@@ -55,10 +55,20 @@ def shown(type_: str) -> str:
     return f"Vector{type_[-1]}" if type_[-1].isdigit() else "Float"
 
 
-def meta(path: str) -> str:
+# As Unity writes it, with blanks behind colons. It writes nothing into a package that it must not change.
+OF_FOLDER = """folderAsset: yes
+DefaultImporter:
+  externalObjects: {}
+  userData:\x20
+  assetBundleName:\x20
+  assetBundleVariant:\x20
+"""
+
+
+def meta(path: str, is_folder: bool) -> str:
     """Unity's file beside each file and folder. In a package that it must not change, it ignores files without one."""
     guid = hashlib.md5(f"{NAME}/{path}".encode(), usedforsecurity=False).hexdigest()
-    return f"fileFormatVersion: 2\nguid: {guid}\n"
+    return f"fileFormatVersion: 2\nguid: {guid}\n{OF_FOLDER if is_folder else ''}"
 
 
 def seen(paths: Iterable[str]) -> list[str]:
@@ -80,4 +90,4 @@ def package() -> dict[str, str]:
     for arithmetic, suffix in ARITHMETICS.items():
         found[f"Shaders/HashNoise{suffix}.hlsl"] = graph(arithmetic)
         found[f"Runtime/HashNoise{suffix}.cs"] = script(arithmetic)
-    return found | {f"{path}.meta": meta(path) for path in seen(found)}
+    return found | {f"{path}.meta": meta(path, path not in found) for path in seen(found)}

@@ -76,8 +76,8 @@ class Text(unittest.TestCase):
 
     def test_what_unity_imports_is_each_file_and_folder_but_samples(self) -> None:
         self.assertEqual(files.seen(["a/b.cs", "package.json", "Samples~/c/d.cs"]), ["a", "a/b.cs", "package.json"])
-        self.assertRegex(files.meta("a"), r"\AfileFormatVersion: 2\nguid: [0-9a-f]{32}\n\Z")
-        self.assertNotEqual(files.meta("a"), files.meta("b"))
+        self.assertRegex(files.meta("a", False), r"\AfileFormatVersion: 2\nguid: [0-9a-f]{32}\n\Z")
+        self.assertNotEqual(files.meta("a", False), files.meta("b", False))
 
 
 @unittest.skipUnless(__name__ == "__main__", "the test unity.package writes all functions")
@@ -105,6 +105,8 @@ class Package(unittest.TestCase):
             self.assertTrue((self.folder / sample["path"]).is_dir())
         guids = [path.read_text() for path in self.folder.rglob("*.meta")]
         self.assertEqual(len(set(guids)), len(guids))
+        for path in self.folder.rglob("*.meta"):
+            self.assertEqual("folderAsset: yes\nDefaultImporter:\n" in path.read_text(), path.with_suffix("").is_dir())
         page = (self.folder / "README.md").read_text()
         shader = (self.folder / "Shaders/HashNoise.hlsl").read_text()
         named = re.findall(r"^\| `(\w+)`", page, re.MULTILINE)
