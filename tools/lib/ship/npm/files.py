@@ -15,7 +15,6 @@ from typing import NamedTuple
 
 from base.tree import GLSL, ROOT, glsl_files
 from catalog.tables.glsl import public_files
-from proof.vectors.files import NoVectors, vectors_folder
 from ship.npm.twin import Failed, compiled
 from ship.packing import of_npm, own_files, put
 from ship.page import of_package
@@ -189,9 +188,7 @@ const packed = "{packed}";
 
 export const bytes = () => Uint8Array.from(atob(packed), (character) => character.charCodeAt(0));
 """
-    vectors = {f"vectors/{path.name}": path.read_text(encoding="ascii")
-               for path in sorted(vectors_folder().glob("*.json"))}
-    for files in (glsl_modules(), wgsl_files(definitions), tsl_files(definitions, in_glsl(modules["fast"])), vectors):
+    for files in (glsl_modules(), wgsl_files(definitions), tsl_files(definitions, in_glsl(modules["fast"]))):
         checked_names([*found, *files])
         found.update(files)
     return found
@@ -200,5 +197,5 @@ export const bytes = () => Uint8Array.from(atob(packed), (character) => characte
 if __name__ == "__main__":  # pack.sh calls it: python3 -m ship.npm.files FOLDER
     try:
         put(Path(sys.argv[1]), package(compiled()))
-    except (Failed, NoVectors) as error:
+    except Failed as error:
         sys.exit(str(error))
