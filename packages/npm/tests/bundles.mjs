@@ -67,6 +67,30 @@ test("the twin brings its module alone", async () => {
   assert.equal(count(code, "HN_CONFIG_GLSL"), 0);
 });
 
+test("what a node cannot take is named in a line", async () => {
+  const { ivec2, uniform, vec2 } = await import("three/tsl");
+  const { hn_fbm2, hn_fbm2_place, hn_tile2 } = await import("hashnoise/tsl");
+  const p = vec2(1, 2);
+  hn_fbm2(p, uniform(6, "int"), 2, uniform(0.5), 4294967295);
+  hn_fbm2(p, 6, 2, 0.5, undefined);
+  hn_fbm2_place(hn_tile2(p, ivec2(8, 8)), 6, 2, 0.5, 7);
+  for (const [given, name, message] of [
+    [[p, 6, 2, 0.5, -1], "RangeError", "hn_fbm2: seed has to be a whole number from 0 to 4294967295, not -1"],
+    [[p, 6, 2, 0.5, 7.5], "RangeError", "hn_fbm2: seed has to be a whole number from 0 to 4294967295, not 7.5"],
+    [[p, 6, 2, 0.5, 2 ** 32], "RangeError", "hn_fbm2: seed has to be a whole number from 0 to 4294967295, not 4294967296"],
+    [[p, 6.5, 2, 0.5], "RangeError", "hn_fbm2: octaves has to be a whole number from -2147483648 to 2147483647, not 6.5"],
+    [[p, 6, NaN, 0.5], "RangeError", "hn_fbm2: lacunarity has to be a finite number, not NaN"],
+    [[p, 6, 2, 1e39], "RangeError", "hn_fbm2: gain has to be a finite number, not 1e+39"],
+    [[p, "6", 2, 0.5], "TypeError", "hn_fbm2: octaves has to be a number or a node of three.js, and is of the type string"],
+    [[p, 6, undefined, 0.5], "TypeError", "hn_fbm2: lacunarity has to be a number or a node of three.js, and is of the type undefined"],
+    [[p, 6, 2, 0.5, null], "TypeError", "hn_fbm2: seed has to be a number or a node of three.js, and is of the type object"],
+    [[1, 6, 2, 0.5], "TypeError", "hn_fbm2: p has to be a node of three.js, and is of the type number"],
+    [[[1, 2], 6, 2, 0.5], "TypeError", "hn_fbm2: p has to be a node of three.js, and is of the type object"],
+  ]) {
+    assert.throws(() => hn_fbm2(...given), { name, message });
+  }
+});
+
 test("a node lacks its seed at most, and that where GLSL lets it", async () => {
   const { vec2 } = await import("three/tsl");
   const { hn_fbm2, hn_perlin2_phase, hn_phasor2, hn_warp2 } = await import("hashnoise/tsl");

@@ -5,6 +5,22 @@ import { Fn, glslFn, uint, wgslFn } from "three/tsl";
 const WGSL_TYPES = { float: "f32", int: "i32", uint: "u32" };
 const wgslType = (type) => WGSL_TYPES[type] ?? type.replace(/^([iu]?)vec(\d)$/, (_, kind, size) => `vec${size}${kind || "f"}`);
 
+const RANGES = { int: [-(2 ** 31), 2 ** 31 - 1], uint: [0, 2 ** 32 - 1], float: [] };
+
+/** Refuses what three.js would turn into another number, such as a seed of -1 into 0, and what it cannot draw. */
+function checked(what, type, value) {
+  if (value?.isNode) return;
+  const range = RANGES[type];
+  if (typeof value !== "number" || !range) {
+    throw new TypeError(`${what} has to be ${range ? "a number or " : ""}a node of three.js, and is of the type ${typeof value}`);
+  }
+  const [least, most] = range;
+  if (type === "float" ? !Number.isFinite(Math.fround(value)) : !Number.isInteger(value) || value < least || value > most) {
+    const right = type === "float" ? "finite number" : `whole number from ${least} to ${most}`;
+    throw new RangeError(`${what} has to be a ${right}, not ${value}`);
+  }
+}
+
 /**
  * Makes the nodes of a function. `declared` are its parameters in GLSL, and `called` is its name there; `inWgsl`
  * and `inGlsl` return the node of the text that it needs. The seed is the last parameter, and may be left out where
@@ -25,8 +41,10 @@ export function nodesOf(name, type, declared, called, inWgsl, inGlsl, mayLackSee
     return speaks(...parameters.map((_, i) => inputs[i]));
   }, type);
   return (...given) => {
-    if (mayLackSeed && given.length === parameters.length - 1) given.push(uint(0));
+    const last = parameters.length - 1;
+    if (mayLackSeed && given.length >= last && given[last] === undefined) given[last] = uint(0);
     if (given.length !== parameters.length) throw new TypeError(`${name} wants (${passed}), and got ${given.length} values`);
+    parameters.forEach(([of, parameter], i) => checked(`${name}: ${parameter}`, of, given[i]));
     return chosen(...given);
   };
 }
