@@ -5,7 +5,7 @@ export interface Settings {
   /** 0 to 2^32 - 1; 0 if it is left out. */
   seed?: number;
   /** After how many cells the field repeats, along all axes or along each; 0 for never. */
-  period?: number | readonly number[];
+  period?: number | ArrayLike<number>;
   // tools/make catalog: settings
   /** "perlin" if it is left out, and of fractals what the shader's take: "perlin", "perlin_d" or "value_vector". */
   noise?: NoiseName;
@@ -82,18 +82,18 @@ export declare class Field {
   all(...position: number[]): number[];
 
   /** The first component in a cell, at a fraction in it from 0 to 1 along each axis: exact however far out. */
-  inCell(cell: number | readonly number[], fraction: number | readonly number[]): number;
+  inCell(cell: number | ArrayLike<number>, fraction: number | ArrayLike<number>): number;
   /** All components there. */
-  allInCell(cell: number | readonly number[], fraction: number | readonly number[]): number[];
+  allInCell(cell: number | ArrayLike<number>, fraction: number | ArrayLike<number>): number[];
 
   /**
-   * The values at many positions: an array of coordinates for each axis, all of the same length. With `cells`, arrays
-   * of whole numbers, the coordinates are the fractions in those. All first components come first, then all second
-   * ones.
+   * The values at many positions: an array of coordinates for each axis, typed or not, all of the same length. With
+   * `cells`, arrays of whole numbers, the coordinates are the fractions in those. All first components come first, then
+   * all second ones.
    */
   points(
-    coordinates: readonly (Float32Array | readonly number[])[],
-    options?: { cells?: readonly (Int32Array | readonly number[])[]; out?: Float32Array },
+    coordinates: readonly ArrayLike<number>[],
+    options?: { cells?: readonly ArrayLike<number>[]; out?: Float32Array },
   ): Float32Array;
 
   /**
@@ -101,8 +101,13 @@ export declare class Field {
    * a `cell` the origin is the fraction in it, and the grid is exact however far out.
    */
   grid(
-    size: number | readonly number[],
-    options: { step: number | readonly number[]; origin?: number | readonly number[]; cell?: number | readonly number[]; out?: Float32Array },
+    size: number | ArrayLike<number>,
+    options: {
+      step: number | ArrayLike<number>;
+      origin?: number | ArrayLike<number>;
+      cell?: number | ArrayLike<number>;
+      out?: Float32Array;
+    },
   ): Float32Array;
 }
 

@@ -178,8 +178,10 @@ function shown(value) {
   if (typeof value === "string") return `"${value}"`;
   if (typeof value === "bigint") return `${value}n`;
   if (Array.isArray(value)) return value.length > 8 ? `an array of ${value.length}` : `[${value}]`;
-  return ArrayBuffer.isView(value) ? `a ${value.constructor.name}` : String(value);
+  return isList(value) ? `${value.constructor.name}(${value.length})` : String(value);
 }
+
+const isList = (value) => Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
 
 /** The values that an object of settings or options has; its names have to be among these. */
 function given(kind, object, names, elsewhere) {
@@ -190,9 +192,9 @@ function given(kind, object, names, elsewhere) {
   return Object.fromEntries(Object.entries(object).filter(([, value]) => value !== undefined));
 }
 
-/** A number for each axis, from one for all or from an array of them. */
+/** A number for each axis, from one for all or from an array of them, typed or not. */
 function perAxis(name, value, dimensions, check) {
-  const values = Array.isArray(value) ? value : Array(dimensions).fill(value);
+  const values = isList(value) ? value : Array(dimensions).fill(value);
   if (values.length !== dimensions) {
     throw new RangeError(`${name} has to be a number, or an array of ${dimensions}, not ${shown(value)}`);
   }
@@ -208,13 +210,6 @@ function namesIn(rows, dimensions) {
 
 const inItsCell = (name, value) => real(name, value, 0, 1);
 const wholeCell = (name, value) => whole(name, value, Number.MIN_SAFE_INTEGER, Number.MAX_SAFE_INTEGER) | 0;
-
-function arrayOf(name, value, types) {
-  if (!types.some((type) => value instanceof type)) {
-    throw new TypeError(`${name} has to be of the type ${types.map((type) => type.name).join(" or ")}, not ${shown(value)}`);
-  }
-  return value;
-}
 
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -347,14 +342,15 @@ export class Field {
     const { cells, out } = given("option", options, ["cells", "out"]);
     const { dimensions } = this;
     const places = cells === undefined ? ["finite numbers", isFloat] : ["from 0 to 1 in cells", isFraction];
-    const lists = [[coordinates, "coordinates", Float32Array, ...places]];
-    if (cells !== undefined) lists.push([cells, "cells", Int32Array, "whole numbers", Number.isSafeInteger]);
-    for (const [arrays, name, type, what, good] of lists) {
+    const lists = [[coordinates, "coordinates", ...places]];
+    if (cells !== undefined) lists.push([cells, "cells", "whole numbers", Number.isSafeInteger]);
+    for (const [arrays, name, what, good] of lists) {
       if (!Array.isArray(arrays) || arrays.length !== dimensions) {
         throw new TypeError(`the ${name} have to be an array of ${dimensions} arrays, one for each axis`);
       }
       for (const array of arrays) {
-        if (arrayOf(`an array of ${name}`, array, [type, Array]).length !== arrays[0].length) {
+        if (!isList(array)) throw new TypeError(`the ${name} of an axis have to be an array, not ${shown(array)}`);
+        if (array.length !== arrays[0].length) {
           throw new RangeError(`the arrays of ${name} have to be of the same length`);
         }
         const bad = array.findIndex((one) => !good(one));
@@ -435,7 +431,8 @@ export class Field {
       if (length > MOST_VALUES) throw new RangeError(`an array has room for ${MOST_VALUES} values, not for ${length}`);
       return new Float32Array(length);
     }
-    if (arrayOf("out", out, [Float32Array]).length !== length) {
+    if (!(out instanceof Float32Array)) throw new TypeError(`out has to be a Float32Array, not ${shown(out)}`);
+    if (out.length !== length) {
       throw new RangeError(`out has to be of the length ${length}, and is of ${out.length}`);
     }
     return out;

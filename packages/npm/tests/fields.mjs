@@ -78,6 +78,20 @@ test("cells are exact far out, and wrap at 2^32", () => {
   assert.equal(new Set(field.grid([64, 1], { step: 2 ** -12, cell: [1e9, 0], origin: [0.25, 0.5] })).size, 64);
 });
 
+test("a list may be a typed array of any kind", () => {
+  const field = new Field(2, { fractal: "fbm", period: new Int32Array([4, 5]) });
+  assert.equal(field.at(0.5, 0.25), new Field(2, { fractal: "fbm", period: [4, 5] }).at(0.5, 0.25));
+  const step = new Float64Array([0.1, 0.2]);
+  assert.deepEqual(field.grid(new Uint16Array([5, 3]), { step, origin: new Float32Array([1.5, 2]) }),
+    field.grid([5, 3], { step: [0.1, 0.2], origin: [1.5, 2] }));
+  assert.deepEqual(field.grid([5, 3], { step, cell: new Float64Array([1e9, -3]) }), field.grid([5, 3], { step: [0.1, 0.2], cell: [1e9, -3] }));
+  assert.equal(field.inCell(new Int8Array([3, 4]), new Float64Array([0.1, 0.7])), field.inCell([3, 4], [0.1, 0.7]));
+  const [xs, ys] = [[0.1, 0.2, 0.3], [0.9, 0.8, 1]];
+  assert.deepEqual(field.points([Float64Array.from(xs), Float32Array.from(ys)]), field.points([xs, ys]));
+  const cells = [[1, 2, 3], [2 ** 31, 5, -6]];
+  assert.deepEqual(field.points([xs, ys], { cells: cells.map((one) => Float64Array.from(one)) }), field.points([xs, ys], { cells }));
+});
+
 test("fields do not disturb each other, and neither do seeds and periods", () => {
   const one = new Field(2, { seed: 1 });
   const two = new Field(2, { seed: 2, fractal: "ridged" });
@@ -104,7 +118,7 @@ test("options that there are not, and arrays that do not fit, are named in a lin
   const field = new Field(2);
   assert.throws(() => field.grid([4, 4], { step: 1, orign: 2 }), /an option has to be one of step, origin, cell, out, not "orign"/);
   assert.throws(() => field.points([[1], [2]], { cell: [[1], [2]] }), /an option has to be one of cells, out, not "cell"/);
-  assert.throws(() => field.grid([4, 4], { step: 1, out: new Float64Array(16) }), /Float32Array, not a Float64Array$/);
+  assert.throws(() => field.grid([4, 4], { step: 1, out: new Float64Array(16) }), /out has to be a Float32Array, not Float64Array\(16\)$/);
   assert.throws(() => field.grid([2 ** 20, 2 ** 20], { step: 1 }), /room for 2147483647 values, not for 1099511627776/);
 });
 
@@ -144,6 +158,8 @@ test("wrong settings are reported", () => {
     [2, { fractal: "fbm", lacunarity: 2.5, period: 8 }, /lacunarity with a period has to be a whole number from 1 to 255, not 2.5/],
     [2, { fractal: "fbm", lacunarity: NaN }, /lacunarity has to be a finite number, not NaN/],
     [2, { seed: -1 }, /seed has to be a whole number from 0 to 4294967295, not -1/],
+    [2, { period: new Int32Array(3) }, /period has to be a number, or an array of 2, not Int32Array\(3\)$/],
+    [2, { period: new BigInt64Array(2) }, /period has to be a whole number from 0 to 2147483647, not 0n$/],
     [2, { period: [1, 2, 3] }, /period has to be a number, or an array of 2, not \[1,2,3\]/],
     [2, { period: 1.5 }, /period has to be a whole number from 0 to 2147483647, not 1.5/],
     [2, { period: [4, -1] }, /period has to be a whole number from 0 to 2147483647, not -1/],
@@ -169,11 +185,11 @@ test("wrong settings are reported", () => {
     [() => field.grid([4, 4]), /step has to be a finite number, not undefined/],
     [() => field.grid([4, -4], { step: 1 }), /size has to be a whole number from 0/],
     [() => field.grid([4, 4], { step: 1, out: new Float32Array(15) }), /out has to be of the length 16, and is of 15/],
-    [() => field.grid([4, 4], { step: 1, out: [] }), /out has to be of the type Float32Array, not /],
+    [() => field.grid([4, 4], { step: 1, out: [] }), /out has to be a Float32Array, not \[\]$/],
     [() => field.grid([4, 4], { step: 1, cell: 0, origin: 2 }), /origin has to be from 0 to 1, not 2/],
     [() => field.grid([4, 4], { step: 1e38, origin: 1 }), /the last point has to be a finite number/],
     [() => field.points([[1], [1]], { cells: [[1, 1], [1, 1]] }), /coordinates and of cells have to be of the same length/],
-    [() => field.points([1, 2]), /an array of coordinates has to be of the type Float32Array or Array, not 1/],
+    [() => field.points([1, 2]), /the coordinates of an axis have to be an array, not 1$/],
     [() => field.points([[1]]), /the coordinates have to be an array of 2 arrays, one for each axis/],
     [() => field.points([[1], [1, 2]]), /have to be of the same length/],
     [() => field.points([[1, 2], [3, NaN]]), /the coordinates have to be finite numbers, not NaN at 1$/],

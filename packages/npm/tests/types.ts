@@ -21,6 +21,7 @@ export const text: string = fbm2d + noise2d + included + everything + wgsl(hn_ce
 export const color = vec3(hn_fbm2(uv().mul(8), 6, 2, 0.5).add(0.5)).add(hn_perlin_d2(uv(), 7).mul(0.1));
 export const tile = hn_fbm2_place(hn_tile2(uv().mul(8), ivec2(8, 8)), 6, 2, 0.5, 7);
 export const shift = hn_warp2(uv(), 6, 2, 0.5, 1, 7);
+export const tiled = new Field(2, { period: new Int32Array([4, 8]) }).points([new Float64Array(2), [0, 1]]);
 registerChunks();
 
 // @ts-expect-error there is no such noise
