@@ -124,7 +124,7 @@ export function changed(state, changes, at = 0) {
   return { ...next, layers: next.layers.map((layer, number) => (number === at ? { ...layer, ...ofLayer } : layer)) };
 }
 
-// What a view needs beside it, unless it is given: tiles have a period, and solids have three dimensions.
+// The settings that a view needs, unless they are given: tiles have a period, and solids have three dimensions.
 export const goingWith = (state, isGiven = () => false) => ({
   ...(state.view === "tiles" && !state.period && !isGiven("period") ? { period: kUsualTile } : {}),
   ...(isSolid({ ...state, dimensions: 3 }) && state.dimensions < 3 && !isGiven("dimensions") ? { dimensions: 3 } : {}),
