@@ -92,7 +92,7 @@ def real_number(function, name, value):
     """`value` as a float, if it is finite."""
     try:
         # NumPy's version decides whether float() takes an array of one number.
-        if isinstance(value, (bool, np.bool_, str, bytes)) or np.ndim(value) > 0:
+        if isinstance(value, (bool, np.bool_, str, bytes)) or _is_sequence(value):
             raise TypeError
         number = float(value)
     except TypeError:

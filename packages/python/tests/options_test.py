@@ -140,6 +140,7 @@ class Wrong(unittest.TestCase):
                 (TypeError, {"gain": True}, r"gain must be a number, not True \(bool\)"),
                 (TypeError, {"gain": numpy.True_}, "gain must be a number, not "),
                 (TypeError, {"gain": numpy.array([0.5])}, r"gain must be a number, not array\(\[0.5\]\)"),
+                (TypeError, {"gain": [[1], [1, 2]]}, "gain must be a number, not "),
                 (TypeError, {"gain": [0.5]}, r"gain must be a number, not \[0.5\]"),
                 (ValueError, {"period": (1, 2, 3)}, r"period must have a value for each of the 2 axes"),
                 (TypeError, {"period": (1, 0.5)}, r"period must be a whole number, not 0.5"),
