@@ -13,10 +13,11 @@ add_test(NAME npm.three CONFIGURATIONS Thorough
          COMMAND ${project} run ${packages_of_node} node three.mjs ${PROJECT_SOURCE_DIR})
 add_test(NAME npm.registry CONFIGURATIONS Thorough
          COMMAND ${project} run ${packages_of_node} node registry.mjs ${PROJECT_SOURCE_DIR}/docs/develop/publishing.md)
-# The last commit of version 0.3.0. After a release it is the tag of the version before the one that is in the making.
-set(before 5301c2bbb34dc19427c8e36684e48987c682c24f)
-add_test(NAME npm.upgrade CONFIGURATIONS Thorough
-         COMMAND ${project} run ${packages_of_node} node upgrade.mjs ${PROJECT_SOURCE_DIR} ${before})
-list(APPEND npm_tests npm.three npm.registry npm.upgrade)
+# From the last commit of version 0.3.0, whose values are others, and from the last release, by its tag.
+set(upgrade ${project} run ${packages_of_node} node upgrade.mjs ${PROJECT_SOURCE_DIR})
+add_test(NAME npm.upgrade CONFIGURATIONS Thorough COMMAND ${upgrade} 5301c2bbb34dc19427c8e36684e48987c682c24f)
+add_test(NAME npm.upgrade_from_release CONFIGURATIONS Thorough COMMAND ${upgrade})
+set_tests_properties(npm.upgrade npm.upgrade_from_release PROPERTIES RESOURCE_LOCK hashnoise-before)
+list(APPEND npm_tests npm.three npm.registry npm.upgrade npm.upgrade_from_release)
 add_test(NAME npm.types COMMAND ${project} run ${packages_of_node} npx --no-install tsc --project .)
 set_tests_properties(${npm_tests} npm.types PROPERTIES FIXTURES_REQUIRED "javascript;npm" SKIP_RETURN_CODE 77)

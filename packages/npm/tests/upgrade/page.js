@@ -4,9 +4,14 @@ import { Field } from "hashnoise";
 import now from "hashnoise/glsl/fbm2d";
 import { Field as FieldBefore } from "hashnoise-before";
 import before from "hashnoise-before/glsl/fbm2d";
+import { version } from "hashnoise-before/package.json";
 
 const settings = { octaves: 6, seed: 7 };
-const fields = { now: [Field, { ...settings, fractal: "fbm" }], before: [FieldBefore, { ...settings, sum: "fbm" }] };
+const fractal = version.startsWith("0.") ? "sum" : "fractal"; // the setting's name in 1.0
+const fields = {
+  now: [Field, { ...settings, fractal: "fbm" }],
+  before: [FieldBefore, { ...settings, [fractal]: "fbm" }],
+};
 // All names of the library begin so, and one shader has each once (docs/reference/frozen.md).
 const renamed = before.replace(/\b(hn|HN)_/g, "$1before_");
 const texts = {
