@@ -103,9 +103,17 @@ class Crate(unittest.TestCase):
 
     @in_thorough_runs
     def test_its_pages_compile_and_its_comments_are_comments(self) -> None:
-        page = (ROOT / "docs" / "guide" / "languages.md").read_text(encoding="utf-8").partition("### Rust\n")[2]
-        shown = re.search(r"^```rust\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)[1]
-        test = f"#[test]\nfn page() {{\n{shown}assert!(height.abs() <= 1.0 && grain.abs() <= 1.0);\n}}\n"
+        def shown(page: str, heading: str) -> str:
+            text = (ROOT / "docs" / "guide" / page).read_text(encoding="utf-8").partition(f"\n{heading}\n")[2]
+            return re.search(r"^```rust\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)[1]
+
+        moved = shown("moving.md", "## Rust's fastnoise-lite and noise")
+        factor, scale = re.search(r"(\S+) \* hashnoise::fast::simplex2\((\S+) \* x, \2 \* y", moved).groups()
+        self.assertIn(f"| `FNL_NOISE_OPENSIMPLEX2` | 2D | `{factor} * hn_simplex({scale} * p, seed)` |",
+                      (ROOT / "docs" / "guide" / "moving.md").read_text(encoding="utf-8"))
+        test = (f"#[test]\nfn page() {{\n{shown('languages.md', '### Rust')}"
+                f"assert!(height.abs() <= 1.0 && grain.abs() <= 1.0);\n}}\n\n{moved}\n"
+                f"#[test]\nfn moved() {{\nassert!(noise(150.0, 225.0, 7).abs() <= {factor});\n}}\n")
         (self.folder / "tests" / "page.rs").write_text(test, encoding="utf-8")
         self.addCleanup((self.folder / "tests" / "page.rs").unlink)
         done = self.cargo("test", "--test", "page", "--offline")
