@@ -117,9 +117,12 @@ export async function init() {
 // ---------------------------------------------------------------------------------------------------------------------
 // Values that users pass.
 
+/** Of a value of the wrong type, or of the right one and beyond its range. */
+const errorOf = (value, type) => (typeof value === type ? RangeError : TypeError);
+
 function whole(name, value, least, most) {
   if (!Number.isInteger(value) || value < least || value > most) {
-    throw new RangeError(`${name} has to be a whole number from ${least} to ${most}, not ${shown(value)}`);
+    throw new (errorOf(value, "number"))(`${name} has to be a whole number from ${least} to ${most}, not ${shown(value)}`);
   }
   return value;
 }
@@ -129,7 +132,7 @@ const isFloat = (value) => typeof value === "number" && Number.isFinite(Math.fro
 
 function real(name, value, least = -Infinity, most = Infinity) {
   if (!isFloat(value)) {
-    throw new RangeError(`${name} has to be a finite number, not ${shown(value)}`);
+    throw new (errorOf(value, "number"))(`${name} has to be a finite number, not ${shown(value)}`);
   }
   if (value < least || value > most) {
     throw new RangeError(`${name} has to be ${most === Infinity ? `${least} or more` : `from ${least} to ${most}`}, not ${value}`);
@@ -145,8 +148,9 @@ const wholeInTile = (name, value) => whole(`${name} with a period`, value, 1, MO
 
 function oneOf(name, value, names, elsewhere = {}) {
   if (!names.includes(value)) {
-    const meant = Object.hasOwn(elsewhere, value) ? ` (here it is "${elsewhere[value]}")` : suggestion(value, names);
-    throw new RangeError(`${name} has to be one of ${names.join(", ")}, not ${shown(value)}${meant}`);
+    const known = typeof value === "string" && Object.hasOwn(elsewhere, value);
+    const meant = known ? ` (here it is "${elsewhere[value]}")` : suggestion(value, names);
+    throw new (errorOf(value, "string"))(`${name} has to be one of ${names.join(", ")}, not ${shown(value)}${meant}`);
   }
   return value;
 }
@@ -174,11 +178,16 @@ function suggestion(text, names) {
   return meant === undefined ? "" : ` (did you mean "${meant}"?)`;
 }
 
-function shown(value) {
+function shown(value, depth = 2) {
   if (typeof value === "string") return `"${value}"`;
   if (typeof value === "bigint") return `${value}n`;
-  if (Array.isArray(value)) return value.length > 8 ? `an array of ${value.length}` : `[${value}]`;
-  return isList(value) ? `${value.constructor.name}(${value.length})` : String(value);
+  if (Array.isArray(value)) {
+    if (value.length > 8) return `an array of ${value.length}`;
+    return depth === 0 ? "[...]" : `[${Array.from(value, (one) => shown(one, depth - 1))}]`;
+  }
+  if (isList(value)) return `${value.constructor.name}(${value.length})`;
+  if (typeof value === "function") return "a function";
+  return typeof value === "object" && value !== null ? "an object" : String(value); // which need not convert to a string
 }
 
 const isList = (value) => Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
@@ -354,7 +363,7 @@ export class Field {
           throw new RangeError(`the arrays of ${name} have to be of the same length`);
         }
         const bad = array.findIndex((one) => !good(one));
-        if (bad >= 0) throw new RangeError(`the ${name} have to be ${what}, not ${shown(array[bad])} at ${bad}`);
+        if (bad >= 0) throw new (errorOf(array[bad], "number"))(`the ${name} have to be ${what}, not ${shown(array[bad])} at ${bad}`);
       }
       if (arrays[0].length !== coordinates[0].length) {
         throw new RangeError("the arrays of coordinates and of cells have to be of the same length");
