@@ -56,11 +56,28 @@ std::string closest(std::string_view word, const Names& names) {
   return best;
 }
 
-// " (did you mean perlin?)", or nothing. Of hn_perlin, too, if the names are without hn_.
+// Noises by their names in other libraries, without the dimensions at their ends. index.js of npm has the same.
+constexpr std::string_view kElsewhere[][2] = {
+    {"snoise", "simplex"},   {"opensimplex", "simplex"}, {"opensimplex2s", "simplex_smooth"},
+    {"pnoise", "perlin"},    {"cnoise", "perlin"},       {"worley", "cellular"},
+    {"voronoi", "cellular"},
+};
+
+// " (did you mean perlin?)" or " (here it is cellular)", or nothing. Of hn_perlin, too, if the names are without hn_,
+// and of Perlin: no name of ours has capitals.
 template <typename Names>
-std::string suggestion(std::string_view word, const Names& names) {
+std::string suggestion(std::string_view written, const Names& names) {
+  std::string word(written);
+  for (char& letter : word) letter = 'A' <= letter && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+  const std::string stem = word.substr(0, word.find_last_not_of("1234d") + 1);
+  for (const auto& [theirs, ours] : kElsewhere) {
+    if (stem != theirs) continue;
+    for (const std::string_view name : names) {
+      if (name == ours) return " (here it is " + std::string(ours) + ")";
+    }
+  }
   std::string meant = closest(word, names);
-  if (meant.empty() && word.starts_with("hn_")) meant = closest(word.substr(3), names);
+  if (meant.empty() && word.starts_with("hn_")) meant = closest(std::string_view(word).substr(3), names);
   return meant.empty() ? meant : " (did you mean " + meant + "?)";
 }
 

@@ -59,11 +59,21 @@ const OWNERS = {
 // tools/make catalog: end
 const KNOWN = ["noise", "fractal", "seed", "period", "octaves", "lacunarity", "gain", "strength", "amplitude", "jitter", "metric"];
 const OF_FRACTALS = ["octaves", "lacunarity", "gain"];
-// Settings by their names in other libraries, and before 1.0.
+// Settings by their names in other libraries and before 1.0, without capitals and underscores; or what takes their place.
+const MULTIPLY = "multiply the position by it, since that is in cells";
+const DIVIDE = "divide the position by it, since that is in cells";
 const ELSEWHERE = {
-  noise_type: "noise", sum: "fractal", fractal_type: "fractal", persistence: "gain", distance_function: "metric",
-  cellular_jitter: "jitter", ping_pong_strength: "strength", weighted_strength: "strength", domain_warp_amp: "amplitude",
+  noisetype: "noise", sum: "fractal", fractaltype: "fractal", persistence: "gain", distancefunction: "metric",
+  cellularjitter: "jitter", pingpongstrength: "strength", weightedstrength: "strength", domainwarpamp: "amplitude",
+  warpamplitude: "amplitude", repeat: "period", tile: "period", tileable: "period",
+  frequency: MULTIPLY, freq: MULTIPLY, zoom: MULTIPLY, scale: DIVIDE, wavelength: DIVIDE,
 };
+// Noises, without the dimensions at their ends: those of closest.hpp.
+const NOISES_ELSEWHERE = {
+  snoise: "simplex", opensimplex: "simplex", opensimplex2s: "simplex_smooth", pnoise: "perlin", cnoise: "perlin",
+  worley: "cellular", voronoi: "cellular",
+};
+const FRACTALS_ELSEWHERE = { none: "leave it out" };
 const LONGEST_WORD = 48; // the module has room for the numbers of one
 const MOST_VALUES = 2 ** 31 - 1; // of an array, in every browser
 const BATCH = 1024; // points, as in twin.cpp
@@ -148,17 +158,24 @@ const wholeInTile = (name, value) => whole(`${name} with a period`, value, 1, MO
 
 function oneOf(name, value, names, elsewhere = {}) {
   if (!names.includes(value)) {
-    const known = typeof value === "string" && Object.hasOwn(elsewhere, value);
-    const meant = known ? ` (here it is "${elsewhere[value]}")` : suggestion(value, names);
-    throw new (errorOf(value, "string"))(`${name} has to be one of ${names.join(", ")}, not ${shown(value)}${meant}`);
+    const hint = typeof value === "string" ? hintOf(value.toLowerCase(), names, elsewhere) : "";
+    throw new (errorOf(value, "string"))(`${name} has to be one of ${names.join(", ")}, not ${shown(value)}${hint}`);
   }
   return value;
 }
 
-/** The name that a few typing errors turn into the word: at most a third of its letters. The word may begin with hn_. */
-function suggestion(text, names) {
-  const word = typeof text === "string" ? text.replace(/^hn_/, "") : text;
-  if (typeof word !== "string" || word.length > LONGEST_WORD || /[^ -~]/.test(word)) return "";
+function hintOf(text, names, elsewhere) {
+  const bare = text.replaceAll("_", "");
+  const known = [bare, bare.replace(/[1-4d]+$/, "")].find((one) => Object.hasOwn(elsewhere, one));
+  if (known === undefined) return suggestion(text.replace(/^hn_/, ""), names);
+  const meant = elsewhere[known];
+  if (names.includes(meant)) return ` (here it is "${meant}")`;
+  return meant.includes(" ") ? ` (${meant})` : ""; // a noise that these dimensions do not have
+}
+
+/** The name that a few typing errors turn into the word: at most a third of its letters. */
+function suggestion(word, names) {
+  if (word.length > LONGEST_WORD || /[^ -~]/.test(word)) return "";
   try {
     start();
   } catch {
@@ -231,10 +248,11 @@ export class Field {
     checkedDimensions(dimensions);
     const set = given("setting", settings, KNOWN, ELSEWHERE);
     const of = (name, usual) => (name in set ? set[name] : usual);
-    const fractal = "fractal" in set ? oneOf(`fractal in ${dimensions}D`, set.fractal, Field.fractals(dimensions)) : undefined;
+    const fractal = "fractal" in set ? oneOf(`fractal in ${dimensions}D`, set.fractal, Field.fractals(dimensions), FRACTALS_ELSEWHERE) : undefined;
     const row = fractal ? FRACTALS[fractal] : undefined;
     const noises = Field.noises(dimensions).filter((name) => !row || NOISES[name].shape === NOISES[row.noise].shape);
-    const noise = oneOf(fractal ? `noise of ${fractal}` : `noise in ${dimensions}D`, of("noise", row?.noise ?? "perlin"), noises);
+    const place = fractal ? `noise of ${fractal}` : `noise in ${dimensions}D`;
+    const noise = oneOf(place, of("noise", row?.noise ?? "perlin"), noises, NOISES_ELSEWHERE);
     const refuse = (name, why) => {
       if (name in set) throw new RangeError(`${fractal ?? noise} has no ${name}; ${why}`);
     };

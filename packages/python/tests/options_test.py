@@ -281,6 +281,8 @@ class Wrong(unittest.TestCase):
         for name, said in (("hn_fbm", r" \(did you mean fbm\?\)"), ("fmb", r" \(did you mean fbm\?\)"),
                            ("hn_perlim", r" \(did you mean perlin\?\)"), ("dask", "; import hashnoise.dask"),
                            ("hn_cellular_phase", "; cellular has the option phase"),
+                           ("snoise2", r" \(here it is simplex\)"), ("voronoi", r" \(here it is cellular\)"),
+                           ("OpenSimplex2", r" \(here it is simplex\)"), ("FBM", r" \(did you mean fbm\?\)"),
                            ("gird", r" \(did you mean grid\?\)"), ("no_such_function", "")):
             with self.subTest(name):
                 self.assert_told(AttributeError, f"^module 'hashnoise' has no attribute '{name}'{said}$",
@@ -333,6 +335,7 @@ class Wrong(unittest.TestCase):
                 (ValueError, {"name": "no_such"}, "there is no function 'no_such'; there are perlin, "),
                 (ValueError, {"name": 3}, "there is no function 3"),
                 (ValueError, {"name": "fbn"}, r"there is no function 'fbn' \(did you mean fbm\?\); there are perlin, "),
+                (ValueError, {"name": "Worley"}, r"there is no function 'Worley' \(here it is cellular\)"),
                 (ValueError, {"name": "hn_fbm"}, r"there is no function 'hn_fbm' \(did you mean fbm\?\)"),
                 (ValueError, {"first": (0, -1)}, "first must be from 0 to 536870911, not -1"),
                 (TypeError, {"first": 0.5}, "first must be a whole number"),

@@ -81,7 +81,7 @@ help_if_asked() {
 #   suggestion WORD NAME...
 suggestion() {
   printf '%s\n' "$@" | awk '
-    NR == 1 { word = $0; fewest = int(length(word) / 3); if (fewest < 1) fewest = 1; ++fewest; next }
+    NR == 1 { word = tolower($0); fewest = int(length(word) / 3); if (fewest < 1) fewest = 1; ++fewest; next }
     {
       for (i = 0; i <= length(word); ++i) {
         a = substr(word, i, 1)

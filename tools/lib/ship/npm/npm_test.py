@@ -82,6 +82,11 @@ class Package(unittest.TestCase):
         """The vectors of porters are four times as much."""
         self.assertLess(sum(map(len, self.files.values())), 3_500_000)
 
+    def test_it_knows_the_same_names_of_other_libraries_as_the_header(self):
+        header = (ROOT / "include" / "hashnoise" / "detail" / "closest.hpp").read_text(encoding="utf-8")
+        known = re.search(r"NOISES_ELSEWHERE = \{(.*?)\}", self.files["index.js"], re.DOTALL)[1]
+        self.assertEqual(dict(re.findall(r'(\w+): "(\w+)"', known)), dict(re.findall(r'\{"(\w+)", "(\w+)"\}', header)))
+
     def test_its_page_is_one_for_a_registry(self):
         page = self.files["README.md"]
         self.assertIn("\n    npm install hashnoise\n", page.partition("| purpose |")[0])
