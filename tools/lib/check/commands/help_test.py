@@ -22,7 +22,7 @@ COMMANDS = {"bake": ("src/bake/hn-bake", "--help"), "conform": (CONFORM, "run --
 SCIENTIFIC = {"make bounds": "proof/bounds", "measure hashes": "measure/hashes", "measure noise": "measure/noise",
               "measure uniform": "measure/uniform"}
 OF_MAKE = ("base/needs.py", "base/modules.py", "base/tree.py", "base/usage.py", "check/make/command.py",
-           "check/make/graph.py", "check/make/parts.py")
+           "check/make/graph.py", "check/make/parts.py", "catalog/copies.py")
 
 
 class Machine(unittest.TestCase):

@@ -103,7 +103,7 @@ def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: comments.Fa
 
     def argument(one: Parameter, numbers: Sequence[float] | None) -> str:
         if one.at.text in PASSED:
-            return f"{syntax.example_of}{syntax.constant_name(EXAMPLES[one.at.text])}"
+            return f"{syntax.example_of.format(syntax.name)}{syntax.constant_name(EXAMPLES[one.at.text])}"
         if one.at.text in sets:
             return syntax.example_set.format(syntax.variable(one.at.text))
         if numbers is not None:
