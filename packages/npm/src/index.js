@@ -77,6 +77,7 @@ const FRACTALS_ELSEWHERE = { none: "leave it out" };
 const LONGEST_WORD = 48; // the module has room for the numbers of one
 const MOST_VALUES = 2 ** 31 - 1; // of an array, in every browser
 const BATCH = 1024; // points, as in twin.cpp
+const SETTINGS = 14; // words: the struct of twin.cpp
 
 // ---------------------------------------------------------------------------------------------------------------------
 // The module in WebAssembly. It is compiled where the first field is made, so that a page which makes none does
@@ -86,15 +87,16 @@ let twin;
 let current; // the field whose settings are in it
 
 function started(instance) {
-  const { memory, settings, batch, split, run, slips } = instance.exports;
+  const { memory, settings, batch, split, run, at: valueAt, slips } = instance.exports;
   const floats = (first, count = BATCH) => new Float32Array(memory.buffer, first, count);
   const at = batch();
   const plane = (number) => at + 4 * BATCH * number;
   return {
     split,
     run,
+    valueAt,
     slips,
-    settings: new DataView(memory.buffer, settings(), 60),
+    settings: new Uint32Array(memory.buffer, settings(), SETTINGS),
     cells: [0, 1, 2].map((axis) => new Int32Array(memory.buffer, plane(axis), BATCH)),
     places: [3, 4, 5].map((number) => floats(plane(number))),
     values: [6, 7, 8, 9].map((number) => floats(plane(number))),
@@ -242,7 +244,6 @@ const wholeCell = (name, value) => whole(name, value, Number.MIN_SAFE_INTEGER, N
 /** A noise or a fractal in one, two or three dimensions, with the bits of HN_FIXED. Its settings do not change. */
 export class Field {
   #settings;
-  #isFractal;
 
   constructor(dimensions, settings = {}) {
     checkedDimensions(dimensions);
@@ -262,18 +263,19 @@ export class Field {
     const ruled = (check, name, value) => check(name, value, NUMBERS[name].least, NUMBERS[name].most);
     const number = (name, check = real) => ruled(check, name, of(name, NUMBERS[name].usual));
     const period = perAxis("period", of("period", NUMBERS.period.usual), dimensions, (name, one) => ruled(whole, name, one));
-    this.#isFractal = fractal !== undefined;
-    this.#settings = {
-      integers: [dimensions, Object.keys(NOISES).indexOf(noise), Object.keys(FRACTALS).indexOf(fractal), period.some((one) => one > 0)],
-      seed: number("seed", whole),
-      period,
-      jitter: number("jitter"),
-      metric: METRICS.indexOf(oneOf("metric", of("metric", METRICS[0]), METRICS)) + 1,
-      octaves: number("octaves", whole),
-      lacunarity: period.some((one) => one > 0) ? number("lacunarity", wholeInTile) : number("lacunarity", inFixed),
-      gain: number("gain", inFixed),
-      strength: row?.strength ? real(row.strength, of(row.strength, row.usual), 0, row.most) : 0,
-    };
+    const isTile = period.some((one) => one > 0);
+    const words = new Uint32Array(SETTINGS);
+    const floats = new Float32Array(words.buffer);
+    words.set([dimensions, Object.keys(NOISES).indexOf(noise), Object.keys(FRACTALS).indexOf(fractal), isTile]);
+    words[4] = number("seed", whole);
+    words.set(period, 5);
+    floats[8] = number("jitter");
+    words[9] = METRICS.indexOf(oneOf("metric", of("metric", METRICS[0]), METRICS)) + 1;
+    words[10] = number("octaves", whole);
+    floats[11] = number("lacunarity", isTile ? wholeInTile : inFixed);
+    floats[12] = number("gain", inFixed);
+    floats[13] = row?.strength ? real(row.strength, of(row.strength, row.usual), 0, row.most) : 0;
+    this.#settings = words;
     this.dimensions = dimensions;
     /** The numbers at a point. */
     this.components = Object.freeze(SHAPES[(row ?? NOISES[noise]).shape](dimensions));
@@ -294,31 +296,20 @@ export class Field {
   #load() {
     start();
     if (current === this) return;
-    const view = twin.settings;
-    const s = this.#settings;
-    s.integers.forEach((value, i) => view.setInt32(4 * i, value, true));
-    view.setUint32(16, s.seed, true);
-    for (let axis = 0; axis < 3; ++axis) view.setInt32(20 + 4 * axis, s.period[axis] ?? 0, true);
-    view.setFloat32(32, s.jitter, true);
-    view.setInt32(36, s.metric, true);
-    view.setInt32(40, s.octaves, true);
-    view.setFloat32(44, s.lacunarity, true);
-    view.setFloat32(48, s.gain, true);
-    view.setFloat32(52, s.strength, true);
+    twin.settings.set(this.#settings);
     current = this;
   }
 
-  #go(position) {
+  #go(count, x, y, z) {
     const { dimensions } = this;
-    if (position.length !== dimensions) {
-      throw new TypeError(`a position has ${dimensions} coordinates here, not ${position.length}`);
+    if (count !== dimensions) {
+      throw new TypeError(`a position has ${dimensions} coordinates here, not ${count}`);
     }
+    real("x", x);
+    if (dimensions > 1) real("y", y);
+    if (dimensions > 2) real("z", z);
     this.#load();
-    for (let axis = 0; axis < dimensions; ++axis) {
-      twin.places[axis][0] = real(AXES[axis], position[axis]);
-      twin.split(axis, 1);
-    }
-    twin.run(1);
+    return twin.valueAt(x, y, z);
   }
 
   #enter(cell, fraction) {
@@ -338,14 +329,13 @@ export class Field {
   }
 
   /** The first component at a position, in cells. */
-  at(...position) {
-    this.#go(position);
-    return twin.values[0][0];
+  at(x, y, z) {
+    return this.#go(arguments.length, x, y, z);
   }
 
   /** All components at a position. */
   all(...position) {
-    this.#go(position);
+    this.#go(position.length, ...position);
     return this.#components();
   }
 

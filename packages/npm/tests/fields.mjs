@@ -104,6 +104,25 @@ test("fields do not disturb each other, and neither do seeds and periods", () =>
   assert.equal(tile.at(0.5, 0.25), tile.at(3.5, -3.75));
 });
 
+test("a point of many costs less than half of a call", () => {
+  const side = 128;
+  const field = new Field(2, { fractal: "fbm" });
+  const ways = {
+    at: () => {
+      for (let y = 0; y < side; ++y) for (let x = 0; x < side; ++x) field.at(x / 32, y / 32);
+    },
+    grid: () => field.grid([side, side], { step: 1 / 32 }),
+  };
+  const least = (way) => Math.min(...Array.from({ length: 8 }, () => {
+    const before = performance.now();
+    way();
+    return performance.now() - before;
+  }));
+  const times = least(ways.at) / least(ways.grid);
+  console.log(`a call of at costs ${times.toFixed(1)} times as much as a point of a grid`);
+  assert.ok(times > 2);
+});
+
 test("what is passed to write into is written into", () => {
   const field = new Field(1, { noise: "perlin_d" });
   const out = new Float32Array(8);

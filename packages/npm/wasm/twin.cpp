@@ -303,4 +303,15 @@ TWIN_EXPORT(run) void run(int count) {
   }
 }
 
+// The first component at a position; all of them are the first values of the batch.
+TWIN_EXPORT(at) float at(float x, float y, float z) {
+  const float position[] = {x, y, z};
+  for (int axis = 0; axis < settings.dimensions; ++axis) {
+    batch.place[axis][0] = position[axis];
+    split(axis, 1);
+  }
+  run(1);
+  return batch.value[0][0];
+}
+
 }  // namespace hashnoise
