@@ -2,9 +2,10 @@
 //
 //   node bundles.mjs
 import assert from "node:assert/strict";
-import { mkdir, writeFile } from "node:fs/promises";
+import { mkdir, readFile, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import test from "node:test";
+import { gzipSync } from "node:zlib";
 import { build } from "vite";
 
 const folder = join(import.meta.dirname, "entries");
@@ -62,9 +63,21 @@ test("a name in place of a function of WGSL is an error", async () => {
 
 test("the twin brings its module alone", async () => {
   const code = await bundled('import { Field } from "hashnoise";\nconsole.log(new Field(2).at(0.5, 0.5));');
-  console.log(`Field: ${code.length} bytes`);
-  assert.ok(code.length < 80_000);
   assert.equal(count(code, "HN_CONFIG_GLSL"), 0);
+});
+
+test("the documentation's sizes are those of bundles", async () => {
+  const page = await readFile(join(import.meta.dirname, "page.md"), "utf8");
+  const rows = [...page.matchAll(/^\| `(import (?:{ )?(\w+).*)` \| (\d+) kB \| (\d+) kB \|$/gm)];
+  assert.equal(rows.length, 5);
+  const wrong = [];
+  for (const [, imported, name, size, zipped] of rows) {
+    const code = await bundled(`${imported};\nconsole.log(${name});`);
+    const found = [code.length, gzipSync(code).length].map((bytes) => bytes / 1000);
+    console.log(`${imported}: ${found.map((one) => one.toFixed(1)).join(" and ")} kB`);
+    if (found.some((one, i) => Math.abs([size, zipped][i] - one) > Math.max(0.05 * one, 0.5))) wrong.push([imported, ...found]);
+  }
+  assert.deepEqual(wrong, []);
 });
 
 test("what a node cannot take is named in a line", async () => {

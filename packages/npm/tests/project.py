@@ -20,6 +20,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
+PAGE = ROOT / "docs" / "guide" / "javascript.md"
 SKIPPED = 77
 
 # The code blocks of the page in their order, by names, and a mistake in each.
@@ -35,7 +36,7 @@ BLOCKS = {
 
 
 def blocks() -> dict[str, str]:
-    page = (ROOT / "docs" / "guide" / "javascript.md").read_text(encoding="utf-8")
+    page = PAGE.read_text(encoding="utf-8")
     found = re.findall(r"^```(js|glsl)\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
     endings = [name.split(".")[1] for name in BLOCKS]
     if [language for language, _ in found] != endings:
@@ -45,7 +46,7 @@ def blocks() -> dict[str, str]:
 
 def picked() -> dict[str, str]:
     """The page without a build step and another with a mistake, where three.js comes from this disk; and its modules."""
-    page = (ROOT / "docs" / "guide" / "javascript.md").read_text(encoding="utf-8")
+    page = PAGE.read_text(encoding="utf-8")
     html, = re.findall(r"^```html\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
     command, = re.findall(r"^    hashnoise/(tools/pick .*) --out noise\.js$", page, re.MULTILINE)
     html, replaced = re.subn(r"https://cdn\.jsdelivr\.net/npm/three@[\d.]+/", "/node_modules/three/", html)
@@ -83,6 +84,7 @@ def make(packages: Path) -> int:
     packed = done.stdout.strip()
     shutil.copytree(HERE, project, ignore=shutil.ignore_patterns("*.py", "__pycache__"))
     shutil.copy(ROOT / "tools" / "lib" / "base" / "golden_values.mjs", project)
+    shutil.copy(PAGE, project / "page.md")
     (project / "package.json").write_text(json.dumps({"name": "game", "private": True, "type": "module"}))
     for name, code in blocks().items():
         right, wrong = BLOCKS[name]
