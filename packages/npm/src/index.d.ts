@@ -76,7 +76,10 @@ export declare class Field {
   /** The names of the fractals that there are in so many dimensions. */
   static fractals(dimensions: 1 | 2 | 3): FractalName[];
 
-  /** The first component at a position, in cells. */
+  /**
+   * The first component at a position, in cells. From 2^23 on a float has no fraction, and from 2^31 on a position counts
+   * as the last cell before it: far out use inCell, and cells of points and grid.
+   */
   at(...position: number[]): number;
   /** All components at a position. */
   all(...position: number[]): number[];

@@ -328,7 +328,10 @@ export class Field {
     return this.components.map((_, i) => twin.values[i][0]);
   }
 
-  /** The first component at a position, in cells. */
+  /**
+   * The first component at a position, in cells. From 2^23 on a float has no fraction, and from 2^31 on a position counts
+   * as the last cell before it: far out use inCell, and cells of points and grid.
+   */
   at(x, y, z) {
     return this.#go(arguments.length, x, y, z);
   }

@@ -78,6 +78,14 @@ test("cells are exact far out, and wrap at 2^32", () => {
   assert.equal(new Set(field.grid([64, 1], { step: 2 ** -12, cell: [1e9, 0], origin: [0.25, 0.5] })).size, 64);
 });
 
+test("a position beyond all cells counts as the last one", () => {
+  const field = new Field(2, { noise: "random" });
+  for (const [far, last] of [[1e20, 2147483520], [2 ** 31, 2147483520], [-1e20, -(2 ** 31)]]) {
+    assert.equal(field.at(far, 0.5), field.at(last, 0.5));
+    assert.equal(field.at(last, 0.5), field.inCell([last, 0], [0, 0.5]));
+  }
+});
+
 test("a list may be a typed array of any kind", () => {
   const field = new Field(2, { fractal: "fbm", period: new Int32Array([4, 5]) });
   assert.equal(field.at(0.5, 0.25), new Field(2, { fractal: "fbm", period: [4, 5] }).at(0.5, 0.25));
