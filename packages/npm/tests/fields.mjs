@@ -2,6 +2,7 @@
 //
 //   node fields.mjs
 import assert from "node:assert/strict";
+import { createRequire } from "node:module";
 import test from "node:test";
 import { Field, init } from "hashnoise";
 
@@ -253,6 +254,10 @@ test("wrong settings are reported", () => {
   ]) {
     assert.throws(call, said);
   }
+});
+
+test("CommonJS has the same class by require", () => {
+  assert.equal(createRequire(import.meta.url)("hashnoise").Field, Field);
 });
 
 test("a browser that compiles little at once prints what to do, and does it", async () => {
