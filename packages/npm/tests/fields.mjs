@@ -256,6 +256,19 @@ test("wrong settings are reported", () => {
   }
 });
 
+test("the documentation's calls in place of other libraries are noise in their ranges", async () => {
+  const { noise2D, looped, noise, getNoise } = await import("./blocks/moving.js");
+  const points = Array.from({ length: 500 }, (_, i) => [i * 0.37 - 11, 5 - i * 0.61]);
+  for (const [called, least, most, scale] of [[noise2D, -1, 1, 1], [noise, 0, 1, 1], [getNoise, -1, 1, 100]]) {
+    const values = points.map(([x, y]) => called(scale * x, scale * y));
+    assert.ok(values.every((value) => value >= least && value <= most));
+    assert.ok(new Set(values).size > 400);
+  }
+  for (const [x, y] of points) assert.equal(looped(x, y, 0), looped(x, y, 1));
+  assert.notEqual(looped(0.5, 0.25, 0.1), looped(0.5, 0.25, 0.3));
+  assert.equal(noise2D(0.5, 0.25), new Field(2, { noise: "simplex", seed: 120 }).at(0.5, 0.25));
+});
+
 test("CommonJS has the same class by require", () => {
   assert.equal(createRequire(import.meta.url)("hashnoise").Field, Field);
 });

@@ -44,6 +44,13 @@ def blocks() -> dict[str, str]:
     return {name: code for name, (_, code) in zip(BLOCKS, found)}
 
 
+def moved() -> str:
+    """The code block of docs/guide/moving.md that is JavaScript."""
+    page = (ROOT / "docs" / "guide" / "moving.md").read_text(encoding="utf-8")
+    code, = re.findall(r"^```js\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+    return code
+
+
 def picked() -> dict[str, str]:
     """The page without a build step and another with a mistake, where three.js comes from this disk; and its modules."""
     page = PAGE.read_text(encoding="utf-8")
@@ -93,6 +100,7 @@ def make(packages: Path) -> int:
         for folder, text in (("blocks", code), ("faulty", code.replace(right, wrong))):
             (project / folder).mkdir(exist_ok=True)
             (project / folder / name).write_text(text, encoding="utf-8")
+    (project / "blocks" / "moving.js").write_text(moved(), encoding="utf-8")
     for name, text in picked().items():
         (project / "picked" / name).write_text(text, encoding="utf-8")
     done = subprocess.run([ROOT / "tools" / "lib" / "base" / "node", "npm", "install", "--offline", "--no-audit", "--no-fund", packed],
