@@ -239,6 +239,12 @@ function namesIn(rows, dimensions) {
 const inItsCell = (name, value) => real(name, value, 0, 1);
 const wholeCell = (name, value) => whole(name, value, Number.MIN_SAFE_INTEGER, Number.MAX_SAFE_INTEGER) | 0;
 
+/** The field of a call. To bind functions in the constructor would make calls of several fields in turns slower. */
+function fieldOf(field) {
+  if (field instanceof Field) return field;
+  throw new TypeError("a function of Field is called without its field: pass (x, y) => field.at(x, y) in place of field.at");
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 
 /** A noise or a fractal in one, two or three dimensions, with the bits of HN_FIXED. Its settings do not change. */
@@ -333,24 +339,24 @@ export class Field {
    * as the last cell before it: far out use inCell, and cells of points and grid.
    */
   at(x, y, z) {
-    return this.#go(arguments.length, x, y, z);
+    return fieldOf(this).#go(arguments.length, x, y, z);
   }
 
   /** All components at a position. */
   all(...position) {
-    this.#go(position.length, ...position);
+    fieldOf(this).#go(position.length, ...position);
     return this.#components();
   }
 
   /** The first component in a cell, at a fraction in it from 0 to 1 along each axis: exact however far out. */
   inCell(cell, fraction) {
-    this.#enter(cell, fraction);
+    fieldOf(this).#enter(cell, fraction);
     return twin.values[0][0];
   }
 
   /** All components there. */
   allInCell(cell, fraction) {
-    this.#enter(cell, fraction);
+    fieldOf(this).#enter(cell, fraction);
     return this.#components();
   }
 
@@ -359,8 +365,8 @@ export class Field {
    * of whole numbers, the coordinates are the fractions in those.
    */
   points(coordinates, options = {}) {
+    const { dimensions } = fieldOf(this);
     const { cells, out } = given("option", options, ["cells", "out"]);
-    const { dimensions } = this;
     const places = cells === undefined ? ["finite numbers", isFloat] : ["from 0 to 1 in cells", isFraction];
     const lists = [[coordinates, "coordinates", ...places]];
     if (cells !== undefined) lists.push([cells, "cells", "whole numbers", Number.isSafeInteger]);
@@ -403,8 +409,8 @@ export class Field {
    * a `cell` the origin is the fraction in it, and the grid is exact however far out.
    */
   grid(size, options = {}) {
+    const { dimensions } = fieldOf(this);
     const { step, origin = 0, cell, out } = given("option", options, ["step", "origin", "cell", "out"]);
-    const { dimensions } = this;
     const sizes = perAxis("size", size, dimensions, (name, one) => whole(name, one, 0, 2 ** 29 - 1));
     const steps = perAxis("step", step, dimensions, real);
     const origins = perAxis("origin", origin, dimensions, cell === undefined ? real : inItsCell);

@@ -256,6 +256,15 @@ test("wrong settings are reported", () => {
   }
 });
 
+test("a function without its field has an error that states what to pass", () => {
+  const { at, all, inCell, allInCell, points, grid } = new Field(2);
+  const message = /^TypeError: a function of Field is called without its field: pass \(x, y\) => field.at\(x, y\)/;
+  for (const call of [() => at(1, 2), () => all(1, 2), () => inCell(1, 0), () => allInCell(1, 0), () => points([[], []]),
+    () => grid(4, { step: 1 }), () => [[1, 2]].map(at, {})]) {
+    assert.throws(call, message);
+  }
+});
+
 test("the documentation's calls in place of other libraries are noise in their ranges", async () => {
   const { noise2D, looped, noise, getNoise } = await import("./blocks/moving.js");
   const points = Array.from({ length: 500 }, (_, i) => [i * 0.37 - 11, 5 - i * 0.61]);
