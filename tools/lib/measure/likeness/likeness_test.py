@@ -17,7 +17,7 @@ from unittest import mock
 from base.renderer import NotCompiled, Renderer
 from base.tree import TOOLS
 from measure.likeness import command, picture, ports
-from measure.likeness.measure import half, look
+from measure.likeness.measure import at_places, half, look
 from measure.likeness.table import PLAIN, ROWS, Row, own_sum
 
 # Another library, for want of one: value noise with a lattice, a curve and a contrast of its own.
@@ -173,6 +173,22 @@ class Record(unittest.TestCase):
         name = some[1]
         record[name] = record[name]._replace(ours=record[name].ours._replace(deviation=0.36))
         self.assertEqual(stale(), [name])
+
+    def test_sums_that_fold_are_in_the_ranges_of_the_page(self):
+        """Their octaves are louder than [-1, 1]. Ranges of other rows follow from those of the library."""
+        record, renderer = ports.read(), Renderer()
+        rows = [row for row in ROWS if row.inner]
+        self.assertGreater(len(rows), 4)
+        for row in rows:
+            found = record[row.id]
+            source = ports.our_source(row, {id: port.factor for id, port in record.items()})
+            program = renderer.program(at_places(source, ports.measured_call(row, found.scale, found.factor), row.axes))
+            values = renderer.draw(program, likeness_lags=(0.0, 0.0, 0.0, 1.0))[::4]
+            low, high = ports.ends(row, record)
+            with self.subTest(row=row.id):
+                self.assertGreaterEqual(min(values), low - 1e-6)
+                self.assertLessEqual(max(values), high + 1e-6)
+                self.assertLess(high - low, 1.5 * (max(values) - min(values)))
 
     def test_a_row_that_is_not_there_is_told(self):
         record = {**ports.read()}

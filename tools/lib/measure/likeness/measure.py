@@ -63,10 +63,14 @@ def subject(source: str, expression: str, axes: int) -> str:
     return f"#version 450\n{source}\nfloat likeness_subject({vector(axes)} p) {{ {body} }}\n"
 
 
-def look(renderer: Renderer, source: str, expression: str, axes: int) -> Look:
-    """Of an expression of p in the source, which is GLSL without a #version line."""
+def at_places(source: str, expression: str, axes: int) -> str:
+    """A shader that evaluates an expression of p in the source, which is GLSL without a #version line."""
     places = PLACES.replace("VECTOR", vector(axes)).replace("AXES", str(axes)).replace("CELLS", f"{CELLS}.0")
-    program = renderer.program(subject(source, expression, axes) + places)
+    return subject(source, expression, axes) + places
+
+
+def look(renderer: Renderer, source: str, expression: str, axes: int) -> Look:
+    program = renderer.program(at_places(source, expression, axes))
     first: list[tuple[float, float]] = []
 
     def correlations(*lags: float) -> list[float]:

@@ -16,7 +16,7 @@ from catalog.tables.glsl import files_of
 from catalog.tables.markdown import table
 from measure import record as records
 from measure.likeness.measure import Look, look
-from measure.likeness.table import ROWS, UNKNOWN, Row
+from measure.likeness.table import BILLOW, ROWS, UNKNOWN, Row
 from translate.single_file.files import text
 
 RECORD = ROOT / "docs" / "measured" / "results" / "llvmpipe" / "likeness.csv"
@@ -194,7 +194,7 @@ def moving_table(name: str, record: Mapping[str, Port], rows: Sequence[Row] = RO
             if row.id not in record:
                 raise Missing(f"likeness.csv has no row {row.id!r}: run tools/measure likeness")
             ours = call(row, record[row.id].scale, record[row.id].factor, record[row.id].offset, **ON_THE_PAGE)
-            lines.setdefault((row.theirs, ours, _range(row, record[row.id])), []).append(f"{row.axes}D")
+            lines.setdefault((row.theirs, ours, _range(row, record)), []).append(f"{row.axes}D")
     # A column that would show nothing is left out.
     columns = [("theirs", [key[0] for key in lines]), ("", [", ".join(axes) for axes in lines.values()]),
                ("hashnoise", [f"`{key[1]}`" for key in lines]), ("range", [key[2] for key in lines])]
@@ -224,12 +224,17 @@ def blender_table(record: Mapping[str, Port]) -> str:
         ["its Distortion", f"`p += distortion * {space:.2f} * hn_perlin_vector(p, seed)` before the call"]])
 
 
-def _range(row: Row, found: Port) -> str:
-    if row.range == UNKNOWN:
-        return ""
-    low, high = (written(found.factor) * end + (round(found.offset, 2) if "{offset}" in row.ours else 0.0)
-                 for end in row.range)
-    return f"[{low:.3g}, {high:.3g}]"
+def ends(row: Row, record: Mapping[str, Port]) -> tuple[float, float]:
+    """The range of ours with its factor."""
+    found, (low, high) = record[row.id], row.range
+    if row.range == BILLOW:
+        low = 1.0 - 2.0 * written(record[row.inner].factor)
+    offset = round(found.offset, 2) if "{offset}" in row.ours else 0.0
+    return written(found.factor) * low + offset, written(found.factor) * high + offset
+
+
+def _range(row: Row, record: Mapping[str, Port]) -> str:
+    return "" if row.range == UNKNOWN else "[{:.3g}, {:.3g}]".format(*ends(row, record))
 
 
 def page_tables(record: Mapping[str, Port]) -> list[tuple[str, str]]:

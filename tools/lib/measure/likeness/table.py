@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
 PLAIN = (-1.0, 1.0)
 UNKNOWN = (0.0, 0.0)  # no range: theirs documents none
+BILLOW = (-math.inf, 1.0)  # of -(2 * mean - 1), where each octave adds up to {inner}: it begins at 1 - 2 * {inner}
 
 
 class Row(NamedTuple):
@@ -111,10 +113,11 @@ def _fastnoiselite() -> Iterator[Row]:
             yield from _noise(f"{theirs} over `{name}`", f"{{factor}}{own}({{p}}, {{sum}}{rest}, {{seed}})",
                               before=own_sum(own, step, function) if own.startswith("my") else "",
                               noise_type=f"FNL_NOISE_{name}", **settings)
-        for theirs, step, sign, rest in (("RIDGED", "billow", "-", ""), ("PINGPONG", "ping_pong", "", ", 2.0")):
+        for theirs, step, sign, rest, range in (("RIDGED", "billow", "-", "", BILLOW),
+                                                ("PINGPONG", "ping_pong", "", ", 2.0", PLAIN)):
             own = f"loud_{step}"
             yield from _noise(f"`FNL_FRACTAL_{theirs}` over `{name}`",
-                              f"{sign}{{factor}}{own}({{p}}, {{sum}}{rest}, {{seed}})",
+                              f"{sign}{{factor}}{own}({{p}}, {{sum}}{rest}, {{seed}})", range,
                               before=LOUD.format(function) + own_sum(own, step, "loud"),
                               inner=f"FastNoiseLite: FNL_NOISE_{name} #D", noise_type=f"FNL_NOISE_{name}",
                               fractal_type=f"FNL_FRACTAL_{theirs}")
