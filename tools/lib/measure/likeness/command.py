@@ -20,7 +20,7 @@ Finds the scale and the factor with which a call of ours looks like one of anoth
                            [--pictures DIR] [--out DIR | --check]
 
 Each option is the path of a copy of yours; its help names which file or folder of it. Peers without an option are left
-out.
+out. Unity's Shader Graph has none, since it is measured by a port of ours.
 
 It leaves likeness.csv in DIR. docs/measured/results/llvmpipe/likeness.csv is such a file; tools/make readme makes the
 tables of docs/guide/moving.md of it. It needs libOSMesa.
@@ -51,6 +51,7 @@ def differences(found: list[ports.Port], record: Mapping[str, ports.Port]) -> li
 def run(paths: Mapping[str, Path], out: Path, pictures: Path | None, check: bool) -> int:
     """Writes likeness.csv into a folder, or with check compares with that of docs; 1 if something is not as it should
     be."""
+    paths = {**ports.PORTS, **paths}
     renderer = Renderer()
     found = ports.ports(paths, tell=lambda port: print(
         f"{port.id}: scale {port.scale:.3f}, factor {port.factor:.3f}", flush=True), renderer=renderer)

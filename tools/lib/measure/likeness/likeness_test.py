@@ -174,6 +174,13 @@ class Record(unittest.TestCase):
         record[name] = record[name]._replace(ours=record[name].ours._replace(deviation=0.36))
         self.assertEqual(stale(), [name])
 
+    def test_our_ports_have_these_numbers(self):
+        found = ports.ports(ports.PORTS)
+        self.assertEqual([port.id for port in found], ["Unity: Gradient Noise 2D", "Unity: Simple Noise 2D"])
+        self.assertEqual(command.differences(found, ports.read()), [])
+        # A gradient is as long as 1, and webgl-noise has longer and shorter ones.
+        self.assertAlmostEqual(found[0].theirs.deviation, 0.2176, delta=0.002)
+
     def test_sums_that_fold_are_in_the_ranges_of_the_page(self):
         """Their octaves are louder than [-1, 1]. Ranges of other rows follow from those of the library."""
         record, renderer = ports.read(), Renderer()

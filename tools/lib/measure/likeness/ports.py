@@ -20,6 +20,8 @@ from measure.likeness.table import BILLOW, ROWS, UNKNOWN, Row
 from translate.single_file.files import text
 
 RECORD = ROOT / "docs" / "measured" / "results" / "llvmpipe" / "likeness.csv"
+# A manual shows these, so there is no copy of a library to name.
+PORTS = {"unity": Path(__file__).with_name("unity.glsl")}
 # A scale or a factor so near to 1 is left out: nobody sees it.
 NEAR = 0.05
 # So far may the deviation and the size of a port be from theirs: what was left out, and 1% for the places that are
@@ -64,10 +66,11 @@ def source(path: Path) -> str:
 
 def version(path: Path) -> str:
     """The commit of a file in a repository of git, or the name that git would give to its content."""
-    printed = subprocess.run(["git", "-C", path.parent, "log", "-1", "--format=%h of %cs", "HEAD"], capture_output=True,
-                          text=True, check=False)
-    if printed.returncode == 0:
-        return printed.stdout.strip()
+    if path not in PORTS.values():
+        printed = subprocess.run(["git", "-C", path.parent, "log", "-1", "--format=%h of %cs", "HEAD"],
+                                 capture_output=True, text=True, check=False)
+        if printed.returncode == 0:
+            return printed.stdout.strip()
     content = path.read_bytes()
     return f"blob {hashlib.sha1(b'blob %d%c' % (len(content), 0) + content).hexdigest()[:10]}"
 
@@ -203,16 +206,6 @@ def moving_table(name: str, record: Mapping[str, Port], rows: Sequence[Row] = RO
     return table([head for head, _ in columns], list(zip(*(cells for _, cells in columns))))
 
 
-def unity_table(record: Mapping[str, Port]) -> str:
-    """The code that Unity's manual shows, and the noises in it."""
-    gradient, value = record["webgl-noise: cnoise(vec2 p) 2D"], record["FastNoiseLite: FNL_NOISE_VALUE 2D"]
-    half = (1 / 2 + 1 / 4 + 1 / 8) / 2.0  # of the range of the sum
-    return table(("node", "hashnoise"), [
-        ["Gradient Noise", f"`0.5 + {gradient.factor / 2.3:.2f} * hn_perlin(uv * scale, seed)`"],
-        ["Simple Noise", f"`{half:.2f} + {half * value.factor:.2f} * my_fbm({value.scale / 4.0:.2f} * uv * scale, 3, "
-                         "2.0, 0.5, seed)`"]])
-
-
 def blender_table(record: Mapping[str, Port]) -> str:
     """OSL and Blender have the Perlin noise of MaterialX."""
     plane, space = (record[f"MaterialX: mx_perlin_noise_float(vec{axes} p) {axes}D"].factor for axes in (2, 3))
@@ -241,4 +234,4 @@ def page_tables(record: Mapping[str, Port]) -> list[tuple[str, str]]:
     """The tables of docs/guide/moving.md, by the names of their marks."""
     names = dict.fromkeys(row.table for row in ROWS)
     return [*((f"tools/make readme: {name}", moving_table(name, record)) for name in names),
-            ("tools/make readme: OSL and Blender", blender_table(record)), ("tools/make readme: Unity", unity_table(record))]
+            ("tools/make readme: OSL and Blender", blender_table(record))]

@@ -223,4 +223,17 @@ def _materialx() -> Iterator[Row]:
         yield row(axes, "mx_worley_noise_float", "{factor}hn_cellular({p}, {seed}).x", UNKNOWN, rest=", 1.0, 0, 0")
 
 
-ROWS = (*_fastnoiselite(), *_godot(), *_webgl_noise(), *_lygia(), *_materialx())
+# --- Unity's Shader Graph ---------------------------------------------------------------------------------------------
+
+
+def _unity() -> Iterator[Row]:
+    """p is uv * scale there."""
+    def row(theirs: str, ours: str, before: str = "") -> Row:
+        name = theirs.lower().replace(" ", "_")
+        return Row("Unity", "unity", theirs, "", f"{name}(p)", 2, f"{{offset}}{{factor}}{ours}", before=before)
+
+    yield row("Gradient Noise", "hn_perlin({p}, {seed})")
+    yield row("Simple Noise", "my_fbm({p}, 3, 2.0, 0.5, {seed})", own_sum("my_fbm", "fbm", "hn_value").replace("#", "2"))
+
+
+ROWS = (*_fastnoiselite(), *_godot(), *_webgl_noise(), *_lygia(), *_materialx(), *_unity())
