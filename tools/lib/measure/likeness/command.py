@@ -17,7 +17,7 @@ DESCRIPTION = """\
 Finds the scale and the factor with which a call of ours looks like one of another library.
 
     tools/measure likeness [--fastnoiselite FILE] [--materialx DIR] [--webgl-noise DIR] [--psrdnoise DIR] [--lygia DIR]
-                           [--pictures DIR] [--out DIR | --check]
+                           [--glsl-noise DIR] [--pictures DIR] [--out DIR | --check]
 
 Each option is the path of a copy of yours; its help names which file or folder of it. Peers without an option are left
 out. Unity's Shader Graph has none, since it is measured by a port of ours.

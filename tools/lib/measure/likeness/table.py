@@ -158,15 +158,20 @@ def _godot() -> Iterator[Row]:
 
 # --- webgl-noise and psrdnoise ----------------------------------------------------------------------------------------
 
+OLDER = ", older text"  # which glsl-noise and Unity.Mathematics have
+
 
 def _webgl_noise() -> Iterator[Row]:
     def row(peer: str, theirs: str, file: str, expression: str, axes: int, ours: str,
-            range: tuple[float, float] = PLAIN) -> Row:
-        return Row("webgl-noise", peer, f"`{theirs}`", f"{file}.glsl", expression, axes, ours, range)
+            range: tuple[float, float] = PLAIN, text: str = "") -> Row:
+        return Row("webgl-noise", peer, f"`{theirs}`{text}", f"{file}.glsl", expression, axes, ours, range)
 
     for axes in (2, 3, 4):
         yield row("webgl-noise", f"snoise(vec{axes} p)", f"noise{axes}D", "snoise(p)", axes,
                   "{factor}hn_simplex({p}, {seed})")
+    for axes in (3, 4):
+        yield row("glsl-noise", f"snoise(vec{axes} p)", f"simplex/{axes}d", "snoise(p)", axes,
+                  "{factor}hn_simplex({p}, {seed})", text=OLDER)
     for axes in (2, 3, 4):
         yield row("webgl-noise", f"cnoise(vec{axes} p)", f"classicnoise{axes}D", "cnoise(p)", axes,
                   "{factor}hn_perlin({p}, {seed})")

@@ -31,7 +31,8 @@ PEERS = (
     Peer("psrdnoise", "the folder src of psrdnoise", "psrdnoise", ""),
 )
 # No cost of these is measured, only what they look like.
-OTHERS = (Peer("lygia", "the folder of lygia", "lygia", ""),)
+OTHERS = (Peer("lygia", "the folder of lygia", "lygia", ""),
+          Peer("glsl-noise", "the folder of glsl-noise, from npm", "glsl-noise", ""))
 
 # FastNoiseLite's state: Perlin noise with the frequency 1, then octaves, lacunarity, gain, the strengths of weighted
 # and of ping-pong sums, and what only cells and warps use.

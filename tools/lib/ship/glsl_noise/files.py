@@ -10,7 +10,7 @@ from typing import NamedTuple
 from base.tree import GLSL, ROOT, version
 from catalog.tables.markdown import table
 from measure.likeness import ports
-from measure.likeness.table import ROWS
+from measure.likeness.table import OLDER, ROWS
 from ship.packing import of_npm, papers
 from ship.recipes import RECIPES
 from translate.parsing.syntax import Function
@@ -59,7 +59,8 @@ def record() -> dict[str, ports.Port]:
 def call(file: File) -> str:
     """Of the library: what looks like theirs, by docs/guide/moving.md."""
     theirs = f"{'cnoise' if file.folder == 'periodic' else file.function}(vec{file.axes} p)"
-    row, = (row for row in ROWS if row.table == "webgl-noise" and row.theirs == f"`{theirs}`")
+    rows = {row.theirs: row for row in ROWS if row.table == "webgl-noise"}
+    row = rows.get(f"`{theirs}`{OLDER}", rows[f"`{theirs}`"])
     measured = record()[row.id]
     called = ports.call(row, measured.scale, measured.factor, seed="0u")
     if file.folder != "periodic":
