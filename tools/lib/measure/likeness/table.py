@@ -104,12 +104,12 @@ def _fastnoiselite() -> Iterator[Row]:
                            ("PERLIN", "hn_perlin"), ("VALUE", "hn_value"), ("VALUE_CUBIC", "hn_value_cubic")):
         yield from _noise(f"`FNL_NOISE_{name}`", f"{{factor}}{function}({{p}}, {{seed}})",
                           noise_type=f"FNL_NOISE_{name}")
-    for name, function in (("OPENSIMPLEX2", "hn_simplex"), ("PERLIN", "hn_perlin")):
+    for name, function in (("OPENSIMPLEX2", "hn_simplex"), ("OPENSIMPLEX2S", "hn_simplex_smooth"), ("PERLIN", "hn_perlin")):
         for theirs, step, rest, settings in (
                 ("`FNL_FRACTAL_FBM`", "fbm", "", {"fractal_type": "FNL_FRACTAL_FBM"}),
                 ("`weighted_strength` of 1", "weighted", ", 1.0",
                  {"fractal_type": "FNL_FRACTAL_FBM", "weighted_strength": "1.0"})):
-            own = f"my_{step}" if name == "OPENSIMPLEX2" else f"hn_{step}"
+            own = f"hn_{step}" if name == "PERLIN" else f"my_{step}"
             yield from _noise(f"{theirs} over `{name}`", f"{{factor}}{own}({{p}}, {{sum}}{rest}, {{seed}})",
                               before=own_sum(own, step, function) if own.startswith("my") else "",
                               noise_type=f"FNL_NOISE_{name}", **settings)
@@ -126,7 +126,7 @@ def _fastnoiselite() -> Iterator[Row]:
         found = f"vec2 F = hn_cellular(p, 1.0, HN_METRIC_{metric}, 7u); "
         for value, ours in (("DISTANCE", "F.x"), ("DISTANCE2", "F.y"), ("DISTANCE2ADD", "0.5 * (F.y + F.x)"),
                             ("DISTANCE2SUB", "(F.y - F.x)"), ("DISTANCE2MUL", "0.5 * F.y * F.x"),
-                            ("DISTANCE2DIV", "F.x / F.y"))[:6 if metric == "SQUARED" else 1]:
+                            ("DISTANCE2DIV", "F.x / F.y"))[:6 if metric in ("SQUARED", "EUCLIDEAN") else 1]:
             yield from _noise(f"`{value}`" if metric == "SQUARED" else f"`{value}` of `{name}`",
                               f"{{factor}}{ours} - 1.0", UNKNOWN, statement=found, noise_type="FNL_NOISE_CELLULAR",
                               table="FastNoiseLite's cells", cellular_return_type=f"FNL_CELLULAR_RETURN_TYPE_{value}",
