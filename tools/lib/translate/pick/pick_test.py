@@ -818,6 +818,14 @@ class Command(unittest.TestCase):
         self.assertEqual(stop.exception.code, 2)
         self.assertIn("/dev/null/out", shown.getvalue())
 
+    def test_a_warp_by_another_noise_is_a_loop_over_functions_that_can_be_picked(self) -> None:
+        for warp in ("hn_warp2", "hn_warp_progressive2", "hn_warp3", "hn_warp_progressive3_place"):
+            status, shown = self.call(warp, "--noise", f"hn_simplex{warp.removesuffix('_place')[-1]}")
+            self.assertEqual(status, 2)
+            picked = re.search(r"#warps\) over these functions: tools/pick (.*)", shown)[1].split()
+            self.assertEqual("progressive" in warp, "progressive" in picked[2])
+            self.assertEqual(self.call(*picked)[0], 0, picked)
+
     def test_what_the_evaluation_does_not_know_is_told_with_its_place(self) -> None:
         with tempfile.TemporaryDirectory() as folder:
             library = Path(folder) / "glsl"

@@ -180,8 +180,15 @@ def not_summed(module: Module, function: Function, summed: Summed) -> str:
             if root.evaluation.sums_other_noise:
                 return (f"{wgsl_name(function)} sums {replaced}({', '.join(types)}), for which "
                         f"--noise {name}{types[0][-1]} stands")
-    return (f"{function.name}({', '.join(function.types)}) is no sum that calls "
-            f"{summed.replaced}({', '.join(summed.types)}), for which --noise could stand")
+    why = (f"{function.name}({', '.join(function.types)}) is no sum that calls "
+           f"{summed.replaced}({', '.join(summed.types)}), for which --noise could stand")
+    if not function.name.startswith("hn_warp"):
+        return why
+    axes, noise = types[0][-1], summed.name.removesuffix("_d")
+    add = f"hn_add_progressive{axes}" if function.name == "hn_warp_progressive" else f"hn_add{axes}_shifts"
+    return (f"{why}. A warp by another noise is a loop (docs/reference/fractals.md#warps) over these functions: "
+            f"tools/pick hn_octaves_of{axes} hn_shifts_of{axes} {add} hn_next{axes} hn_mean{axes}_shifts "
+            f"{noise}{axes}_place")
 
 
 def check_sums(program: Program, summed: Summed) -> None:
