@@ -39,7 +39,7 @@ LOOKS = {
 }
 WHITE, BLACK = [1.0, 1.0, 1.0, 1.0], [0.0, 0.0, 0.0, 1.0]
 INPUTS = {
-    "size": {"TYPE": "float", "MIN": 1.0, "MAX": 64.0, "DEFAULT": 8.0, "LABEL": "Cells across"},
+    "size": {"TYPE": "float", "MIN": 1.0, "MAX": 64.0, "DEFAULT": 8.0, "LABEL": "Cells across the height"},
     "speed": {"TYPE": "float", "MIN": 0.0, "MAX": 4.0, "DEFAULT": 0.5, "LABEL": "Speed"},
     "contrast": {"TYPE": "float", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 0.5, "LABEL": "Contrast"},
     "seed": {"TYPE": "float", "MIN": 0.0, "MAX": 100.0, "DEFAULT": 7.0, "LABEL": "Seed"},

@@ -76,6 +76,10 @@ class Text(unittest.TestCase):
         names = [one["NAME"] for one in described(files.shader("ink"))["INPUTS"]]
         self.assertEqual(names, ["size", "speed", "contrast", "seed", "octaves", "gain", "bend", "low", "high"])
 
+    def test_the_size_is_called_as_the_page_explains_it(self) -> None:
+        page = (files.PACKAGE / "README.md").read_text(encoding="utf-8")
+        self.assertIn(f"`size` ({files.INPUTS['size']['LABEL'].lower()} of the picture)", page)
+
     def test_inputs_are_used_and_begin_within_their_ranges(self) -> None:
         for name, look in files.LOOKS.items():
             for one in files.inputs(look):
