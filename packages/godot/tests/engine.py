@@ -25,7 +25,8 @@ SKIPPED = 77
 OLDEST = (4, 4)
 # Godot prints this when it starts with a renderer. It goes on with OpenGL where there is no Vulkan.
 RENDERERS = {"gl_compatibility": re.compile(r"^OpenGL API .* - Compatibility - Using Device: (.*)$", re.MULTILINE),
-             "forward_plus": re.compile(r"^Vulkan .* - Forward\+ - Using Device #\d+: (.*)$", re.MULTILINE)}
+             "forward_plus": re.compile(r"^Vulkan .* - Forward\+ - Using Device #\d+: (.*)$", re.MULTILINE),
+             "mobile": re.compile(r"^Vulkan .* - Forward Mobile - Using Device #\d+: (.*)$", re.MULTILINE)}
 WRONG = re.compile(r"^(?:\w+ )?ERROR:.*(?:\n .*)*", re.MULTILINE)
 
 

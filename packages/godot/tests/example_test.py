@@ -83,7 +83,7 @@ class Example(unittest.TestCase):
         colours = drawn(self.engine, "gl_compatibility", {"marble": recipe.replace("7u", "8u")})["marble"]
         self.assertGreater(part_that_differs(colours, self.gallery("marble")), 0.2)
 
-    def test_scenes_are_shown_on_both_renderers(self):
+    def test_scenes_are_shown_on_every_renderer(self):
         for renderer in RENDERERS:
             with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as out:
                 new_project(Path(folder))

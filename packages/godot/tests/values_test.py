@@ -1,4 +1,4 @@
-"""The add-on has the golden values in a real Godot: with HN_FIXED not one bit differs, on OpenGL and on Vulkan.
+"""The add-on has the golden values in a real Godot: with HN_FIXED not one bit differs, on each renderer.
 
     python3 packages/godot/tests/values_test.py [--all]
 
@@ -70,6 +70,18 @@ void fragment() {{
 	COLOR = vec4(bytes_) / 255.0;
 }}
 """
+# Users' loops over octaves, which are sums of the library's own: the row, the call, and the loop in its place.
+LOOPS = {
+    "fbm.fbm2": ("hn_fbm", "float my_fbm(vec2 p, int octaves, float lacunarity, float gain, uint seed) {",
+                 "do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));\n\treturn hn_mean(o);"),
+    "fbm.ridged2": ("hn_ridged", "float my_ridged(vec2 p, int octaves, float lacunarity, float gain, uint seed) {",
+                    "do hn_add_ridged(o, hn_perlin(o.place, o.seed)); while (hn_next(o));\n\treturn hn_mean(o);"),
+    "warp.warp_progressive2": (
+        "hn_warp_progressive",
+        "vec2 my_warp(vec2 p, int octaves, float lacunarity, float gain, float amplitude, uint seed) {",
+        "hn_shifts2 shifts = hn_shifts(o, amplitude);\n"
+        "\tdo hn_add_progressive(o, shifts, hn_value_vector(o.place, o.seed)); while (hn_next(o));\n"
+        "\treturn hn_mean(o, shifts);")}
 Rows = dict[str, Golden]  # by the ids of their rows
 ROWS = {function.id: function for function in read_functions()}
 
@@ -92,11 +104,24 @@ def part_of(function: Function) -> str:
     return Path(function.includes).stem
 
 
+def with_names_of_users(code: str) -> str:
+    """Users write their variables so that they do not meet their own uniforms."""
+    return re.sub(rf"(?<![.\w])({'|'.join(NAMES_OF_USERS)})\b(?!\s*\()", r"\1_", code)
+
+
+def with_loop(code: str, row: str) -> str:
+    """A shader that calls a loop of the user's in place of the library's sum."""
+    name, head, rest = LOOPS[row]
+    octaves = "hn_octaves2 o = hn_octaves(p, octaves, lacunarity, gain, seed);"
+    loop = with_names_of_users(f"{head}\n\t{octaves}\n\t{rest}\n}}\n")
+    before, _, after = code.replace("uvec4 evaluate_0", f"{loop}uvec4 evaluate_0").partition(f" {name} (")
+    return f"{before} {re.search(r'my_[a-z]+', head)[0]} ({after}"
+
+
 def shader_of(part: str, bodies: dict[str, str], arithmetic: str, edit: Callable[[str], str]) -> str:
     functions = "".join(f"uvec4 evaluate_{i}(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {{ {body} }}\n"
                         for i, body in enumerate(bodies.values()))
-    # The bodies are users, too; these write their variables so that they do not meet their own uniforms.
-    functions = re.sub(rf"(?<![.\w])({'|'.join(NAMES_OF_USERS)})\b(?!\s*\()", r"\1_", functions)
+    functions = with_names_of_users(functions)
     uniforms = "\n".join(f"uniform uint {name} = {1000 + i}u;" for i, name in enumerate(NAMES_OF_USERS))
     calls = "\n\t".join(f"if (which_row == {i}) words_ = evaluate_{i}(a_, b_, c_, d_);" for i in range(len(bodies)))
     return edit(SHADER.format(uniforms=uniforms, arithmetic=arithmetic, addon=ADDON, part=part, texels=INPUTS // 2,
@@ -162,7 +187,19 @@ class Values(unittest.TestCase):
     engine: Engine
     whole = False
 
-    def test_fixed_bit_for_bit_on_both_renderers(self):
+    def test_loops_over_octaves_have_the_bits_of_the_sums(self):
+        for row in LOOPS:
+            rows = {row: fixed_rows()[row]}
+            for renderer in RENDERERS:
+                with self.subTest(renderer=renderer, row=row):
+                    got = evaluated(self.engine, renderer, rows, edit=lambda code: with_loop(code, row))
+                    self.assertEqual(differing(got, rows), {})
+        with self.subTest("they are called"):
+            other = evaluated(self.engine, "gl_compatibility", rows,
+                              edit=lambda code: with_loop(code, row).replace("o.seed)", "o.seed + 1u)"))
+            self.assertEqual([*differing(other, rows)], [row])
+
+    def test_fixed_bit_for_bit_on_every_renderer(self):
         rows = fixed_rows()
         self.assertGreater(len(rows), 370)
         if not self.whole:
@@ -171,7 +208,7 @@ class Values(unittest.TestCase):
             with self.subTest(renderer=renderer):
                 self.assertEqual(differing(evaluated(self.engine, renderer, rows), rows), {})
 
-    def test_floats_within_their_bounds_on_both_renderers(self):
+    def test_floats_within_their_bounds_on_every_renderer(self):
         within = {(noise, int(axes)): float(error) for noise, axes, error in re.findall(
             r'^NOISE_BOUNDS\("(\w+)", (\d), (?!sine)\w+, [^,]+, ([^,]+),', BOUNDS.read_text(encoding="ascii"), re.MULTILINE)}
         rows = {row: Golden(row, "lattice") for row in ("noise2d.perlin", "noise3d.simplex", "noise2d.value_cubic")}
