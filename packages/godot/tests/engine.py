@@ -89,17 +89,25 @@ class Engine:
     def __init__(self, program: str, shown_on: str, home: Path):
         self.program, self.shown_on, self.home = program, shown_on, home
 
+    def environment(self) -> dict[str, str]:
+        found = {**os.environ, "DISPLAY": self.shown_on, "HOME": str(self.home), "XDG_DATA_HOME": str(self.home),
+                 "XDG_CONFIG_HOME": str(self.home), "XDG_CACHE_HOME": str(self.home)}
+        found.pop("WAYLAND_DISPLAY", None)
+        return found
+
+    def import_files(self, project: Path) -> None:
+        """As the editor does when it opens a project."""
+        subprocess.run([self.program, "--headless", "--path", str(project), "--import"], capture_output=True, check=True,
+                       timeout=600, env=self.environment())
+
     def run(self, project: Path, renderer: str, script: str, *arguments: str, options: tuple[str, ...] = ()) -> str:
         """Godot's output while it runs a script of the project; an error of its own, and another renderer, are a
         Failure."""
-        environment = {**os.environ, "DISPLAY": self.shown_on, "HOME": str(self.home), "XDG_DATA_HOME": str(self.home),
-                       "XDG_CONFIG_HOME": str(self.home), "XDG_CACHE_HOME": str(self.home)}
-        environment.pop("WAYLAND_DISPLAY", None)
         command = [self.program, "--path", str(project), "--rendering-method", renderer, *options, "--display-driver", "x11",
                    "--audio-driver", "Dummy", "--disable-vsync", "--script", script, "--", *arguments]
         try:
             done = subprocess.run(command, capture_output=True, text=True, errors="replace", check=False, timeout=600,
-                                  env=environment)
+                                  env=self.environment())
         except subprocess.TimeoutExpired as error:
             raise Failure(f"{script} takes more than ten minutes with {renderer}") from error
         said = done.stdout + done.stderr

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 import re
+import struct
 import tempfile
 import unittest
 from pathlib import Path
@@ -19,12 +20,15 @@ from engine import RENDERERS, Engine, Failure, main
 from translate.pick.command import settings
 from translate.pick.program import Program, chosen, read
 from translate.pick.shading import LANGUAGES
+from base.golden_values import Golden, ids
 from base.png import read_png
 from ship.godot.files import ADDON, TURN, package, recipe_texts
 from ship.packing import put
 from base.tree import GLSL, ROOT
 
 HERE = Path(__file__).resolve().parent
+PAGE = ROOT / "docs" / "guide" / "godot.md"
+WORDS = 16  # of a point, in the buffer of the compute shader
 SIDE = 512  # of the gallery's pictures
 NOISY = {"ink": 0.002}  # the part of the pixels that may differ more, where a little noise turns a colour
 
@@ -96,7 +100,7 @@ class Example(unittest.TestCase):
                         self.assertGreater(len({colours[i:i + 3] for i in range(0, len(colours), 3 * 97)}), 1000)
 
     def test_the_code_of_the_page_compiles(self):
-        page = (ROOT / "docs" / "guide" / "godot.md").read_text(encoding="utf-8")
+        page = PAGE.read_text(encoding="utf-8")
         shaders = re.findall(r"^```gdshader\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
         self.assertGreaterEqual(len(shaders), 2)
         for renderer in RENDERERS:
@@ -105,6 +109,47 @@ class Example(unittest.TestCase):
             self.compile(renderer, shaders[1:])
         with self.assertRaises(Failure):
             self.compile("gl_compatibility", [text.replace("hn_fbm_d(", "hn_fbn_d(") for text in shaders[1:]])
+
+    def test_the_messages_of_the_page(self):
+        page = PAGE.read_text(encoding="utf-8")
+        shader = re.search(r"^```gdshader\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)[1]
+        include, = re.findall(r"#include .*\n", shader)
+        message = re.search(r"^    SHADER ERROR: (.*)", page, re.MULTILINE)[1]
+        for wrong, expected in ((f"#define HN_ARITHMETIC HN_FIXXED\n{include}", message),
+                                (f"{include}#define HN_ARITHMETIC HN_FIXED\n", message),
+                                (include.replace("fbm2d", "fbm9d"), message)):
+            with self.subTest(wrong), self.assertRaisesRegex(Failure, re.escape(expected)):
+                self.compile("gl_compatibility", [shader.replace(include, wrong)])
+        message = re.search(r"`(No matching function .*?)`", page)[1]
+        with self.assertRaisesRegex(Failure, re.escape(message)):
+            self.compile("gl_compatibility", [shader.replace("7u", "7")])
+
+    def test_a_compute_shader_has_the_golden_values(self):
+        """The page has it; here it has the positions and settings of the golden values."""
+        golden = Golden("fbm.fbm2", dict(ids("lattice+fixed", "any"))["fbm.fbm2"])
+        page = PAGE.read_text(encoding="utf-8")
+        shader, = re.findall(r"^```text\n(#\[compute\]\n.*?)^```$", page, re.MULTILINE | re.DOTALL)
+        picked, = re.findall(r"^    tools/pick (\S+) --arithmetic (\S+) > (\S+\.glslinc)$", page, re.MULTILINE)
+        library = read(GLSL, settings(picked[1], "lattice"))
+        words = [word for line in golden.inputs for word in (*line, *[0] * WORDS)[:WORDS]]
+        at = [f"words[(at.y * 64u + at.x) * {WORDS}u + {i}u]" for i in range(6)]
+        real = [f"uintBitsToFloat({word})" for word in at]
+        changed = re.sub(r"hn_fbm\(.*\);", f"hn_fbm(vec2({real[0]}, {real[1]}), int({at[2]}), {real[3]}, {real[4]}, {at[5]});",
+                         shader).replace("void main", "layout(set = 0, binding = 1, std430) restrict readonly buffer "
+                                                      "Words { uint words[]; };\n\nvoid main")
+        with tempfile.TemporaryDirectory() as folder:
+            project = Path(folder)
+            (project / "project.godot").write_text("config_version=5\n")
+            (project / "compute.gd").write_bytes((HERE / "compute.gd").read_bytes())
+            (project / picked[2]).write_text(Program(library, chosen(library, [picked[0]])).text(LANGUAGES["glsl"]))
+            (project / "page.glsl").write_text(shader)
+            (project / "golden.glsl").write_text(changed)
+            (project / "words").write_bytes(struct.pack(f"<{len(words)}I", *words).ljust(4 * 64 * 64 * WORDS, b"\0"))
+            self.engine.import_files(project)
+            printed = self.engine.run(project, "forward_plus", "res://compute.gd")
+            self.assertIn("page.glsl compiles", printed)
+            found = struct.unpack("<4096I", (project / "heights").read_bytes())
+        self.assertEqual([[word] for word in found[:len(golden.inputs)]], [line[:1] for line in golden.expected])
 
     def test_picked_functions_draw_the_same_as_the_addon(self):
         shaders = {}
