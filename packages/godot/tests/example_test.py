@@ -124,6 +124,22 @@ class Example(unittest.TestCase):
         with self.assertRaisesRegex(Failure, re.escape(message)):
             self.compile("gl_compatibility", [shader.replace("7u", "7")])
 
+    def test_the_names_of_fastnoiselite_are_those_of_the_page(self):
+        page = (ROOT / "docs" / "guide" / "moving.md").read_text(encoding="utf-8").partition("\n## Godot\n")[2]
+        table = re.search(r"^\| Godot \|.*\n((?:\|.*\n)+)", page, re.MULTILINE)[1]
+        named = {name for line in table.splitlines() for name in re.findall(r"`(\w+)`", line.split("|")[1])}
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "project.godot").write_text("config_version=5\n")
+            (Path(folder) / "names.gd").write_text(
+                "extends SceneTree\nfunc _init():\n\tfor name in ClassDB.class_get_integer_constant_list"
+                '("FastNoiseLite", true):\n\t\tprint("name: ", name)\n\tfor found in ClassDB.class_get_property_list'
+                '("FastNoiseLite", true):\n\t\tprint("property: ", found.name)\n\tquit()\n')
+            printed = self.engine.run(Path(folder), "gl_compatibility", "res://names.gd")
+        constants, properties = (set(re.findall(rf"^{kind}: (\w+)$", printed, re.MULTILINE)) for kind in ("name", "property"))
+        self.assertEqual(named - constants - properties, set())
+        # Both libraries have a constant for no fractal, and nothing is to be looked up.
+        self.assertEqual(constants - named, {"FRACTAL_NONE", "DOMAIN_WARP_FRACTAL_NONE"})
+
     def test_a_compute_shader_has_the_golden_values(self):
         """The page has it; here it has the positions and settings of the golden values."""
         golden = Golden("fbm.fbm2", dict(ids("lattice+fixed", "any"))["fbm.fbm2"])
