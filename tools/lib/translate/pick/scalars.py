@@ -663,7 +663,7 @@ def components(function: Function) -> Sequence[str]:
     """The names of the components of its result: those of a vector are its axes."""
     is_mean_with_slopes = function.name == "hn_mean" and function.types[1:] and "slopes" in function.types[1]
     given = _results().get("hn_fbm_d" if is_mean_with_slopes else function.name, AXES)
-    return expanded(given, SIZES[function.type] - 1) if len(given) > 1 else AXES
+    return expanded(given, SIZES[function.type] - 1) if len(given) > 1 and function.type in SIZES else AXES
 
 
 def _names(program: Program, syntax: Syntax, public: Sequence[str]) -> dict[Kept, str]:
