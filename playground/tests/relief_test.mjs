@@ -110,7 +110,8 @@ test("a solid has three dimensions or four, and a link", () => {
   assert.equal(linkOf(chosen(state, { tilt: -0.2 })), "#dimensions=3&view=sphere&tilt=-0.2");
   assert.equal(stateOf("#dimensions=4&view=cube&tilt=-0.2").tilt, -0.2);
   for (const [link, expected] of [
-    ["#view=sphere", ["plane", 0.1]],
+    ["#view=sphere", ["sphere", 0.1]],
+    ["#dimensions=2&view=sphere", ["plane", 0.1]],
     ["#dimensions=3&view=ball", ["plane", 0.1]],
     ["#dimensions=3&view=terrain&tilt=-0.2", ["terrain", 0.02]],
   ]) {

@@ -196,8 +196,8 @@ class Bake(unittest.TestCase):
         for arguments, *parts in (
             (["fmb", "-o", "a.png"], '"fmb"', "did you mean fbm?"),
             (["hn_fbm", "-o", "a.png"], "did you mean fbm?"),
-            (["FBM", "-o", "a.png"], '"FBM" (did you mean fbm?)'),
-            (["worley", "-o", "a.png"], '"worley" (here it is cellular)'),
+            (["FBM", "-o", "a.png"], '"FBM" in 2D (did you mean fbm?)'),
+            (["worley", "-o", "a.png"], '"worley" in 2D (here it is cellular)'),
             (["simplex", "--size", "8", "-o", "a.png"], "in 1D", "value"),
             (["perlin", "--noise", "value", "-o", "a.png"], "--noise is for a fractal"),
             (["fbm", "--noise", "perlim", "-o", "a.png"], "did you mean perlin?"),
