@@ -110,12 +110,17 @@ class Faults(unittest.TestCase):
         self.assertEqual(self.call("--check"), 1)
 
     def test_the_healthy_driver_may_warn_of_less_but_not_of_more(self):
-        more = (0, [*PASS[1], ("bugs.c.x", "warning", 1)])
-        self.assertEqual(self.call(healthy=more), 0)
-        self.assertEqual(self.call("--check"), 0)
-        self.assertEqual(self.call(), 0)
+        more, less = ((0, [*PASS[1], ("bugs.c.x", status, 1)]) for status in ("warning", "pass"))
+        self.assertEqual(self.call(healthy=less), 0)
         self.assertEqual(self.call("--check", healthy=more), 1)
         self.assertIn("faults.md is not what tools/make faults writes now", self.shown.getvalue())
+        self.assertEqual(self.call(healthy=more), 0)
+        for arguments in (), ("--check", "--sample", "2"), ("--check",):
+            self.assertEqual(self.call(*arguments, healthy=less), 0, arguments)
+        self.assertIn("warnings are given by **bugs** a, c.", self.table.read_text(), "those of another machine stay")
+        self.assertEqual(self.call("--check"), 1, "there is no such case any more")
+        self.assertEqual(self.call(), 0)
+        self.assertIn("warnings are given by **bugs** a.", self.table.read_text())
 
     def test_a_fault_that_nothing_notices(self):
         for two in (UNNOTICED, PASS):
