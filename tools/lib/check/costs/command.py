@@ -113,13 +113,18 @@ def wait_for_what_is_left() -> None:
         time.sleep(0.02)
 
 
+def with_interrupts() -> None:
+    """ctest starts tests so. A job in the background of a shell ignores SIGINT, and so would all that it starts."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 def cost_of(command: list[str], folder: str | None, environment: dict[str, str], log: Path) -> tuple[int, float]:
     """The status of a command, and its processor time."""
     before = time_of_children()
     with log.open("w", encoding="utf-8") as out:
         try:
             status = subprocess.run(command, cwd=folder, env={**os.environ, **environment}, stdout=out,
-                                    stderr=subprocess.STDOUT, check=False).returncode
+                                    stderr=subprocess.STDOUT, preexec_fn=with_interrupts, check=False).returncode
         except OSError as error:
             out.write(f"{command[0]}: {error.strerror}\n")
             status = 1

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import io
 import re
+import signal
 import sys
 import tempfile
 import unittest
@@ -129,6 +130,16 @@ class Recording(unittest.TestCase):
             self.assertEqual(status, 0, text)
             # The system counts a process without a waiting parent in hundredths of a second, and the last are lost.
             self.assertTrue(0.45 <= table["test", name].value < 1.1, table)
+
+    def test_a_test_may_be_interrupted_though_a_shell_has_this_in_the_background(self) -> None:
+        test = burning("golden", 0)
+        test["command"][2] = "import signal; raise SystemExit(signal.getsignal(signal.SIGINT) is signal.SIG_IGN)"
+        before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+        try:
+            status, _, text = self.record(test)
+        finally:
+            signal.signal(signal.SIGINT, before)
+        self.assertEqual(status, 0, text)
 
     def test_on_a_machine_that_is_half_as_fast_a_second_counts_half(self) -> None:
         table = self.record(burning("golden", 1), burning("twins", 0), speed=0.2)[1]
