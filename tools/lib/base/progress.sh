@@ -44,9 +44,12 @@ calibration() {
 #   calibration_since BEFORE [HOW_MANY]
 calibration_since() { awk -v before="$1" -v now="$(calibration "${2:-1}")" 'BEGIN { print (before + now) / 2 }'; }
 
+# Sets how fast this machine is, once: for seconds_here, which runs in $(...), where what is set is forgotten.
 speed_here=
+measure_speed() { [[ -n $speed_here ]] || speed_here=$(calibration "$(nproc 2>/dev/null || echo 1)"); }
+
 seconds_here() {
-  [[ -n $speed_here ]] || speed_here=$(calibration "$(nproc 2>/dev/null || echo 1)")
+  measure_speed
   awk -v seconds="$1" -v cores="${2:-1}" -v here="$speed_here" -v there="$(cost speed loop)" \
     'BEGIN { printf "%.0f", (there > 0 ? seconds * here / there : seconds) / cores }'
 }

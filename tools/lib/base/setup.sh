@@ -214,6 +214,7 @@ announce() {
     packages=$(cost packages each)
     [[ -z $packages ]] || packages=$(awk -v each="$packages" -v count="$3" 'BEGIN { printf "%.0f", each * count }')
   fi
+  measure_speed
   building=$(predict_build "$1" "$4")
   if [[ -z $4 ]]; then what+=builds; elif (($4)); then what+="builds $4 steps"; else what+="has nothing to build"; fi
   [[ -z $2 ]] || run=$(seconds_here "$2" "$(nproc 2>/dev/null || echo 1)")
@@ -305,7 +306,7 @@ configure_and_build() {
   [[ $steps != 0 ]] || return 0
   take_time_of_children
   before=$time_of_children
-  speed=$(calibration "$(nproc 2>/dev/null || echo 1)")
+  [[ -z $new ]] || speed=$(calibration "$(nproc 2>/dev/null || echo 1)")
   expected=$(predict_build "$name" "$steps") logged "Building${steps:+ $steps steps}$by" "The build$by failed" \
     cmake --build "$folder" ${1:+--target "$@"}
   take_time_of_children
