@@ -1,8 +1,8 @@
 """Proves the numbers that the documentation quotes about noise and octave sums: range, Lipschitz constant, errors.
 
-    tools/make bounds            writes bounds.inc, which the suite includes, and the tables of
-    docs/measured/accuracy.md tools/make bounds --check    whether these, and every bound that a comment or a page
-    quotes, are what is derived tools/make bounds --table    prints all that is derived
+    tools/make bounds            writes bounds.inc, which the suite includes, and the tables of docs/measured/accuracy.md
+    tools/make bounds --check    compares these, and every bound that a comment or a page quotes, with what is derived
+    tools/make bounds --table    prints all that is derived
     tools/make bounds --json     prints the same as JSON
 
 noises/ has the proofs for each noise.
