@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from base.thorough import in_thorough_runs
+from base.thorough import THOROUGH, in_thorough_runs
 from base.tree import ROOT
 from measure.hashes.joins import Joins, Repeat, keeps_the_sum, of_one_change, on_the_plane, shares, steps_of
 from measure.hashes.near_returns import REACH
@@ -49,7 +49,7 @@ class Repeats(unittest.TestCase):
             points = np.stack(np.meshgrid(*[np.arange(256, dtype=np.uint64)] * axes, indexing="ij"), -1).reshape(-1, axes)
             points = points[::49 if axes == 3 else 1] << np.uint64(24)
             rng = np.random.default_rng(axes)
-            for steps in rng.integers(0, 256, (40, axes)).astype(np.uint64) << np.uint64(24):
+            for steps in rng.integers(0, 256, (40 if THOROUGH else 5, axes)).astype(np.uint64) << np.uint64(24):
                 after = (points + steps) & np.uint64(0xFFFFFFFF)
                 shifts = np.array(joins.shifts[:axes], np.uint64)
                 same = (np.bitwise_xor.reduce(points >> shifts, axis=1) ==

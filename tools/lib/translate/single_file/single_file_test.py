@@ -1,5 +1,6 @@
 """tools/pick whole: what it makes compiles by itself, in every language, with nothing but a #version line."""
 
+import functools
 import itertools
 import pathlib
 import re
@@ -23,6 +24,7 @@ CALLS = {"hash.glsl": "hn_unorm(hn_hash(7u))", "noise2d.glsl": "hn_perlin(vec2(1
          "noise3d.glsl": "hn_perlin(vec3(1.5))", "fbm2d.glsl": "hn_clouds(vec2(1.5), 5, 2.0, 0.5)"}
 
 
+@functools.cache  # the same text is looked at again and again
 def generate(*arguments):
     return subprocess.run([sys.executable, *TOOL, *arguments], capture_output=True, text=True, check=False)
 
