@@ -141,7 +141,7 @@ class Linked(unittest.TestCase):
 
     def test_the_page_and_the_manifest_in_rust(self) -> None:
         if self.linker.kind != "cargo":
-            self.skipTest("it is cargo's")
+            self.skipTest("the test wesl.cargo runs it")
         shown = self.of_page("rust")
         program = self.linker.folder / "linker" / "src" / "bin" / "page.rs"
         program.parent.mkdir(exist_ok=True)
@@ -169,4 +169,4 @@ if __name__ == "__main__":
         print(f"skipped: {reason}")
         sys.exit(SKIPPED)
     del sys.argv[1:3]
-    unittest.main()
+    unittest.main(verbosity=2)
