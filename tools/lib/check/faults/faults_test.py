@@ -72,6 +72,10 @@ class Faults(unittest.TestCase):
         some = [case for case in RED[1] if "vec2" not in case[0]]
         self.assertEqual(self.call("--check", "--sample", "2", healthy=(0, few), one=(1, some), two=(1, some)), 0)
         self.assertEqual(self.call("--check", healthy=(0, few), one=(1, some), two=(1, some)), 1, "all are compared")
+        self.call(healthy=(0, [case if "vec2" not in case[0] else (case[0], "warning", 1) for case in PASS[1]]))
+        self.assertEqual(self.call("--check", "--sample", "2", healthy=(0, few), one=(1, some), two=(1, some)), 0,
+                         "a warning of the healthy driver that the sample does not run")
+        self.assertEqual(self.call(), 0)
         silent = [case for case in some if case[1] != "warning"]
         self.assertEqual(self.call("--check", "--sample", "2", healthy=(0, few), one=(1, silent), two=(1, some)), 0,
                          "a warning of a bug that the sample does not run")
