@@ -425,7 +425,6 @@ class Command(unittest.TestCase):
         sine = library.build("sine", ["HN_HASH=1", "HN_GRADIENT=2"], ROOT / "include", self.folder)
         self.assertTrue(np.all(np.abs(sine.gradients(np.arange(300).reshape(-1, 3), 7)) <= 1))
 
-    @in_thorough_runs
     def test_a_library_whose_product_was_taken_out(self):
         for part in ("include", "glsl"):
             shutil.copytree(ROOT / part, self.folder / part)

@@ -15,7 +15,6 @@ from collections.abc import Callable
 from pathlib import Path
 from unittest import mock
 
-from base.thorough import THOROUGH
 from base.tree import ROOT, TOOLS, address, version
 from catalog import copies
 from measure.results.sets import GoldenSets, write
@@ -102,17 +101,16 @@ class Project(unittest.TestCase):
 
 class Makes(Project):
     def test_the_same_files_each_time_with_their_checksums(self):
-        folders = [self.out, self.out.parent / "other"] if THOROUGH else [self.out]  # release.whole compares all files
-        for out in folders:
+        other = self.out.parent / "other"
+        for out in (self.out, other):
             done = self.call("--only", CHEAP, out=out)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(done.stdout, f"{out}\n")
             self.assertIn("Without check, npm, python, rust, wesl, glsl-noise, unity, unreal, blender, materialx, isf, godot, playground, snippets.", done.stderr)
         names = {path.name for path in self.out.iterdir()}
-        for other in folders[1:]:
-            self.assertEqual(names, {path.name for path in other.iterdir()})
-            for name in names:
-                self.assertEqual((self.out / name).read_bytes(), (other / name).read_bytes(), name)
+        self.assertEqual(names, {path.name for path in other.iterdir()})
+        for name in names:
+            self.assertEqual((self.out / name).read_bytes(), (other / name).read_bytes(), name)
         with zipfile.ZipFile(next(self.out.glob("*-vectors.zip"))) as packed:
             self.assertEqual(packed.namelist(), ["vectors/hash.word.json", "vectors/index.json"])
             self.assertEqual(packed.read("vectors/index.json"), (vectors_folder() / "index.json").read_bytes())

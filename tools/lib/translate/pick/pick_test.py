@@ -87,8 +87,8 @@ class Values(unittest.TestCase):
     def test_they_are_those_of_the_library(self) -> None:
         for turn, arithmetic in enumerate(command.ARITHMETICS):
             of = module(arithmetic)
-            names = list(of.forms) if THOROUGH else list(of.forms)[turn * 24::72]
-            self.assertGreaterEqual(len(names), 6)
+            names = list(of.forms) if THOROUGH else list(of.forms)[turn * 20::60]
+            self.assertGreater(len(names), 6)
             with self.subTest(arithmetic=arithmetic):
                 texts = {name: text(name, of=of, language="cpp") for name in names}
                 self.assertEqual(self.differing(arithmetic, texts), [])
