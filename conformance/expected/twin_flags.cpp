@@ -53,8 +53,9 @@ float coordinate() {
   }
 }
 
-// In [0, 1], or anywhere.
-float fraction() { return word() % 4 == 0 ? coordinate() : std::bit_cast<float>(word() % 0x3F800001u); }
+// In [0, 1], or anywhere below 2^64: from about 2^100 on the waves of phasor noise in floats are infinite, and their
+// angle is a NaN, which fits no integer.
+float fraction() { return word() % 4 == 0 ? number(0, 190) : std::bit_cast<float>(word() % 0x3F800001u); }
 
 // The settings of an octave sum: what people use, and anything.
 float setting(std::string_view name) {

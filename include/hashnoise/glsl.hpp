@@ -4,7 +4,7 @@
 //
 // Words wrap at 2^32. If a float in a vector does not fit an int, it becomes the nearest int. NaN becomes 0. (GLSL
 // leaves these values undefined.) So nothing has undefined behaviour, as long as coordinates and the settings of octave
-// sums are finite.
+// sums are finite, and fractions, which are to be in [0, 1], are below 2^64 in size.
 
 #pragma once
 
