@@ -11,7 +11,7 @@ from pathlib import Path
 from unittest import mock
 
 from base.tree import ROOT
-from catalog import command, copies, grid, sections, shaders, suite
+from catalog import command, copies, grid, parameters, sections, shaders, suite
 from catalog.model import CATALOG, CatalogError, read
 from catalog.tables import functions
 
@@ -183,9 +183,24 @@ class Wrong(unittest.TestCase):
                  "ping_pong.strength: the default is not in [0, 64]"),
                 ("settings.toml", r"(?<=^\[gain\]\n)kind = .*", 'kind = "odd"',
                  "catalog/settings.toml: gain: kind is 'odd', and has to be one of whole, real"),
+                ("settings.toml", r"(?<=^\[gain\]\n)((?:.*\n)+?)fixed = .*", r"\1fixed = [1]",
+                 "catalog/settings.toml: gain: fixed has to be two numbers, and is [1]"),
                 ("settings.toml", r"^\[metrics\].*\nnames = .*", "", "catalog/settings.toml: metrics has to be a table")):
             with self.subTest(message=message):
                 self.assertIn(message, self.refused(file, old, new))
+
+    def test_a_parameter_has_a_text_and_ends(self):
+        for function, parameter, is_fixed, ends in (
+                ("hn_fbm2", "gain", False, (0, None)), ("hn_fbm2", "gain", True, (0, 1)),
+                ("hn_fbm2", "lacunarity", False, (None, None)), ("hn_fbm2", "lacunarity", True, (0, 255)),
+                ("hn_warp3", "amplitude", True, (0, 64)), ("hn_eroded3_place", "strength", True, (0, 16)),
+                ("hn_weighted2", "strength", True, (0, 1)), ("hn_cellular2_jitter", "metric", True, (1, 5)),
+                ("hn_fbm2", "seed", True, (None, None))):
+            with self.subTest((function, parameter), is_fixed=is_fixed):
+                found = parameters.about(function, parameter, is_fixed)
+                self.assertEqual(found[1:], ends)
+                self.assertRegex(found.what, r"^\w[^`\"]{8,89}$")
+        self.assertIsNone(parameters.about("hn_perlin2", "amplitude", True))
 
     def test_it_is_bad_usage(self):
         errors = io.StringIO()

@@ -139,6 +139,7 @@ class Setting:
     is_whole: bool
     least: float | None
     most: float | None
+    fixed: tuple[float | None, float | None]  # the least and the most with HN_FIXED
     default: float | None
     about: str
 
@@ -264,8 +265,13 @@ def _sum(name: str, keys: Any, noises: Mapping[str, Noise]) -> Sum:
 def _setting(name: str, keys: Any) -> Setting:
     entry = Entry("settings.toml", name, keys)
     number = (int, float)
-    setting = Setting(name, entry.one_of("kind", ("whole", "real")) == "whole", entry.take("least", number, None),
-                      entry.take("most", number, None), entry.take("default", number, None), entry.take("about", str))
+    is_whole = entry.one_of("kind", ("whole", "real")) == "whole"
+    least, most = entry.take("least", number, None), entry.take("most", number, None)
+    fixed = entry.take("fixed", list, [least, most])
+    if len(fixed) != 2:
+        raise CatalogError(f"{entry.where}: fixed has to be two numbers, and is {fixed}")
+    setting = Setting(name, is_whole, least, most, (fixed[0], fixed[1]), entry.take("default", number, None),
+                      entry.take("about", str))
     entry.end()
     return setting
 

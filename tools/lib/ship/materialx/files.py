@@ -8,7 +8,7 @@ from typing import NamedTuple
 from xml.sax.saxutils import quoteattr
 
 from base.tree import GLSL, ROOT, version
-from catalog import asked
+from catalog import asked, parameters
 from catalog.tables.markdown import table
 from ship.packing import papers
 from translate.parsing.syntax import Function
@@ -42,18 +42,14 @@ INPUTS = {
                          'doc="The position, in cells."'),
     ("p", "vec3"): Input("position", "vec3", 'defaultgeomprop="Pobject" uiname="Position" '
                          'doc="The position, in cells."'),
-    ("octaves", "int"): Input("octaves", "int", 'value="6" uimin="0" uisoftmax="8" uiname="Octaves"'),
-    ("lacunarity", "float"): Input("lacunarity", "float", 'value="2.0" uiname="Lacunarity" '
-                                   'doc="How much finer each octave is than the one before."'),
-    ("gain", "float"): Input("diminish", "float", 'value="0.5" uimin="0.0" uiname="Diminish" '
-                             'doc="How much weaker each octave is than the one before."'),
-    ("amplitude", "float"): Input("amplitude", "float", 'value="1.0" uimin="0.0" uimax="64.0" uiname="Amplitude" '
-                                  'doc="The largest shift along an axis, in cells."'),
-    ("jitter", "float"): Input("jitter", "float", 'value="1.0" uimin="0.0" uimax="1.0" uiname="Jitter" '
-                               'doc="How far points are from the centres of their cells."'),
+    ("octaves", "int"): Input("octaves", "int", 'value="6" uisoftmax="8" uiname="Octaves"'),
+    ("lacunarity", "float"): Input("lacunarity", "float", 'value="2.0" uiname="Lacunarity"'),
+    ("gain", "float"): Input("diminish", "float", 'value="0.5" uiname="Diminish"'),
+    ("amplitude", "float"): Input("amplitude", "float", 'value="1.0" uiname="Amplitude"'),
+    ("jitter", "float"): Input("jitter", "float", 'value="1.0" uiname="Jitter"'),
     ("metric", "int"): Input("metric", "int", f'value="1" enum="{",".join(METRICS)}" enumvalues="'
                              f'{",".join(str(i + 1) for i in range(len(METRICS)))}" uiname="Metric"'),
-    ("seed", "uint"): Input("seed", "int", 'value="0" uiname="Seed" doc="Another one gives another field."'),
+    ("seed", "uint"): Input("seed", "int", 'value="0" uiname="Seed"'),
 }
 PERIOD = Input("period", "vec2", 'value="8.0, 8.0" uiname="Period" '
                'doc="After how many cells it repeats: whole numbers; 0 is never."')
@@ -82,12 +78,23 @@ def inputs(form: str) -> list[Input]:
         if one.type == "hn_place2":
             found += [INPUTS["p", "vec2"], PERIOD]
         else:
-            found.append(INPUTS[one.at.text, one.type])
+            found.append(described(INPUTS[one.at.text, one.type], form, one.at.text))
     names = {one.name for one in found}
     # As MaterialX's own have it: what sums octaves has no pivot, and distances and random numbers have neither.
     if function.type == "float" and function.name not in ("hn_random", "hn_cell_border"):
         found = [*((AMPLITUDE,) if "octaves" in names else (AMPLITUDE, PIVOT)), *found]
     return found
+
+
+def described(given: Input, form: str, parameter: str) -> Input:
+    """With the catalog's text and ends. An enumeration shows both by its names."""
+    about = parameters.about(form, parameter, is_fixed=True)
+    if about is None or "enum=" in given.said:
+        return given
+    write = float if given.type == "float" else int
+    ends = "".join(f' {end}="{write(value)}"' for end, value in (("uimin", about.least), ("uimax", about.most))
+                   if value is not None)
+    return given._replace(said=f'{given.said}{ends} doc="{about.what[0].upper()}{about.what[1:]}."')
 
 
 def scaled(form: str, value: str) -> str:

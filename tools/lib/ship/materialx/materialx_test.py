@@ -42,6 +42,14 @@ class Text(unittest.TestCase):
         self.assertEqual(made.find("output").attrib, {"name": "out", "type": "vector2", "default": "0.0, 0.0"})
         self.assertRegex(made.get("doc"), r"^\w.*[^.]\.$")
 
+    def test_inputs_have_the_ranges_and_the_texts_of_the_catalog(self) -> None:
+        made = xml.fromstring(files.document(files.declared("hn_warp2"))).find("nodedef")
+        found = {one.get("name"): (one.get("uimin"), one.get("uimax")) for one in made.iter("input")}
+        self.assertEqual(found, {"texcoord": (None, None), "octaves": ("1", "32"), "lacunarity": ("0.0", "255.0"),
+                                 "diminish": ("0.0", "1.0"), "amplitude": ("0.0", "64.0"), "seed": (None, None)})
+        for one in made.iter("input"):
+            self.assertRegex(one.get("doc"), r"^[A-Z].*[^.]\.$")
+
     def test_every_target_has_an_implementation_of_its_own(self) -> None:
         """Else Metal and Slang would take that of GLSL."""
         for target in files.TARGETS:

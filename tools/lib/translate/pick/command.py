@@ -195,6 +195,7 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
             from translate.pick import scalars
             written = syntax(precise)
             written.name = choice.name or written.name
+            written.is_fixed = choice.arithmetic == "fixed"
             return scalars.text(made, written, facts(made, library, False), origin(command))
         if choice.language == TSL:
             from translate.pick import tsl

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from catalog import parameters as known
 from translate.parsing.lines import wrapped
 from translate.pick.printer import UNARY
 from translate.pick.scalars import Part, Piece, Syntax, Taken, bare
@@ -229,7 +230,7 @@ def shader(syntax: Osl, name: str, parameters: Sequence[Taken], results: Sequenc
             passed.append(f"p[{axes.index(one.name)}]")
         else:
             default = DEFAULTS.get(one.name, "0" if one.type != "float" else "0.0")
-            inputs.append(f"{syntax.type(one.type)} {one.name} = {default}")
+            inputs.append(f"{syntax.type(one.type)} {one.name} = {default}{metadata(syntax, name, one)}")
             passed.append(one.name)
     before, after = [], []
     outputs = []
@@ -255,8 +256,19 @@ def shader(syntax: Osl, name: str, parameters: Sequence[Taken], results: Sequenc
     if value := next((part for part in results if part.name == returned), None):
         call = f"{returned}{'_n' * (SIZES[value.type] > 1)} = {call}"
     body = "".join(f"  {line}\n" for line in (*before, call, *after))
-    declared = ",\n    ".join([", ".join(inputs), ", ".join(outputs)])
+    declared = ",\n    ".join([*inputs, *outputs])
     return [f"shader hashnoise_{bare(name)}(\n    {declared}) {{\n{body}}}\n"]
+
+
+def metadata(syntax: Osl, function: str, one: Taken) -> str:
+    """The text that a renderer shows of a parameter, and the range of its slider."""
+    if not (about := known.about(function, one.name, syntax.is_fixed)):
+        return ""
+    scalar = syntax.type(one.type)
+    ends = ", ".join(f"{scalar} {end} = {float(value) if scalar == 'float' else value}"
+                     for end, value in (("min", about.least), ("max", about.most)) if value is not None)
+    joined = ",\n           ".join(filter(None, (f'string help = "{about.what}"', ends)))
+    return f"\n        [[ {joined} ]]"
 
 
 def without_shader(text: str) -> str:

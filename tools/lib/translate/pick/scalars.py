@@ -175,6 +175,7 @@ class Syntax:
     components = ""
     item = "- "            # before an item of a list in a comment
     name = ""              # of what the functions are in, if users may name it
+    is_fixed = False       # whether the arithmetic is HN_FIXED, for who writes about it
     example_of = ""        # what a call begins with, with that name
     example_struct = "{}"  # what is passed for a struct that changes
     example_set = ""       # what is passed for what a function sets

@@ -159,11 +159,23 @@ class OfOsl(unittest.TestCase):
 
     def test_a_shader_has_the_position_and_defaults(self) -> None:
         made = self.picked("hn_fbm2").partition("\nshader ")[2]
-        self.assertIn("point p = P, int octaves = 6, float lacunarity = 2.0, float gain = 0.5, int seed = 0,", made)
+        plain = re.sub(r"(?s)\s+\[\[.*?\]\]|(?<=,)\n   ", "", made)
+        self.assertIn("point p = P, int octaves = 6, float lacunarity = 2.0, float gain = 0.5, int seed = 0, output ",
+                      plain)
         self.assertIn("value = hn_fbm2(p[0], p[1], octaves, lacunarity, gain, seed);", made)
         self.assertIn("value = vector(value_n.x, value_n.y, 0);", self.picked("hn_curl2"))
         self.assertIn("value_w = value_n.w;", self.picked("hn_perlin_d3"))
         self.assertIn("output float result = 0", self.picked("hn_uniform"))  # whose first input is a value
+
+    def test_a_parameter_has_a_text_and_the_ends_of_its_arithmetic(self) -> None:
+        floats = 'string help = "ratio of amplitudes from octave to octave (persistence)",\n           float min = 0.0'
+        self.assertIn(f"\n    float gain = 0.5\n        [[ {floats} ]],\n", self.picked("hn_fbm2"))
+        self.assertIn(f" {floats}, float max = 1.0 ]],\n", self.pick(["hn_fbm2"], command.Choice("osl", "fixed")))
+        self.assertIn("int min = 1, int max = 5 ]]", self.picked("hn_cellular2_jitter"))
+        self.assertIn('[[ string help = "how often it folds",\n           float min = 0.0, float max = 64.0 ]]',
+                      self.picked("hn_ping_pong2"))
+        seed = self.picked("hn_perlin2").partition("int seed = 0")[2].partition("output")[0]
+        self.assertEqual(seed.strip(), '[[ string help = "different seeds give independent fields" ]],')
 
     def test_a_struct_in_a_struct_is_set_by_itself(self) -> None:
         made = self.picked("hn_octaves_of1")
