@@ -21,7 +21,7 @@ name is that of the library where the language has overloads, and that of its fo
 perlin2 in Rust, Perlin2 in C# and Go.
 
 Ask for all functions of a shader or program at once: two texts may have the same function. In HLSL, C#, Java and Go
---name gives a second text names of its own.
+--name gives a second text names of its own, and in OSL the shader.
 
 tools/pick whole writes files of the library with all that they include, as one: tools/pick whole --help.
 
@@ -79,7 +79,7 @@ VERILOG = "verilog"  # modules for programs that make circuits
 OF_VERILOG = ("constants", "clock", "stages", "multipliers")
 TSL = "tsl"  # three.js's, which is none: a module with the text of two of the shading languages
 # The languages in which --name names something, and what.
-NAMED = {"csharp": "the class", "java": "the class", "go": "the package",
+NAMED = {"csharp": "the class", "java": "the class", "go": "the package", "osl": "the shader",
          "hlsl": "names, which begin with it in place of hn"}
 NO_PRECISE = "three.js passes `precise` to no shader: take --arithmetic fixed, whose bits are the same everywhere"
 

@@ -257,7 +257,7 @@ def shader(syntax: Osl, name: str, parameters: Sequence[Taken], results: Sequenc
         call = f"{returned}{'_n' * (SIZES[value.type] > 1)} = {call}"
     body = "".join(f"  {line}\n" for line in (*before, call, *after))
     declared = ",\n    ".join([*inputs, *outputs])
-    return [f"shader hashnoise_{bare(name)}(\n    {declared}) {{\n{body}}}\n"]
+    return [f"shader {syntax.name or f'hashnoise_{bare(name)}'}(\n    {declared}) {{\n{body}}}\n"]
 
 
 def metadata(syntax: Osl, function: str, one: Taken) -> str:

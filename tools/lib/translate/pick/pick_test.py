@@ -740,6 +740,13 @@ class Command(unittest.TestCase):
                 self.assertIn(example, shown)
                 self.assertNotIn("hashnoise", shown.partition("by:")[2].lower().replace("the hashnoise authors", ""))
 
+    def test_a_shader_of_osl_has_a_name_of_its_own(self) -> None:
+        usual, named = (self.call("hn_fbm2", "--language", "osl", "--noise", "hn_value2", *more)[1].partition("\n")
+                        for more in ((), ("--name", "rough_land")))
+        self.assertIn("--name rough_land", named[0])
+        self.assertIn("\nshader hashnoise_fbm2(", usual[2])
+        self.assertEqual(named[2], usual[2].replace("shader hashnoise_fbm2(", "shader rough_land("))
+
     def test_two_texts_of_hlsl_with_names_of_their_own_are_one_shader(self) -> None:
         of_hlsl = ("--language", "hlsl", "--hash", "custom", "--hash-function", "hn_mine")
         usual, other = (self.call("hn_cellular2_jitter", *of_hlsl, *more)[1] for more in
@@ -801,11 +808,12 @@ class Command(unittest.TestCase):
                                    (("hn_fbm2", "--noise", "hn_simplx2"), "there is no function hn_simplx2"),
                                    (("hn_fbm2", "--noise", "hn_curl2"), "returns vec2, and a sum"),
                                    (("hn_fbm2", "--noise", "hn_unorm"), "there is no hn_unorm(hn_place1, uint)"),
-                                   (("hn_value2", "--name", "Mine"), "is of --language csharp, java, go, hlsl."),
+                                   (("hn_value2", "--name", "Mine"), "is of --language csharp, java, go, osl, hlsl."),
                                    (("hn_value2", "--language", "rust", "--name", "mine"), "a module of any name"),
                                    (("hn_value2", "--language", "java", "--name", "a-b"), "such as Terrain, not 'a-b'"),
                                    (("hn_value2", "--language", "hlsl", "--name", "my_"), "single underscores"),
                                    (("hn_value2", "--language", "go", "--name", "func"), "a word of the language"),
+                                   (("hn_value2", "--language", "osl", "--name", "noise"), "a word of the language"),
                                    (("hn_value2", "--list"), "or ask for --list"),
                                    (("hn_value2", "--glsl", "/nowhere"), "/nowhere")):
             with self.subTest(arguments):
