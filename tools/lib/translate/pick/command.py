@@ -278,6 +278,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except (Unknown, OSError) as error:
         parser.exit(2, f"tools/pick: {error}\n")
     write(parser, written, given.out)
+    if choice.language == "osl" and "\nshader " not in written:
+        print(f"tools/pick: the text has functions, but no shader: the first one, {expanded(given.names)[0]}, takes or "
+              "returns a type that no parameter of a shader has. docs/guide/engines.md has a shader to write below them",
+              file=sys.stderr)
     return 0
 
 

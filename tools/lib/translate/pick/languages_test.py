@@ -9,6 +9,7 @@ Exit status of the second: 0 the same, 1 not, 77 the compiler is not installed.
 from __future__ import annotations
 
 import functools
+import re
 import struct
 import subprocess
 import sys
@@ -18,7 +19,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from base.thorough import THOROUGH
-from base.tree import GLSL
+from base.tree import GLSL, ROOT
 from translate.parsing.syntax import Function
 from translate.pick import command
 from translate.pick.comparison import compile_words
@@ -125,6 +126,19 @@ class Language(unittest.TestCase):
         right = self.text("fixed", of, "hn_perlin2")
         with self.assertRaisesRegex(NotRun, "1.osl is not compiled"):
             self.differing("fixed", of, [("hn_perlin2", right), ("hn_perlin2", right.replace(";", "", 1))])
+
+    def test_the_shader_of_the_page_is_compiled(self) -> None:
+        if not isinstance(self.runner, OslRunner):
+            return
+        page = (ROOT / "docs" / "guide" / "engines.md").read_text(encoding="utf-8")
+        names, lines = re.search(r"(?ms)^    hashnoise/tools/pick (\S+) --language osl --out tile\.osl\n\n"
+                                 r"(    shader .*?^    \})", page).groups()
+        functions = command.picked(command.expanded([names]), command.Choice("osl"))
+        shader = re.sub("(?m)^    ", "", lines) + "\n"
+        with tempfile.TemporaryDirectory() as folder:
+            self.runner.lint([functions + shader], Path(folder))
+            with self.assertRaisesRegex(NotRun, "is not compiled"):
+                self.runner.lint([functions + shader.replace("hn_tile2(p[0], ", "hn_tile2(")], Path(folder))
 
     def test_what_the_language_lacks_is_exact(self) -> None:
         if self.runner.exact:

@@ -18,6 +18,7 @@ from translate.wgsl.device import Absent, installed
 
 PACKAGE = "bpy==5.0.1"
 RENDER = Path(__file__).resolve().with_name("osl_render.py")
+LEAST = 4  # pixels along each side of a picture of Blender's
 # A word is two halves, and a float its positive or its negative part. The third part of the color has the sign of 0,
 # which atan2 knows.
 WORDS = """
@@ -70,8 +71,7 @@ class OslRunner(CRunner):
             (folder / f"m{i}.osl").write_text(functions + WORDS + SHADER.format(
                 size=len(words), words=", ".join(map(str, signed)), floats=", ".join(floats), taken=taken, call=call),
                 encoding="ascii")
-            least = max(4, len(given))  # as Blender has it
-            jobs.append({"shader": f"m{i}.osl", "width": points, "height": least})
+            jobs.append({"shader": f"m{i}.osl", "width": points, "height": max(LEAST, len(given))})
             if functions != text:  # its own shader has to be one, too
                 (folder / f"node{i}.osl").write_text(text, encoding="ascii")
                 jobs[-1]["node"] = f"node{i}.osl"
@@ -93,8 +93,8 @@ class OslRunner(CRunner):
 
     def lint(self, texts: Sequence[str], folder: Path) -> None:
         """Each is compiled with its shader, and beside one that calls nothing of it."""
-        call = f"  {self.loop.format(points=1)}\n    put_float(shown, row, to, floats[at++]);\n  }}"
-        (folder / "inputs").write_bytes(bytes(4 * len(texts)))
+        call = f"  {self.loop.format(points=LEAST)}\n    put_float(shown, row, to, floats[at++]);\n  }}"
+        (folder / "inputs").write_bytes(bytes(4 * LEAST * len(texts)))
         self.build_and_run(texts, [call] * len(texts), folder)
 
     def passed(self, name: str, is_set: bool) -> str:

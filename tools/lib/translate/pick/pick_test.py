@@ -747,6 +747,15 @@ class Command(unittest.TestCase):
         self.assertIn("\nshader hashnoise_fbm2(", usual[2])
         self.assertEqual(named[2], usual[2].replace("shader hashnoise_fbm2(", "shader rough_land("))
 
+    def test_a_text_of_osl_without_a_shader_is_noted(self) -> None:
+        for names, first in ((("hn_fbm2_tile",), "hn_tile2"), (("hn_perlin2_place",), "hn_perlin2_place"),
+                             (("hn_perlin_d4", "hn_fbm2"), "hn_perlin_d4"), (("hn_fbm2",), "")):
+            with self.subTest(names), tempfile.TemporaryDirectory() as folder:
+                status, shown = self.call(*names, "--language", "osl", "--out", f"{folder}/noise.osl")
+                self.assertEqual(status, 0)
+                self.assertEqual("no shader" in shown, bool(first))
+                self.assertIn(first and f"the first one, {first}, takes or returns", shown)
+
     def test_two_texts_of_hlsl_with_names_of_their_own_are_one_shader(self) -> None:
         of_hlsl = ("--language", "hlsl", "--hash", "custom", "--hash-function", "hn_mine")
         usual, other = (self.call("hn_cellular2_jitter", *of_hlsl, *more)[1] for more in
