@@ -1,16 +1,19 @@
 """Node groups for materials: each holds a script in Open Shading Language, which Cycles compiles."""
 
 import re
-from pathlib import Path
 
 import bpy
 from bpy.props import EnumProperty
 
-SHADERS = Path(__file__).parent / "shaders"
+from . import shaders
+
 # Sockets of a group for parameters of a script.
 SOCKETS = {"VALUE": "NodeSocketFloat", "INT": "NodeSocketInt", "VECTOR": "NodeSocketVector"}
 POSITION = "p"  # of a script
 SCALE = 5.0  # cells in a unit, as the operator has it
+DISTANCES = ("F1", "F2")  # outputs of cellular noise, as other languages name them
+MARK = "hashnoise"  # the property of a group that has the name of its shader
+PLAIN = ("GROUP_INPUT", "GROUP_OUTPUT", "SCRIPT", "VECT_MATH")  # nodes in each group
 
 
 class NotCompiled(Exception):
@@ -24,14 +27,14 @@ def label(shader):
 
 
 def entries():
-    return [(path.stem, label(path.stem), "") for path in sorted(SHADERS.glob("*.osl"))]
+    return [(name, label(name), "") for name in shaders.names()]
 
 
-def group(shader):
-    """The group of a shader: the one that the file has, or a new one."""
-    name, text = f"hashnoise {label(shader)}", (SHADERS / f"{shader}.osl").read_text(encoding="utf-8")
+def group(shader, into):
+    """The group of a shader: one that the file has and that can be in a tree, or a new one."""
+    name, text = f"hashnoise {label(shader)}", shaders.text(shader)
     for tree in bpy.data.node_groups:
-        if any(one.type == "SCRIPT" and one.script and one.script.as_string() == text for one in tree.nodes):
+        if tree.name.startswith(name) and is_made(tree, shader, text) and not has(tree, into):
             return tree
     source = bpy.data.texts.new(f"hashnoise {shader}.osl")
     source.from_string(text)
@@ -42,43 +45,94 @@ def group(shader):
         bpy.data.node_groups.remove(tree)
         bpy.data.texts.remove(source)
         raise NotCompiled(f"Cycles does not compile {shader}.osl; see the console")
-    connect(tree, script)
+    tree[MARK] = shader
+    connect(tree, shader, script, shaders.described(text))
     return tree
 
 
-def connect(tree, script):
+def is_made(tree, shader, text):
+    """Whether a group is as it was made, and nobody has changed its nodes, its sockets or its text."""
+    if tree.get(MARK) != shader or sorted(one.type for one in tree.nodes) != sorted([*PLAIN, *more_nodes(shader)]):
+        return False
+    script, = (one for one in tree.nodes if one.type == "SCRIPT")
+    found = [(one.name, one.in_out, one.socket_type) for one in tree.interface.items_tree if one.item_type == "SOCKET"]
+    wanted = [(name, way, SOCKETS[kind]) for name, way, kind in sockets(shader, script)]
+    return (sorted(found) == sorted(wanted) and script.script is not None
+            and shaders.code(script.script.as_string()) == shaders.code(text))
+
+
+def has(tree, other):
+    """Whether another tree is this one or in it: then this one cannot be in that."""
+    return tree == other or any(one.type == "GROUP" and one.node_tree and has(one.node_tree, other)
+                                for one in tree.nodes)
+
+
+def more_nodes(shader):
+    return ["SEPXYZ"] if shader.startswith("cellular") else ["VECT_MATH"] if shader.startswith("warp") else []
+
+
+def sockets(shader, script):
+    """Of a group: the name of each, its direction, and its kind."""
+    inputs = [(one.name.title(), one.type) for one in script.inputs if one.name != POSITION]
+    outputs = [(one.name.title(), one.type) for one in script.outputs]
+    if shader.startswith("cellular"):
+        outputs = [(name, "VALUE") for name in DISTANCES]
+    return [*((name, "INPUT", kind) for name, kind in (("Vector", "VECTOR"), ("Scale", "VALUE"), *inputs)),
+            *((name, "OUTPUT", kind) for name, kind in outputs)]
+
+
+def connect(tree, shader, script, about):
     """Gives the group what its script takes, with a scale for the position, and what comes back."""
     taken, given = tree.nodes.new("NodeGroupInput"), tree.nodes.new("NodeGroupOutput")
-    scaled = tree.nodes.new("ShaderNodeVectorMath")
-    scaled.operation = "SCALE"
-    taken.location, scaled.location, given.location = (-400, 0), (-200, 0), (200, 0)
-    for name, kind in (("Vector", "VECTOR"), ("Scale", "VALUE")):
-        socket(tree, name, "INPUT", kind)
-        tree.links.new(taken.outputs[name], scaled.inputs[name])
+    scaled = scaling(tree, "SCALE")
+    taken.location, scaled.location, given.location = (-400, 0), (-200, 0), (400, 0)
+    about = {**about, "vector": {"description": "The position. Link coordinates: one vector has one value"},
+             "scale": {"description": "Cells in a unit of Vector"}}
+    for name, way, kind in sockets(shader, script):
+        made = tree.interface.new_socket(name, in_out=way, socket_type=SOCKETS[kind])
+        described = about.get(name.lower(), {}) if way == "INPUT" else {}
+        made.description = described.get("description", "")
+        made.min_value, made.max_value = described.get("min", made.min_value), described.get("max", made.max_value)
     tree.interface.items_tree["Vector"].hide_value = True
     tree.interface.items_tree["Scale"].default_value = SCALE
+    tree.links.new(taken.outputs["Vector"], scaled.inputs["Vector"])
+    tree.links.new(taken.outputs["Scale"], scaled.inputs["Scale"])
     for one in script.inputs:
         if one.name == POSITION:
             tree.links.new(scaled.outputs["Vector"], one)
         else:
-            title = one.name.title()
-            socket(tree, title, "INPUT", one.type).default_value = one.default_value
-            tree.links.new(taken.outputs[title], one)
-    for one in script.outputs:
-        title = one.name.title()
-        socket(tree, title, "OUTPUT", one.type)
-        tree.links.new(one, given.inputs[title])
+            tree.interface.items_tree[one.name.title()].default_value = one.default_value
+            tree.links.new(taken.outputs[one.name.title()], one)
+    results = list(script.outputs)
+    if shader.startswith("cellular"):
+        parts = tree.nodes.new("ShaderNodeSeparateXYZ")
+        parts.location = (200, 0)
+        tree.links.new(results[0], parts.inputs[0])
+        results = parts.outputs[:len(DISTANCES)]
+    elif shader.startswith("warp"):  # from cells to units of Vector. By a scale of 0 it is 0
+        divided = scaling(tree, "DIVIDE")
+        divided.location = (200, 0)
+        tree.links.new(results[0], divided.inputs[0])
+        tree.links.new(taken.outputs["Scale"], divided.inputs[1])
+        results = [divided.outputs["Vector"]]
+    for one, socket in zip(results, given.inputs):
+        tree.links.new(one, socket)
 
 
-def socket(tree, name, in_out, kind):
-    return tree.interface.new_socket(name, in_out=in_out, socket_type=SOCKETS[kind])
+def scaling(tree, operation):
+    made = tree.nodes.new("ShaderNodeVectorMath")
+    made.operation = operation
+    return made
+
+
+def in_editor(context):
+    return context.space_data is not None and context.space_data.type == "NODE_EDITOR"
 
 
 def edited(context):
     """The shader that the editor shows, or that of the active object's material."""
-    space = context.space_data
-    if space is not None and space.type == "NODE_EDITOR":
-        return space.edit_tree if space.tree_type == "ShaderNodeTree" else None
+    if in_editor(context):
+        return context.space_data.edit_tree if context.space_data.tree_type == "ShaderNodeTree" else None
     material = context.object and context.object.active_material
     return material and material.node_tree
 
@@ -103,7 +157,7 @@ class NODE_OT_hashnoise_add(bpy.types.Operator):
             return self.refused("There is no material with nodes: open one in the shader editor, or give the object "
                                 "one")
         try:
-            made = group(self.shader)
+            made = group(self.shader, tree)
         except NotCompiled as error:
             return self.refused(str(error))
         context.scene.cycles.shading_system = True  # without it Cycles draws scripts black

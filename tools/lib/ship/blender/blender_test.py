@@ -216,12 +216,15 @@ class AddOn(unittest.TestCase):
 
     def test_each_group_renders_the_bits_of_the_package(self) -> None:
         import hashnoise
+        import numpy
         at = self.rendered_points()
         for form in files.FORMS:
             name, size = re.fullmatch(r"(\w+)(\d)", files.shader(form)).groups()
             with self.subTest(form):
                 expected = getattr(hashnoise, name)(*at[:int(size)], seed=7, arithmetic="fixed")
                 expected = expected.reshape(-1, SIDE, SIDE)
+                if name == "warp":  # to be added to Vector
+                    expected = expected / numpy.float32(0.37)
                 got = self.heights.rendered(files.shader(form), SIDE, OFFSET, self.root, Scale=0.37, Seed=7)
                 self.assertTrue((got[:len(expected)] == expected).all(), abs(got[:len(expected)] - expected).max())
                 self.assertGreater(expected.std(), 0.01)
@@ -239,6 +242,10 @@ class AddOn(unittest.TestCase):
                 self.assertTrue((got[:len(expected)] == expected).all(), abs(got[:len(expected)] - expected).max())
                 usual = function(*at[:size], **settings).reshape(-1, SIDE, SIDE)
                 self.assertLess((expected == usual).mean(), 0.5)
+
+    def test_a_displacement_by_a_scale_of_0_is_0(self) -> None:
+        got = self.heights.rendered("warp2", SIDE, OFFSET, self.root, Scale=0.0, Seed=7)
+        self.assertEqual([got.min(), got.max()], [0, 0])
 
     def test_a_group_is_made_once_and_put_at_the_coordinates_of_the_object(self) -> None:
         import bpy
@@ -268,10 +275,93 @@ class AddOn(unittest.TestCase):
         self.scene.render.engine = "BLENDER_WORKBENCH"
         self.refused(add, "need Cycles", shader="fbm2")
         self.scene.render.engine = "CYCLES"
-        (self.root / "fbm2.osl").write_text("shader wrong(output float value = 0) { value = no_such(); }\n")
-        with mock.patch.object(self.add_on.nodes, "SHADERS", self.root):
-            self.refused(add, "Cycles does not compile fbm2.osl", shader="fbm2")
+        (self.root / "random2.osl").write_text("shader wrong(output float value = 0) { value = no_such(); }\n")
+        with mock.patch.object(self.add_on.shaders, "FOLDER", self.root):
+            self.refused(add, "Cycles does not compile random2.osl", shader="random2")
         self.assertEqual([len(bpy.data.texts), len(bpy.data.node_groups), len(material.node_tree.nodes)], before)
+
+    def add(self, shader: str):
+        """The node of a group in a new material."""
+        import bpy
+        self.heights.select([(0, 0, 0)])
+        tree = self.heights.new_material().node_tree
+        bpy.ops.node.hashnoise_add(shader=shader)
+        return tree.nodes[-1]
+
+    def test_a_group_is_taken_from_the_file_only_as_it_was_made(self) -> None:
+        import bpy
+        first = self.add("ridged2").node_tree
+        script, = (node for node in first.nodes if node.type == "SCRIPT")
+        self.assertEqual(self.add("ridged2").node_tree, first)
+        written = script.script.as_string()
+        version = written.replace(f"// Of hashnoise {files.version()}", "// Of hashnoise 9.9.9", 1)
+        self.assertNotEqual(version, written)
+        script.script.from_string(version)
+        self.assertEqual(self.add("ridged2").node_tree, first)
+        texts = len(bpy.data.texts)
+
+        def changed(change, undo) -> None:
+            change()
+            other = self.add("ridged2").node_tree
+            self.assertNotEqual(other, first)
+            bpy.data.texts.remove(next(node.script for node in other.nodes if node.type == "SCRIPT"))
+            bpy.data.node_groups.remove(other)
+            undo()
+            self.assertEqual(self.add("ridged2").node_tree, first)
+        sockets = first.interface
+        for change, undo in (
+                (lambda: script.script.from_string(f"{written}int more() {{ return 1; }}\n"),
+                 lambda: script.script.from_string(written)),
+                (lambda: first.__delitem__("hashnoise"), lambda: first.__setitem__("hashnoise", "ridged2")),
+                (lambda: setattr(first, "name", "A rock"), lambda: setattr(first, "name", "hashnoise Ridged 2D")),
+                (lambda: first.nodes.new("ShaderNodeMath"), lambda: first.nodes.remove(first.nodes[-1])),
+                (lambda: sockets.new_socket("More", in_out="INPUT", socket_type="NodeSocketFloat"),
+                 lambda: sockets.remove(sockets.items_tree["More"]))):
+            changed(change, undo)
+        self.assertEqual(len(bpy.data.texts), texts)
+
+    def test_a_regrouped_script_is_no_group_of_the_add_on(self) -> None:
+        import bpy
+        made = self.add("billow2").node_tree
+        rock = bpy.data.node_groups.new("A rock", "ShaderNodeTree")  # sorted before
+        script = rock.nodes.new("ShaderNodeScript")
+        script.script = next(node.script for node in made.nodes if node.type == "SCRIPT")
+        self.assertEqual(self.add("billow2").node_tree, made)
+
+    def test_a_group_is_never_put_into_itself(self) -> None:
+        import bpy
+        first = self.add("turbulence2").node_tree
+        material = bpy.context.object.active_material
+        with mock.patch.object(self.add_on.nodes, "edited", return_value=first):
+            for _ in range(2):
+                bpy.ops.node.hashnoise_add(shader="turbulence2")
+        inner = [node.node_tree for node in first.nodes if node.type == "GROUP"]
+        self.assertEqual([tree.name for tree in inner], 2 * ["hashnoise Turbulence 2D.001"])
+        with mock.patch.object(self.add_on.nodes, "edited", return_value=inner[0]):
+            bpy.ops.node.hashnoise_add(shader="turbulence2")
+        self.assertEqual(inner[0].nodes[-1].node_tree.name, "hashnoise Turbulence 2D.002")
+        self.assertEqual(material.node_tree.nodes[-1].node_tree, first)
+
+    def test_sockets_have_the_ranges_and_the_texts_of_the_catalog(self) -> None:
+        node = self.add("cellular3")
+        self.assertEqual([one.name for one in node.outputs], ["F1", "F2"])
+        self.assertEqual({one.type for one in node.outputs}, {"VALUE"})
+        of = {one.name: one for one in node.node_tree.interface.items_tree}
+        self.assertEqual([of["Jitter"].min_value, of["Jitter"].max_value], [0, 1])
+        self.assertEqual([of["Metric"].min_value, of["Metric"].max_value], [1, 5])
+        self.assertIn("4 chebyshev", of["Metric"].description)
+        of = {one.name: one for one in self.add("fbm3").node_tree.interface.items_tree}
+        self.assertEqual([(of[name].min_value, of[name].max_value) for name in ("Octaves", "Lacunarity", "Gain")],
+                         [(1, 32), (0, 255), (0, 1)])
+        self.assertEqual([of[name].default_value for name in ("Octaves", "Lacunarity", "Gain")], [6, 2, 0.5])
+        self.assertEqual([name for name, one in of.items() if one.in_out == "INPUT" and not one.description], [])
+        self.assertLess(of["Seed"].min_value, -2**30)
+
+    def test_outputs_are_those_of_the_page(self) -> None:
+        kinds = {"float": "VALUE", "vec2": "VECTOR", "vec3": "VECTOR"}
+        for form in files.FORMS:
+            found = {one.name: one.type for one in self.add(files.shader(form)).outputs}
+            self.assertEqual(found, {name: kinds[of] for name, of in files.outputs(form).items()}, form)
 
     # The page.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import zipfile
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 
@@ -11,6 +12,7 @@ from base.tree import GLSL, ROOT, address, version
 from catalog import asked
 from catalog.tables.markdown import table
 from ship.packing import Refused, papers
+from translate.parsing.syntax import Function
 from translate.pick.command import Choice, picker, read_library
 
 PACKAGE = ROOT / "packages" / "blender"
@@ -30,17 +32,30 @@ def texts() -> dict[str, str]:
     return {form: pick((form,), Choice("osl", "fixed")) for form in FORMS}
 
 
+@cache
+def functions() -> Mapping[str, Function]:
+    return read_library(GLSL, Choice("osl", "fixed")).forms
+
+
+def outputs(form: str) -> dict[str, str]:
+    """The sockets of a node group, by their names, with types of GLSL."""
+    if shader(form).startswith("cellular"):
+        nodes = (PACKAGE / "nodes.py").read_text(encoding="utf-8")
+        return dict.fromkeys(re.search(r'^DISTANCES = \("(\w+)", "(\w+)"\)', nodes, re.M).groups(), "float")
+    return {"Value": functions()[form].type.removeprefix("hn_")}
+
+
 def node_table() -> str:
     """The node groups, for the page."""
-    known = read_library(GLSL, Choice("osl", "fixed")).forms
     sizes: dict[tuple[str, ...], list[str]] = {}
     for form in FORMS:
-        function = known[form]
+        function = functions()[form]
         name, size = re.fullmatch(r"(\w+)(\d)", shader(form)).groups()
         others = ", ".join(f"`{one.at.text.title()}`" for one in function.parameters if one.at.text != "p")
-        kind = "a number" if function.type == "float" else "a vector"
+        kind = "; ".join(f"`{one}`, a {'number' if type_ == 'float' else 'vector'}"
+                         for one, type_ in outputs(form).items())
         sizes.setdefault((name.replace("_", " "), others, kind), []).append(f"{size}D")
-    return table(("noise", "there are", "inputs besides `Vector` and `Scale`", "`Value`"),
+    return table(("noise", "there are", "inputs besides `Vector` and `Scale`", "outputs"),
                  [(name, ", ".join(of), others, kind) for (name, others, kind), of in sizes.items()])
 
 

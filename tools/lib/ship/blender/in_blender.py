@@ -90,8 +90,8 @@ class Heights:
         return moved.reshape(-1, 3)[:, 2]
 
     def rendered(self, shader: str, side: int, offset: Sequence[float], folder: Path, **inputs):
-        """A group's values in each pixel of a square, three numbers in order, at the pixel's number plus an offset. A
-        color is not negative, so there are two pictures."""
+        """A group's values in each pixel of a square, three numbers in order, at the pixel's number plus an offset,
+        those of a vector, or of one output after the other. A color is not negative, so there are two pictures."""
         import bpy
         import numpy
 
@@ -108,9 +108,15 @@ class Heights:
         tree.links.new(at, group.inputs["Vector"])
         for name, value in inputs.items():
             group.inputs[name].default_value = value
+        result, *others = group.outputs
+        if others:
+            made = tree.nodes.new("ShaderNodeCombineXYZ")
+            for one, part in zip(group.outputs, made.inputs):
+                tree.links.new(one, part)
+            result = made.outputs[0]
         parts = []
         for sign in (1, -1):
-            signed = self._vector(tree, "MULTIPLY", group.outputs["Value"], (sign, sign, sign))
+            signed = self._vector(tree, "MULTIPLY", result, (sign, sign, sign))
             shown = self._vector(tree, "MAXIMUM", signed, (0, 0, 0))
             found = numpy.array(pixels(self.scene, shown, folder / "group.exr", side, side), numpy.float32)
             parts.append(found.reshape(side, side, 4)[:, :, :3])
