@@ -14,6 +14,7 @@ SCALE = 5.0  # cells in a unit, as the operator has it
 DISTANCES = ("F1", "F2")  # outputs of cellular noise, as other languages name them
 MARK = "hashnoise"  # the property of a group that has the name of its shader
 PLAIN = ("GROUP_INPUT", "GROUP_OUTPUT", "SCRIPT", "VECT_MATH")  # nodes in each group
+STEP = 400  # from one node that is added to the next
 
 
 class NotCompiled(Exception):
@@ -137,6 +138,22 @@ def edited(context):
     return material and material.node_tree
 
 
+def at(node):
+    return getattr(node, "location_absolute", node.location)  # the first, which adds frames, is new in Blender 4.4
+
+
+def free_place(tree, context):
+    """For a node: at the cursor of the editor, else on the left of all nodes; and not on another node."""
+    if in_editor(context):
+        x, y = context.space_data.cursor_location
+    else:
+        x, y = min((tuple(at(one)) for one in tree.nodes), default=(STEP, 0))
+        x -= STEP
+    while any(abs(at(one).x - x) < 1 and abs(at(one).y - y) < 1 for one in tree.nodes):
+        y -= STEP
+    return x, y
+
+
 class NODE_OT_hashnoise_add(bpy.types.Operator):
     """Add a node group with noise of hashnoise, at the object's coordinates"""
     bl_idname = "node.hashnoise_add"
@@ -144,6 +161,15 @@ class NODE_OT_hashnoise_add(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     shader: EnumProperty(name="Noise", items=entries())
+
+    def invoke(self, context, event):
+        if in_editor(context):  # the cursor is where the mouse is, as for Blender's own nodes
+            space = context.space_data
+            if context.region.type == "WINDOW":
+                space.cursor_location_from_region(event.mouse_region_x, event.mouse_region_y)
+            elif space.edit_tree is not None:
+                space.cursor_location = space.edit_tree.view_center
+        return self.execute(context)
 
     def refused(self, message):
         self.report({"ERROR"}, message)
@@ -156,15 +182,22 @@ class NODE_OT_hashnoise_add(bpy.types.Operator):
         if tree is None:
             return self.refused("There is no material with nodes: open one in the shader editor, or give the object "
                                 "one")
+        if tree.library is not None:  # Blender would forget what is added there
+            return self.refused("These nodes are linked from another file. Make the material or the group local first")
         try:
             made = group(self.shader, tree)
         except NotCompiled as error:
             return self.refused(str(error))
         context.scene.cycles.shading_system = True  # without it Cycles draws scripts black
+        x, y = free_place(tree, context)
+        for one in tree.nodes:
+            one.select = False
         place = tree.nodes.new("ShaderNodeTexCoord")
         node = tree.nodes.new("ShaderNodeGroup")
         node.node_tree = made
-        place.location, node.location = (-600, 0), (-400, 0)
+        place.location, node.location = (x - STEP / 2, y), (x, y)
+        place.select = node.select = True  # so that both move together
+        tree.nodes.active = node
         tree.links.new(place.outputs["Object"], node.inputs["Vector"])
         return {"FINISHED"}
 

@@ -279,6 +279,13 @@ class AddOn(unittest.TestCase):
         with mock.patch.object(self.add_on.shaders, "FOLDER", self.root):
             self.refused(add, "Cycles does not compile random2.osl", shader="random2")
         self.assertEqual([len(bpy.data.texts), len(bpy.data.node_groups), len(material.node_tree.nodes)], before)
+        library = str(self.root / "materials.blend")
+        bpy.data.libraries.write(library, {material})
+        with bpy.data.libraries.load(library, link=True) as (_, here):
+            here.materials = [material.name]
+        linked = bpy.context.object.material_slots[0].material = here.materials[0]
+        self.refused(add, "are linked from another file", shader="fbm2")
+        self.assertEqual(len(linked.node_tree.nodes), before[-1])
 
     def add(self, shader: str):
         """The node of a group in a new material."""
@@ -286,7 +293,7 @@ class AddOn(unittest.TestCase):
         self.heights.select([(0, 0, 0)])
         tree = self.heights.new_material().node_tree
         bpy.ops.node.hashnoise_add(shader=shader)
-        return tree.nodes[-1]
+        return tree.nodes.active
 
     def test_a_group_is_taken_from_the_file_only_as_it_was_made(self) -> None:
         import bpy
@@ -339,8 +346,26 @@ class AddOn(unittest.TestCase):
         self.assertEqual([tree.name for tree in inner], 2 * ["hashnoise Turbulence 2D.001"])
         with mock.patch.object(self.add_on.nodes, "edited", return_value=inner[0]):
             bpy.ops.node.hashnoise_add(shader="turbulence2")
-        self.assertEqual(inner[0].nodes[-1].node_tree.name, "hashnoise Turbulence 2D.002")
-        self.assertEqual(material.node_tree.nodes[-1].node_tree, first)
+        self.assertEqual(inner[0].nodes.active.node_tree.name, "hashnoise Turbulence 2D.002")
+        self.assertEqual(material.node_tree.nodes.active.node_tree, first)
+
+    def test_a_new_node_is_the_active_one_and_stands_alone(self) -> None:
+        import bpy
+        self.add("perlin2")
+        tree = bpy.context.object.active_material.node_tree
+        bpy.ops.node.hashnoise_add(shader="perlin2")
+        active = tree.nodes.active
+        beside = active.inputs["Vector"].links[0].from_node
+        self.assertEqual({node for node in tree.nodes if node.select}, {active, beside})
+        places = [tuple(node.location) for node in tree.nodes]
+        self.assertEqual(len(set(places)), len(places))
+        self.assertLess(active.location.x, min(node.location.x for node in tree.nodes if node not in (active, beside)))
+        cursor = mock.Mock(type="NODE_EDITOR", cursor_location=(30.0, 40.0))
+        context = mock.Mock(space_data=cursor)
+        for y in (40.0, 40.0 - self.add_on.nodes.STEP):
+            place = self.add_on.nodes.free_place(tree, context)
+            self.assertEqual(place, (30.0, y))
+            tree.nodes.new("ShaderNodeMath").location = place
 
     def test_sockets_have_the_ranges_and_the_texts_of_the_catalog(self) -> None:
         node = self.add("cellular3")
