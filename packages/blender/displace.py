@@ -6,6 +6,8 @@ import bpy
 import numpy
 from bpy.props import EnumProperty, FloatProperty, IntProperty
 
+from . import shaders
+
 FRACTALS = (("NONE", "None", "The noise itself"),
         ("fbm", "fBm", "Octaves: hills and land"),
         ("ridged", "Ridged", "Octaves with crests, in [0, 1]: mountains"),
@@ -20,6 +22,7 @@ NOISES = (("perlin", "Perlin", "Gradient noise"),
           ("cellular", "Cellular", "The distance to the nearest of scattered points; no fractal takes it"))
 POSITIONS = (("PLANE", "X and Y", "The noise is on the plane, so what stands above a place gets its height, too"),
              ("SPACE", "X, Y and Z", "The noise is in space"))
+OF_SETTINGS = shaders.described(shaders.text("fbm2"))
 DIRECTIONS = (("Z", "Z", "Up"), ("NORMAL", "Normal", "Along the normal of each vertex"))
 
 
@@ -61,10 +64,10 @@ class OBJECT_OT_hashnoise_displace(bpy.types.Operator):
     noise: EnumProperty(name="Noise", items=NOISES, default="perlin")
     scale: FloatProperty(name="Scale", default=5.0, description="Cells of the noise in a unit of the object")
     strength: FloatProperty(name="Strength", default=0.2, description="How far a height of 1 moves a vertex")
-    octaves: IntProperty(name="Octaves", default=6, min=1, max=32)
-    lacunarity: FloatProperty(name="Lacunarity", default=2.0, min=0.0, description="How much finer each octave is")
-    gain: FloatProperty(name="Gain", default=0.5, min=0.0, description="How much weaker each octave is")
-    seed: IntProperty(name="Seed", default=0, min=0, description="Another one gives another field")
+    octaves: IntProperty(name="Octaves", default=6, **OF_SETTINGS["octaves"])
+    lacunarity: FloatProperty(name="Lacunarity", default=2.0, **OF_SETTINGS["lacunarity"])
+    gain: FloatProperty(name="Gain", default=0.5, **OF_SETTINGS["gain"])
+    seed: IntProperty(name="Seed", default=0, **OF_SETTINGS["seed"])
     position: EnumProperty(name="Position", items=POSITIONS, default="PLANE")
     direction: EnumProperty(name="Direction", items=DIRECTIONS, default="Z")
 
@@ -88,12 +91,16 @@ class OBJECT_OT_hashnoise_displace(bpy.types.Operator):
             return self.refused(f"The mesh {mesh.name} is linked from another file. Make it local first")
         if mesh.shape_keys:
             return self.refused(f"The mesh {mesh.name} has shape keys, which hold its vertices. Remove them first")
+        if self.fractal != "NONE" and self.noise == "cellular":
+            others = ", ".join(title for name, title, _ in NOISES if name != self.noise)
+            return self.refused(f"No fractal takes cellular noise. Choose another noise ({others}), or no fractal")
         if not mesh.vertices:
             return self.refused(f"The mesh {mesh.name} has no vertices")
         places = read(mesh.vertices, "co")
         at = places[:, :2 if self.position == "PLANE" else 3] * numpy.float32(self.scale)
         try:
-            moves = heights(at, self.fractal, self.noise, self.octaves, self.lacunarity, self.gain, self.seed)
+            moves = heights(at, self.fractal, self.noise, self.octaves, self.lacunarity, self.gain,
+                            self.seed & 0xFFFFFFFF)  # a word. Blender's numbers have a sign
         except (ImportError, TypeError, ValueError) as error:
             return self.refused(str(error))
         moves = moves * numpy.float32(self.strength)

@@ -187,7 +187,8 @@ class AddOn(unittest.TestCase):
         mesh = bpy.context.object.data
         with mock.patch.dict(sys.modules, {"hashnoise": None}):
             self.refused(displace, re.escape(sys.executable) + r" -m pip install hashnoise-VERSION-\.\.\.\.whl")
-        self.refused(displace, "cellular", fractal="fbm", noise="cellular")
+        self.refused(displace, r"another noise \(Perlin, Simplex, Value, Cubic Value\)", fractal="fbm",
+                     noise="cellular")
         bpy.ops.object.mode_set(mode="EDIT")
         self.refused(displace, "Change to Object Mode")
         bpy.ops.object.mode_set(mode="OBJECT")
@@ -368,6 +369,7 @@ class AddOn(unittest.TestCase):
             tree.nodes.new("ShaderNodeMath").location = place
 
     def test_sockets_have_the_ranges_and_the_texts_of_the_catalog(self) -> None:
+        import bpy
         node = self.add("cellular3")
         self.assertEqual([one.name for one in node.outputs], ["F1", "F2"])
         self.assertEqual({one.type for one in node.outputs}, {"VALUE"})
@@ -381,12 +383,23 @@ class AddOn(unittest.TestCase):
         self.assertEqual([of[name].default_value for name in ("Octaves", "Lacunarity", "Gain")], [6, 2, 0.5])
         self.assertEqual([name for name, one in of.items() if one.in_out == "INPUT" and not one.description], [])
         self.assertLess(of["Seed"].min_value, -2**30)
+        operator = bpy.ops.object.hashnoise_displace.get_rna_type().properties
+        self.assertEqual([(operator[name].hard_min, operator[name].hard_max)
+                          for name in ("octaves", "lacunarity", "gain")], [(1, 32), (0, 255), (0, 1)])
 
     def test_outputs_are_those_of_the_page(self) -> None:
         kinds = {"float": "VALUE", "vec2": "VECTOR", "vec3": "VECTOR"}
         for form in files.FORMS:
             found = {one.name: one.type for one in self.add(files.shader(form)).outputs}
             self.assertEqual(found, {name: kinds[of] for name, of in files.outputs(form).items()}, form)
+
+    def test_a_negative_seed_is_a_word(self) -> None:
+        import hashnoise
+        height, = self.heights.displaced([(0.3, 0.2, 0.0)], scale=1.0, strength=1.0, seed=-1)
+        self.assertEqual(height, hashnoise.fbm(0.3, 0.2, seed=2**32 - 1, arithmetic="fixed"))
+        got = self.heights.rendered("perlin2", SIDE, OFFSET, self.root, Scale=0.37, Seed=-1)
+        at = self.rendered_points()
+        self.assertTrue((got[0] == hashnoise.perlin(*at[:2], seed=2**32 - 1, arithmetic="fixed")).all())
 
     # The page.
 
