@@ -393,6 +393,39 @@ class AddOn(unittest.TestCase):
             found = {one.name: one.type for one in self.add(files.shader(form)).outputs}
             self.assertEqual(found, {name: kinds[of] for name, of in files.outputs(form).items()}, form)
 
+    def test_integers_have_no_derivatives_but_blenders_bump_works(self) -> None:
+        """As the pages state, with the slopes that they name in place of Dx()."""
+        import bpy
+        import numpy
+
+        from translate.pick.osl import without_shader
+        from translate.pick.osl_render import pixels, render
+
+        def derivative(form: str, arithmetic: str, lines: str):
+            functions = without_shader(files.picker()((form,), files.Choice("osl", arithmetic)))
+            (self.root / "dx.osl").write_text(
+                f"{functions}shader dx(output color shown = 0) {{\n  point p = 0.37 * P + 0.2;\n  {lines}\n"
+                "  shown = color(max(d, 0), max(-d, 0), 0);\n}\n")
+            render(self.scene, self.root / "dx.osl", SIDE, SIDE)
+            found = numpy.frombuffer((self.root / "dx.pixels").read_bytes(), numpy.float32).reshape(-1, 4)
+            return found[:, 0] - found[:, 1]
+        integers, floats = (derivative("hn_perlin2", arithmetic, "float d = Dx(hn_perlin2(p[0], p[1], 7));")
+                            for arithmetic in ("fixed", "fast"))
+        slopes = derivative("hn_perlin_d2", "fixed", "hn_vec3 n = hn_perlin_d2(p[0], p[1], 7);\n"
+                            "  float d = n.y * Dx(p[0]) + n.z * Dx(p[1]);")
+        self.assertEqual([integers.min(), integers.max()], [0, 0])
+        self.assertGreater(floats.std(), 0.1)
+        self.assertLess(abs(slopes - floats).max(), 1e-4)
+        square = self.scene.objects["square"]
+        tree = square.data.materials[0].node_tree
+        bpy.context.view_layer.objects.active = square
+        bpy.ops.node.hashnoise_add(shader="perlin2")
+        bump = tree.nodes.new("ShaderNodeBump")
+        bump.inputs["Distance"].default_value = 1.0
+        tree.links.new(tree.nodes.active.outputs["Value"], bump.inputs["Height"])
+        shown = numpy.array(pixels(self.scene, bump.outputs["Normal"], self.root / "bump.exr", SIDE, SIDE))
+        self.assertGreater(shown.reshape(-1, 4)[:, 0].std(), 0.05)
+
     def test_a_negative_seed_is_a_word(self) -> None:
         import hashnoise
         height, = self.heights.displaced([(0.3, 0.2, 0.0)], scale=1.0, strength=1.0, seed=-1)
