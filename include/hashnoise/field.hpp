@@ -65,10 +65,10 @@ struct OptionalInt : std::optional<int> {
 // have, or a number outside of its range, is an error of Field's constructor. The octaves of a fractal rotate unless it
 // has a period.
 struct Settings {
-  // "value", "simplex_d", ...: see noise_names; if empty "perlin", or what the fractal takes in GLSL. The fractal
+  // "value", "simplex_d", ...: see noises(dimensions); if empty "perlin", or what the fractal takes in GLSL. The fractal
   // perlin_worley has noises of its own, and takes none.
   std::string noise{};
-  // The fractal type: "fbm", "ridged", "warp", ...: see fractal_names; the noise itself if empty.
+  // The fractal type: "fbm", "ridged", "warp", ...: see fractals(dimensions); the noise itself if empty.
   std::string fractal{};
   Arithmetic arithmetic = Arithmetic::kFast;
   std::uint32_t seed = 0;
@@ -122,14 +122,14 @@ class HN_I_OFFERED Field {
 
   // How many numbers the field has at a point. Each is a plane of its own in what `fill` writes: first all values, then
   // all derivatives along x, and so on.
-  int components() const;
+  int component_count() const;
 
   // The names of the numbers: "value", "dx", "x", "f1", ... of each component.
-  std::vector<std::string> component_names() const;
+  std::vector<std::string> components() const;
 
   InstructionSet instruction_set() const;
 
-  // Writes components() * points numbers, and returns the least and the greatest of them (of the first component).
+  // Writes component_count() * points numbers, and returns the least and the greatest of them (of the first component).
   // Throws std::invalid_argument if `values` has another size, or if a number of a grid is not finite or out of range.
   // Where a coordinate of a list of points is NaN or infinite, all numbers of that point are NaN.
   Range fill(const Grid<D>& grid, std::span<float> values, const Executor& executor = {}) const;
@@ -148,8 +148,8 @@ extern template class Field<3>;
 extern template class Field<4>;
 
 // The noises and the fractals that there are in so many dimensions, in the order of the documents.
-HN_I_OFFERED std::vector<std::string_view> noise_names(int dimensions);
-HN_I_OFFERED std::vector<std::string_view> fractal_names(int dimensions);
+HN_I_OFFERED std::vector<std::string_view> noises(int dimensions);
+HN_I_OFFERED std::vector<std::string_view> fractals(int dimensions);
 
 // The instruction sets of both this processor and the library, the widest first. A library for x86 has nothing for
 // processors without SSE4.1; CMake's HASHNOISE_INSTRUCTION_SETS chooses its sets.

@@ -397,12 +397,12 @@ template <int D>
 Field<D>& Field<D>::operator=(Field&&) noexcept = default;
 
 template <int D>
-int Field<D>::components() const {
+int Field<D>::component_count() const {
   return plan_->components;
 }
 
 template <int D>
-std::vector<std::string> Field<D>::component_names() const {
+std::vector<std::string> Field<D>::components() const {
   const std::vector<std::string> axes = {"x", "y", "z", "w"};
   std::vector<std::string> names;
   switch (plan_->shape) {

@@ -240,7 +240,7 @@ Plan plan_of(int dimensions, const Settings& settings) {
   }
   std::optional<SumId> sum;
   if (!settings.fractal.empty()) {
-    const auto names = [&] { return fractal_names(dimensions); };
+    const auto names = [&] { return fractals(dimensions); };
     sum = static_cast<SumId>(find(kSumRows, "fractal", settings.fractal, dimensions, names));
   }
   // A sum over noises of its own counts as Perlin noise.
@@ -250,7 +250,7 @@ Plan plan_of(int dimensions, const Settings& settings) {
            quoted(settings.noise) + " out");
   }
   if (!settings.noise.empty()) {
-    const auto names = [&] { return sum ? summands(kSumRows.at(*sum).of, dimensions) : noise_names(dimensions); };
+    const auto names = [&] { return sum ? summands(kSumRows.at(*sum).of, dimensions) : noises(dimensions); };
     noise = static_cast<NoiseId>(find(kNoiseRows, "noise", settings.noise, dimensions, names));
   }
   bool tiled = false;
@@ -287,7 +287,7 @@ Plan plan_of(int dimensions, const Settings& settings) {
 
 namespace hashnoise::inline HN_I_LIBRARY {
 
-std::vector<std::string_view> noise_names(int dimensions) { return grid::names_in(grid::kNoiseRows, dimensions); }
-std::vector<std::string_view> fractal_names(int dimensions) { return grid::names_in(grid::kSumRows, dimensions); }
+std::vector<std::string_view> noises(int dimensions) { return grid::names_in(grid::kNoiseRows, dimensions); }
+std::vector<std::string_view> fractals(int dimensions) { return grid::names_in(grid::kSumRows, dimensions); }
 
 }  // namespace hashnoise::inline HN_I_LIBRARY

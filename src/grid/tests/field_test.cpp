@@ -74,8 +74,8 @@ testing::AssertionResult has_parts(const std::string& text, std::initializer_lis
 TEST(Names, OfOtherDimensionsAreNone) {
   for (const int dimensions : {-1, 0, 5}) {
     try {
-      EXPECT_TRUE(noise_names(dimensions).empty());
-      EXPECT_TRUE(fractal_names(dimensions).empty());
+      EXPECT_TRUE(noises(dimensions).empty());
+      EXPECT_TRUE(fractals(dimensions).empty());
     } catch (const std::invalid_argument&) {
     }
   }
@@ -83,7 +83,7 @@ TEST(Names, OfOtherDimensionsAreNone) {
 
 template <int D>
 void expect_every_name() {
-  for (const std::string_view noise : noise_names(D)) EXPECT_NO_ERROR(error_of<D>(of(std::string(noise)))) << noise;
+  for (const std::string_view noise : noises(D)) EXPECT_NO_ERROR(error_of<D>(of(std::string(noise)))) << noise;
   for (const Settings& settings : twin::sum_subjects(D)) EXPECT_NO_ERROR(error_of<D>(settings)) << settings;
 }
 TEST(Names, AreOfFields) {
@@ -96,8 +96,8 @@ TEST(Names, AreOfFields) {
 template <int D>
 std::vector<std::string> names_of(const std::string& noise, const std::string& sum = "") {
   const Field<D> field(of(noise, sum));
-  const auto names = field.component_names();
-  EXPECT_EQ(names.size(), static_cast<std::size_t>(field.components()));
+  const auto names = field.components();
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(field.component_count()));
   return names;
 }
 
@@ -180,7 +180,7 @@ TEST(Fields, Move) {
   Field<2> moved(std::move(first));
   EXPECT_TRUE(twin::same_bits(twin::fill(moved, grid, 30).values, perlin.values, 30));
   moved = std::move(second);
-  EXPECT_EQ(moved.components(), 3);
+  EXPECT_EQ(moved.component_count(), 3);
   EXPECT_TRUE(twin::same_bits(twin::fill(moved, grid, 30).values, value.values, 30));
 }
 
@@ -288,7 +288,7 @@ TEST(Settings, WithoutANoiseHaveTheUsualOne) {
   const Grid<2> grid = {{0.3f, -1.7f}, {0.17f, 0.23f}, {9, 7}};
   const auto values_of = [&](const Settings& settings) {
     const Field<2> field(settings);
-    std::vector<float> values(static_cast<std::size_t>(field.components()) * 63);
+    std::vector<float> values(static_cast<std::size_t>(field.component_count()) * 63);
     field.fill(grid, values);
     return values;
   };
@@ -547,7 +547,7 @@ TEST(Values, AreFiniteAtTheEndsOfWhatIsAllowed) {
           const Field<2> field(settings);
           const std::vector<float> x = {0.3f, -8388607.0f, 8388607.0f, 4194303.75f, 1e-30f};
           const std::vector<float> y = {0.7f, 8388607.0f, 8388607.0f, -0.25f, -77.7f};
-          std::vector<float> values(x.size() * static_cast<std::size_t>(field.components()));
+          std::vector<float> values(x.size() * static_cast<std::size_t>(field.component_count()));
           field.fill(Points<2>{{x, y}}, values);
           for (const float value : values) EXPECT_TRUE(std::isfinite(value)) << settings;
         }
@@ -566,7 +566,7 @@ void expect_nan(Settings settings) {
   for (const Arithmetic arithmetic : {Arithmetic::kFast, Arithmetic::kPrecise, Arithmetic::kFixed}) {
     settings.arithmetic = arithmetic;
     const Field<2> field(settings);
-    std::vector<float> values(kPoints * static_cast<std::size_t>(field.components()));
+    std::vector<float> values(kPoints * static_cast<std::size_t>(field.component_count()));
     for (const bool is_x : {true, false}) {
       std::vector<float> other = usual;
       for (const std::size_t at : {0, 17, 39}) other[at] = kNone[at % 3];
