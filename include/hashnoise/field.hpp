@@ -63,7 +63,8 @@ struct OptionalInt : std::optional<int> {
 // Describes a field. The names are those of the functions in GLSL without hn_ and without the forms: cellular with a
 // phase is hn_cellular_phase. The numbers are the parameters of the functions. A setting that the function does not
 // have, or a number outside of its range, is an error of Field's constructor. The octaves of a fractal rotate unless it
-// has a period.
+// has a period. In a major version this struct stays as it is, because programs pass it to a shared library: a setting
+// of a later version is a member of another struct, which another constructor of Field takes beside this one.
 struct Settings {
   // "value", "simplex_d", ...: see noises(dimensions); if empty "perlin", or what the fractal takes in GLSL. The fractal
   // perlin_worley has noises of its own, and takes none.
@@ -104,10 +105,12 @@ struct Settings {
 // Runs task(0) to task(count - 1), in any order, and returns when all are done.
 using Executor = std::function<void(int count, const std::function<void(int)>& task)>;
 
-// An executor of that many threads, this one included; 0 for as many as the processor has.
+// An executor of that many threads, this one included; 0 for as many as the processor has. It starts the others anew in
+// each call, so for many small grids pass an executor over your own threads.
 HN_I_OFFERED Executor threads(int count = 0);
 
-// A field in D dimensions, 1 to 4. It has no state that changes: many threads may use one at once.
+// A field in D dimensions, 1 to 4. It has no state that changes: many threads may use one at once. One that was moved
+// from may only be assigned to, or destroyed.
 template <int D>
 class HN_I_OFFERED Field {
   static_assert(1 <= D && D <= 4, "hashnoise: a field has 1 to 4 dimensions");

@@ -80,6 +80,9 @@ InstructionSet chosen(const std::optional<InstructionSet>& wanted) {
            listed(names_of(compiled_instruction_sets())));
   }
   if (!wanted) return there.front();
+  if (*wanted < InstructionSet::kSse41 || *wanted > InstructionSet::kGeneric) {
+    refuse("instruction_set has to be a value of InstructionSet; there are: " + listed(names_of(there)));
+  }
   if (std::find(there.begin(), there.end(), *wanted) == there.end()) {
     refuse("this processor or this build has no " + std::string(name(*wanted)) +
            "; there are: " + listed(names_of(there)));
@@ -254,9 +257,9 @@ Plan plan_of(int dimensions, const Settings& settings) {
     noise = static_cast<NoiseId>(find(kNoiseRows, "noise", settings.noise, dimensions, names));
   }
   bool tiled = false;
-  for (std::size_t axis = 0; axis < settings.period.size(); ++axis) {
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimensions); ++axis) {
     check(kPeriodRule, settings.period[axis]);
-    if (axis < static_cast<std::size_t>(dimensions)) tiled = tiled || settings.period[axis] > 0;
+    tiled = tiled || settings.period[axis] > 0;
     plan.options.period[axis] = settings.period[axis];
   }
   check_owners(settings, dimensions, kNoiseRows.at(noise), sum ? &kSumRows.at(*sum) : nullptr, tiled);

@@ -640,6 +640,8 @@ TEST(Errors, OfANegativePeriod) {
       settings.period[axis] = 0;
       EXPECT_NO_ERROR(error_of<2>(settings));
       for (const int wrong : {-1, std::numeric_limits<int>::min()}) {
+        settings.period[2] = wrong;  // of an axis that there is not
+        EXPECT_NO_ERROR(error_of<2>(settings));
         settings.period[axis] = wrong;
         EXPECT_EQ(error_of<2>(settings), "period is " + std::to_string(wrong) + ", and has to be from 0 to 2147483647");
       }
@@ -832,23 +834,33 @@ TEST(Errors, OfSizes) {
   }
 }
 
+TEST(Errors, OfAnInstructionSetThatIsNone) {
+  for (const int wrong : {-1, 5, 99}) {
+    Settings settings;
+    settings.instruction_set = static_cast<InstructionSet>(wrong);
+    EXPECT_TRUE(error_of<2>(settings).starts_with("instruction_set has to be a value of InstructionSet; there are: "));
+  }
+}
+
 TEST(Errors, OfAFirstPoint) {
   const Grid<2> right = {{0, 0}, {1, 1}, {2, 2}, {0, 536870909}};
   EXPECT_NO_ERROR(error_of<2>(right, 4));
-  for (const int wrong : {-1, std::numeric_limits<int>::min(), 536870910, std::numeric_limits<int>::max()}) {
+  EXPECT_NO_ERROR(error_of<2>(Grid<2>{{0, 0}, {1, 1}, {2, 2}, {0, -536870911}}, 4));
+  for (const int wrong : {-536870912, std::numeric_limits<int>::min(), 536870910, std::numeric_limits<int>::max()}) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       Grid<2> grid = right;
       grid.first[axis] = wrong;
       CellGrid<2> cells = {{0, 0}, {0, 0}, {1, 1}, {2, 2}};
       cells.first[axis] = wrong;
       const std::string said =
-          "first is " + std::to_string(wrong) + ", and has to be from 0 to 536870909 where the size is 2";
+          "first is " + std::to_string(wrong) + ", and has to be from -536870911 to 536870909 where the size is 2";
       EXPECT_EQ(error_of<2>(grid, 4), said);
       EXPECT_EQ(error_of<2>(cells, 4), said);
     }
   }
-  // The last point of the part is no finite float.
+  // The last or the first point of the part is no finite float.
   EXPECT_ERROR(error_of<2>(Grid<2>{{3e38f, 0}, {1e37f, 1}, {2, 2}, {10, 0}}, 4));
+  EXPECT_ERROR(error_of<2>(Grid<2>{{-3e38f, 0}, {1e37f, 1}, {2, 2}, {-10, 0}}, 4));
 }
 
 // The product of these is a multiple of 2^64, or of 2^32. It is noticed before anything is done for any point: that
