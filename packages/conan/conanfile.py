@@ -39,9 +39,9 @@ class Hashnoise(ConanFile):
 
     def package(self):
         cmake = CMake(self)
-        cmake.configure(variables={"HASHNOISE_CONFORMANCE": "OFF", "HASHNOISE_GRID": "OFF"})
+        cmake.configure(variables={"HASHNOISE_CONFORMANCE": "OFF", "HASHNOISE_GRID": "OFF",
+                                   "CMAKE_INSTALL_DOCDIR": "licenses"})  # the folder where Conan wants LICENSE
         cmake.install()
-        copy(self, "LICENSE", self.source_folder, Path(self.package_folder, "licenses"))
 
     def package_info(self):
         # find_package finds what was installed, which has hashnoise_GLSL_DIR, too.

@@ -12,5 +12,6 @@ file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/debug/include" "${CURRENT_PACKAGES_
 if(NOT HASHNOISE_GRID)
   file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/lib")
 endif()
+file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/share/doc")  # LICENSE, which vcpkg has under another name
 vcpkg_install_copyright(FILE_LIST "${SOURCE_PATH}/LICENSE")
 file(INSTALL "${CURRENT_PORT_DIR}/usage" DESTINATION "${CURRENT_PACKAGES_DIR}/share/${PORT}")
