@@ -64,8 +64,10 @@ class Install(unittest.TestCase):
             self.assertNotIn(f"{SOURCE}/{place}".encode(), program)
 
 
-class PartsOfABuild(unittest.TestCase):
-    """Installs the build; find_package finds it."""
+class WithoutPrograms(unittest.TestCase):
+    """Installs a build of the library alone; find_package finds it."""
+
+    options = ()
 
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()
@@ -74,8 +76,8 @@ class PartsOfABuild(unittest.TestCase):
         self.project = pathlib.Path(scratch.name, "project")
         self.project.mkdir()
         self.scratch = pathlib.Path(scratch.name)
-        subprocess.run([CMAKE, "-G", "Ninja", "-S", SOURCE, "-B", self.build, "-DHASHNOISE_CONFORMANCE=OFF"],
-                       stdout=subprocess.DEVNULL, check=True)
+        subprocess.run([CMAKE, "-G", "Ninja", "-S", SOURCE, "-B", self.build, "-DHASHNOISE_CONFORMANCE=OFF",
+                        *self.options], stdout=subprocess.DEVNULL, check=True)
 
     def installed(self, name, *options):
         prefix = self.scratch / name
@@ -94,6 +96,21 @@ class PartsOfABuild(unittest.TestCase):
                                f"-DCMAKE_PREFIX_PATH={self.scratch / name}"], capture_output=True, text=True, check=False)
         return done.returncode, " ".join((done.stdout + done.stderr).split())  # CMake breaks lines
 
+
+class Headers(WithoutPrograms):
+    options = ("-DHASHNOISE_GRID=OFF", "-DCMAKE_INSTALL_LIBDIR=lib/machine")
+
+    def test_nothing_depends_on_the_machine(self):
+        files, _ = self.installed("headers")
+        self.assertLess({"share/cmake/hashnoise/hashnoise-config.cmake", "share/cmake/hashnoise/hashnoise-targets.cmake",
+                         "share/pkgconfig/hashnoise.pc"}, files)
+        self.assertNotIn("lib", files)
+        status, said = self.found("headers")
+        self.assertEqual(status, 0, said)
+        self.assertIn("has hashnoise;", said)
+
+
+class PartsOfABuild(WithoutPrograms):
     def test_headers_alone(self):
         files, said = self.installed("nothing-built")
         self.assertLess({"include/hashnoise/hashnoise.hpp", "include/hashnoise/grid.hpp",

@@ -46,6 +46,6 @@ class Hashnoise(ConanFile):
     def package_info(self):
         # find_package finds what was installed, which has hashnoise_GLSL_DIR, too.
         self.cpp_info.set_property("cmake_find_mode", "none")
-        self.cpp_info.builddirs = ["lib/cmake/hashnoise"]
+        self.cpp_info.builddirs = ["share/cmake/hashnoise"]
         self.cpp_info.bindirs = []
         self.cpp_info.libdirs = []

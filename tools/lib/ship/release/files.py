@@ -128,7 +128,7 @@ class Release:
             vectors_folder()  # CMake installs them where they are made
             run(["cmake", "-S", ROOT, "-B", f"{scratch}/build", "-G", "Ninja", "-DHASHNOISE_GRID=OFF",
                  "-DHASHNOISE_CONFORMANCE=OFF", "-DHASHNOISE_TESTS=OFF", "-DHASHNOISE_INSTALL=ON",
-                 "-DCMAKE_INSTALL_LIBDIR=lib", "-DCMAKE_INSTALL_DOCDIR=."], **log)
+                 "-DCMAKE_INSTALL_DOCDIR=."], **log)
             top = Path(scratch) / "headers" / f"hashnoise-{self.version}"
             run(["cmake", "--install", f"{scratch}/build", "--prefix", top], **log)
             files = {path.relative_to(top.parent).as_posix(): path.read_bytes() for path in top.rglob("*") if path.is_file()}
