@@ -2,6 +2,7 @@
 """The installed program, moved away from where it was built and installed, and what is installed of builds that have
 not built all of it. Usage: install_test.py CMAKE BUILD SOURCE"""
 
+import os
 import pathlib
 import re
 import shutil
@@ -64,6 +65,12 @@ class Install(unittest.TestCase):
             self.assertNotIn(f"{SOURCE}/{place}".encode(), program)
 
 
+def pkg_config(folder, *arguments):
+    done = subprocess.run(["pkg-config", *arguments], env={**os.environ, "PKG_CONFIG_PATH": folder}, capture_output=True,
+                          text=True, check=True)
+    return done.stdout.strip()
+
+
 class WithoutPrograms(unittest.TestCase):
     """Installs a build of the library alone; find_package finds it."""
 
@@ -108,6 +115,24 @@ class Headers(WithoutPrograms):
         status, said = self.found("headers")
         self.assertEqual(status, 0, said)
         self.assertIn("has hashnoise;", said)
+
+    def test_pkg_config_finds_the_folders_of_each_layout(self):
+        apart = self.scratch / "apart"
+        for name, data, include, moves in (("usual", "share", "include", True), ("deep", "share/x/y", "a/b", True),
+                                           ("include-apart", "share", apart / "include", True),
+                                           ("share-apart", apart / "share", "include", False)):
+            with self.subTest(name):
+                prefix = self.scratch / name
+                subprocess.run([CMAKE, self.build, f"-DCMAKE_INSTALL_PREFIX={prefix}", f"-DCMAKE_INSTALL_DATADIR={data}",
+                                f"-DCMAKE_INSTALL_INCLUDEDIR={include}"], stdout=subprocess.DEVNULL, check=True)
+                self.installed(name)
+                if moves:
+                    prefix = prefix.rename(prefix.with_name(f"{name}-moved"))
+                for what in ("--cflags-only-I", "--variable=includedir", "--variable=glsl_dir"):
+                    folder = pkg_config(prefix / data / "pkgconfig", what, "hashnoise").removeprefix("-I")
+                    self.assertEqual(pathlib.Path(folder).resolve(), (prefix / include).resolve(), what)
+                for file in ("hashnoise.hpp", "hashnoise.glsl"):
+                    self.assertTrue((prefix / include / "hashnoise" / file).is_file())
 
 
 class PartsOfABuild(WithoutPrograms):
