@@ -140,7 +140,8 @@ class PartsOfABuild(WithoutPrograms):
         files, said = self.installed("nothing-built")
         self.assertLess({"include/hashnoise/hashnoise.hpp", "include/hashnoise/grid.hpp",
                          "include/hashnoise/detail/macros_begin.h", "share/doc/hashnoise/LICENSE"}, files)
-        self.assertFalse({file for file in files if "field.hpp" in file or "libhashnoise" in file or "grid-t" in file})
+        self.assertFalse({file for file in files if "field.hpp" in file or "libhashnoise" in file or "grid-t" in file
+                          or "grid.pc" in file})
         self.assertIn("hashnoise::grid is not installed, since it was not built", said)
         status, said = self.found("nothing-built")
         self.assertEqual(status, 0, said)
@@ -186,6 +187,12 @@ class PartsOfABuild(WithoutPrograms):
             self.assertIn("has hashnoise;", said)
             self.assertIn("has grid;", said)
         self.assertIn("hashnoise has no component other", self.found("grid-built", "COMPONENTS other")[1])
+        prefix = (self.scratch / "grid-built").rename(self.scratch / "moved")
+        folders = f"{prefix}/lib/pkgconfig:{prefix}/share/pkgconfig"
+        for what, flags in (("--cflags", [f"-I{prefix}/include"]), ("--libs", [f"-L{prefix}/lib", "-lhashnoise-grid"])):
+            given = pkg_config(folders, what, "hashnoise-grid").split()
+            self.assertEqual([flag[:2] + os.path.normpath(flag[2:]) for flag in given], flags)
+        self.assertIn("-pthread", pkg_config(folders, "--static", "--libs", "hashnoise-grid").split())
 
     def test_a_component(self):
         (self.build / "src/grid/libhashnoise-grid.a").write_text("a library")
