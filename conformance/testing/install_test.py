@@ -83,8 +83,12 @@ class WithoutPrograms(unittest.TestCase):
         self.project = pathlib.Path(scratch.name, "project")
         self.project.mkdir()
         self.scratch = pathlib.Path(scratch.name)
-        subprocess.run([CMAKE, "-G", "Ninja", "-S", SOURCE, "-B", self.build, "-DHASHNOISE_CONFORMANCE=OFF",
-                        *self.options], stdout=subprocess.DEVNULL, check=True)
+        done = self.configure(SOURCE, "-DHASHNOISE_CONFORMANCE=OFF", *self.options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def configure(self, source, *options):
+        return subprocess.run([CMAKE, "-G", "Ninja", "-S", source, "-B", self.build, *options], capture_output=True,
+                              text=True, check=False)
 
     def installed(self, name, *options):
         prefix = self.scratch / name
@@ -123,8 +127,9 @@ class Headers(WithoutPrograms):
                                            ("share-apart", apart / "share", "include", False)):
             with self.subTest(name):
                 prefix = self.scratch / name
-                subprocess.run([CMAKE, self.build, f"-DCMAKE_INSTALL_PREFIX={prefix}", f"-DCMAKE_INSTALL_DATADIR={data}",
-                                f"-DCMAKE_INSTALL_INCLUDEDIR={include}"], stdout=subprocess.DEVNULL, check=True)
+                done = self.configure(SOURCE, f"-DCMAKE_INSTALL_PREFIX={prefix}", f"-DCMAKE_INSTALL_DATADIR={data}",
+                                      f"-DCMAKE_INSTALL_INCLUDEDIR={include}")
+                self.assertEqual(done.returncode, 0, done.stderr)
                 self.installed(name)
                 if moves:
                     prefix = prefix.rename(prefix.with_name(f"{name}-moved"))
@@ -133,6 +138,21 @@ class Headers(WithoutPrograms):
                     self.assertEqual(pathlib.Path(folder).resolve(), (prefix / include).resolve(), what)
                 for file in ("hashnoise.hpp", "hashnoise.glsl"):
                     self.assertTrue((prefix / include / "hashnoise" / file).is_file())
+
+    def test_vectors_are_those_of_the_source_alone(self):
+        source = self.scratch / "source"
+        for name in ("CMakeLists.txt", "LICENSE", "glsl", "include", "tools/hashnoise-config.cmake.in",
+                     "tools/hashnoise.pc.in"):
+            (source / name).parent.mkdir(parents=True, exist_ok=True)
+            (source / name).symlink_to(pathlib.Path(SOURCE, name))
+        self.build = self.scratch / "build-of-source"
+        done = self.configure(source, "-DHASHNOISE_CONFORMANCE=OFF", *self.options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for folder, has in (("build/vectors", False), ("vectors", True)):
+            with self.subTest(folder):
+                (source / folder).mkdir(parents=True)
+                (source / folder / "index.json").write_text("{}\n")
+                self.assertEqual("share/hashnoise/vectors/index.json" in self.installed(folder)[0], has)
 
 
 class PartsOfABuild(WithoutPrograms):

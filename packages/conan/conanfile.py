@@ -27,9 +27,10 @@ class Hashnoise(ConanFile):
         self.version = ".".join(re.findall(r"^#define HN_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)$", config, re.MULTILINE))
 
     def export_sources(self):
-        for pattern in ("CMakeLists.txt", "LICENSE", "glsl/*", "include/*", "tools/*.in", "vectors/*",
-                        "build/vectors/*"):
+        for pattern in ("CMakeLists.txt", "LICENSE", "glsl/*", "include/*", "tools/*.in", "vectors/*"):
             copy(self, pattern, Path(self.recipe_folder, TOP), self.export_sources_folder)
+        made = Path(self.recipe_folder, TOP, "build", "vectors")  # by tools/make vectors (docs/develop/publishing.md)
+        copy(self, "*.json", made, Path(self.export_sources_folder, "vectors"))
 
     def package_id(self):
         self.info.clear()  # one package for every compiler
