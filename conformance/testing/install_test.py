@@ -108,6 +108,23 @@ class WithoutPrograms(unittest.TestCase):
         return done.returncode, " ".join((done.stdout + done.stderr).split())  # CMake breaks lines
 
 
+class Options(WithoutPrograms):
+    def test_tests_without_what_they_need_are_refused(self):
+        done = self.configure(SOURCE, "-DHASHNOISE_TESTS=ON")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("HASHNOISE_TESTS is ON, and HASHNOISE_CONFORMANCE, which the tests need, is OFF.",
+                      " ".join(done.stderr.split()))
+
+    def test_who_lacks_a_package_leaves_out_what_needs_it_by_one_option(self):
+        done = self.configure(SOURCE, "-DHASHNOISE_CONFORMANCE=ON", "-DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("src/bake/CMakeLists.txt", done.stderr)  # the first that needs CLI11, and the cache could keep it
+        self.assertIn("-DHASHNOISE_CONFORMANCE=OFF builds the library without them", done.stdout)
+        done = self.configure(SOURCE, "-DHASHNOISE_CONFORMANCE=OFF")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("hn-conform", done.stdout)
+
+
 class Headers(WithoutPrograms):
     options = ("-DHASHNOISE_GRID=OFF", "-DCMAKE_INSTALL_LIBDIR=lib/machine")
 
