@@ -66,8 +66,8 @@ class Install(unittest.TestCase):
 
 
 def pkg_config(folder, *arguments):
-    done = subprocess.run(["pkg-config", *arguments], env={**os.environ, "PKG_CONFIG_PATH": folder}, capture_output=True,
-                          text=True, check=True)
+    done = subprocess.run(["pkg-config", *arguments], env={**os.environ, "PKG_CONFIG_PATH": folder},
+                          stdout=subprocess.PIPE, text=True, check=True)
     return done.stdout.strip()
 
 
@@ -130,8 +130,7 @@ class Headers(WithoutPrograms):
 
     def test_nothing_depends_on_the_machine(self):
         files, _ = self.installed("headers")
-        self.assertLess({"share/cmake/hashnoise/hashnoise-config.cmake", "share/cmake/hashnoise/hashnoise-targets.cmake",
-                         "share/pkgconfig/hashnoise.pc"}, files)
+        self.assertLess({"share/cmake/hashnoise/hashnoise-config.cmake", "share/pkgconfig/hashnoise.pc"}, files)
         self.assertNotIn("lib", files)
         status, said = self.found("headers")
         self.assertEqual(status, 0, said)
