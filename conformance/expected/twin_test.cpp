@@ -207,6 +207,7 @@ TEST(Shim, VectorsAreMadeOfSmallerOnesAndOfScalars) {
 }
 
 TEST(Shim, VectorsHaveTheOperatorsOfGlsl) {
+  using namespace hashnoise;
   EXPECT_EQ(1.0f - vec2(1, 2), vec2(0, -1));
   EXPECT_EQ(2.0f / vec3(2, 4, 8), vec3(1, 0.5f, 0.25f));
   EXPECT_EQ(1 + ivec4(1, 2, 3, 4), ivec4(2, 3, 4, 5));
