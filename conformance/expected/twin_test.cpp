@@ -206,6 +206,23 @@ TEST(Shim, VectorsAreMadeOfSmallerOnesAndOfScalars) {
   EXPECT_EQ(vec3(vec2(1.0f, 2.0f), vec2(3.0f, 4.0f)), vec3(1.0f, 2.0f, 3.0f));
 }
 
+TEST(Shim, VectorsHaveTheOperatorsOfGlsl) {
+  using namespace hashnoise;
+  EXPECT_EQ(1.0f - vec2(1, 2), vec2(0, -1));
+  EXPECT_EQ(2.0f / vec3(2, 4, 8), vec3(1, 0.5f, 0.25f));
+  EXPECT_EQ(1 + ivec4(1, 2, 3, 4), ivec4(2, 3, 4, 5));
+  EXPECT_TRUE(std::signbit((-vec2(0, 1)).x));
+  EXPECT_EQ(-ivec3(1, 2, 3), ivec3(-1, -2, -3));
+  vec2 p(1, 2);
+  p += vec2(1, 2);
+  p *= 2.0f;
+  p -= 1.0f;
+  p /= vec2(3, 7);
+  EXPECT_EQ(p, vec2(1, 1));
+  ivec4 cell(7);
+  EXPECT_EQ(cell /= 2, ivec4(3));
+}
+
 TEST(Shim, ConstructorsConvert) {
   using namespace hashnoise;
   EXPECT_EQ(vec3(ivec2(-1, 2), 3u), vec3(-1.0f, 2.0f, 3.0f));

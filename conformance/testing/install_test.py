@@ -2,6 +2,7 @@
 """The installed program, moved away from where it was built and installed, and what is installed of builds that have
 not built all of it. Usage: install_test.py CMAKE BUILD SOURCE"""
 
+import os
 import pathlib
 import re
 import shutil
@@ -64,8 +65,16 @@ class Install(unittest.TestCase):
             self.assertNotIn(f"{SOURCE}/{place}".encode(), program)
 
 
-class PartsOfABuild(unittest.TestCase):
-    """Installs the build; find_package finds it."""
+def pkg_config(folder, *arguments):
+    done = subprocess.run(["pkg-config", *arguments], env={**os.environ, "PKG_CONFIG_PATH": folder},
+                          stdout=subprocess.PIPE, text=True, check=True)
+    return done.stdout.strip()
+
+
+class WithoutPrograms(unittest.TestCase):
+    """Installs a build of the library alone; find_package finds it."""
+
+    options = ()
 
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()
@@ -74,8 +83,12 @@ class PartsOfABuild(unittest.TestCase):
         self.project = pathlib.Path(scratch.name, "project")
         self.project.mkdir()
         self.scratch = pathlib.Path(scratch.name)
-        subprocess.run([CMAKE, "-G", "Ninja", "-S", SOURCE, "-B", self.build, "-DHASHNOISE_CONFORMANCE=OFF"],
-                       stdout=subprocess.DEVNULL, check=True)
+        done = self.configure(SOURCE, "-DHASHNOISE_CONFORMANCE=OFF", *self.options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def configure(self, source, *options):
+        return subprocess.run([CMAKE, "-G", "Ninja", "-S", source, "-B", self.build, *options], capture_output=True,
+                              text=True, check=False)
 
     def installed(self, name, *options):
         prefix = self.scratch / name
@@ -94,11 +107,77 @@ class PartsOfABuild(unittest.TestCase):
                                f"-DCMAKE_PREFIX_PATH={self.scratch / name}"], capture_output=True, text=True, check=False)
         return done.returncode, " ".join((done.stdout + done.stderr).split())  # CMake breaks lines
 
+
+class Options(WithoutPrograms):
+    def test_tests_without_what_they_need_are_refused(self):
+        done = self.configure(SOURCE, "-DHASHNOISE_TESTS=ON")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("HASHNOISE_TESTS is ON, and HASHNOISE_CONFORMANCE, which the tests need, is OFF.",
+                      " ".join(done.stderr.split()))
+
+    def test_who_lacks_a_package_leaves_out_what_needs_it_by_one_option(self):
+        done = self.configure(SOURCE, "-DHASHNOISE_CONFORMANCE=ON", "-DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn("src/bake/CMakeLists.txt", done.stderr)  # the first that needs CLI11, and the cache could keep it
+        self.assertIn("-DHASHNOISE_CONFORMANCE=OFF builds the library without them", done.stdout)
+        done = self.configure(SOURCE, "-DHASHNOISE_CONFORMANCE=OFF")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("hn-conform", done.stdout)
+
+
+class Headers(WithoutPrograms):
+    options = ("-DHASHNOISE_GRID=OFF", "-DCMAKE_INSTALL_LIBDIR=lib/machine")
+
+    def test_nothing_depends_on_the_machine(self):
+        files, _ = self.installed("headers")
+        self.assertLess({"share/cmake/hashnoise/hashnoise-config.cmake", "share/pkgconfig/hashnoise.pc"}, files)
+        self.assertNotIn("lib", files)
+        status, said = self.found("headers")
+        self.assertEqual(status, 0, said)
+        self.assertIn("has hashnoise;", said)
+
+    def test_pkg_config_finds_the_folders_of_each_layout(self):
+        apart = self.scratch / "apart"
+        for name, data, include, moves in (("usual", "share", "include", True), ("deep", "share/x/y", "a/b", True),
+                                           ("include-apart", "share", apart / "include", True),
+                                           ("share-apart", apart / "share", "include", False)):
+            with self.subTest(name):
+                prefix = self.scratch / name
+                done = self.configure(SOURCE, f"-DCMAKE_INSTALL_PREFIX={prefix}", f"-DCMAKE_INSTALL_DATADIR={data}",
+                                      f"-DCMAKE_INSTALL_INCLUDEDIR={include}")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.installed(name)
+                if moves:
+                    prefix = prefix.rename(prefix.with_name(f"{name}-moved"))
+                for what in ("--cflags-only-I", "--variable=includedir", "--variable=glsl_dir"):
+                    folder = pkg_config(prefix / data / "pkgconfig", what, "hashnoise").removeprefix("-I")
+                    self.assertEqual(pathlib.Path(folder).resolve(), (prefix / include).resolve(), what)
+                for file in ("hashnoise.hpp", "hashnoise.glsl"):
+                    self.assertTrue((prefix / include / "hashnoise" / file).is_file())
+
+    def test_vectors_are_those_of_the_source_alone(self):
+        source = self.scratch / "source"
+        for name in ("CMakeLists.txt", "LICENSE", "glsl", "include", "tools/hashnoise-config.cmake.in",
+                     "tools/hashnoise.pc.in"):
+            (source / name).parent.mkdir(parents=True, exist_ok=True)
+            (source / name).symlink_to(pathlib.Path(SOURCE, name))
+        self.build = self.scratch / "build-of-source"
+        done = self.configure(source, "-DHASHNOISE_CONFORMANCE=OFF", *self.options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for folder, has in (("build/vectors", False), ("vectors", True)):
+            with self.subTest(folder):
+                (source / folder).mkdir(parents=True)
+                (source / folder / "index.json").write_text("{}\n")
+                self.assertEqual("share/hashnoise/vectors/index.json" in self.installed(folder)[0], has)
+
+
+class PartsOfABuild(WithoutPrograms):
     def test_headers_alone(self):
         files, said = self.installed("nothing-built")
         self.assertLess({"include/hashnoise/hashnoise.hpp", "include/hashnoise/grid.hpp",
-                         "include/hashnoise/detail/macros_begin.h"}, files)
-        self.assertFalse({file for file in files if "field.hpp" in file or "libhashnoise" in file or "grid-t" in file})
+                         "include/hashnoise/detail/macros_begin.h", "share/doc/hashnoise/LICENSE"}, files)
+        self.assertFalse({file for file in files if "field.hpp" in file or "libhashnoise" in file or "grid-t" in file
+                          or "grid.pc" in file})
         self.assertIn("hashnoise::grid is not installed, since it was not built", said)
         status, said = self.found("nothing-built")
         self.assertEqual(status, 0, said)
@@ -144,6 +223,12 @@ class PartsOfABuild(unittest.TestCase):
             self.assertIn("has hashnoise;", said)
             self.assertIn("has grid;", said)
         self.assertIn("hashnoise has no component other", self.found("grid-built", "COMPONENTS other")[1])
+        prefix = (self.scratch / "grid-built").rename(self.scratch / "moved")
+        folders = f"{prefix}/lib/pkgconfig:{prefix}/share/pkgconfig"
+        for what, flags in (("--cflags", [f"-I{prefix}/include"]), ("--libs", [f"-L{prefix}/lib", "-lhashnoise-grid"])):
+            given = pkg_config(folders, what, "hashnoise-grid").split()
+            self.assertEqual([flag[:2] + os.path.normpath(flag[2:]) for flag in given], flags)
+        self.assertIn("-pthread", pkg_config(folders, "--static", "--libs", "hashnoise-grid").split())
 
     def test_a_component(self):
         (self.build / "src/grid/libhashnoise-grid.a").write_text("a library")

@@ -1,7 +1,7 @@
 // hashnoise: fractals over a noise in space.
 // SPDX-License-Identifier: MIT
 //
-// Made from fbm2d.glsl by tools/make.
+// Made from fbm2d.glsl by tools/make. tools/lib/translate/dimensions/numbers.py has its numbers.
 
 #ifndef HN_FBM3D_GLSL
 #define HN_FBM3D_GLSL
@@ -65,7 +65,7 @@ HN_FN hn_float hn_i_weighted(hn_octaves3 o, hn_float strength) {
 //               (HN_PRECISE: 2^100)
 //   seed        any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   example     float n = hn_fbm(vec3(uv * 8.0, 0.5), 6, 2.0, 0.5, 7u);
-//   returns     [-1, 1], mean 0
+//   returns     [-1, 1], mean 0; with HN_GRADIENT_SINE, which is not scaled, [-3/2, 3/2]
 //   error       at a position it grows with |p| * lacunarity^octaves, since a float rounds the positions; at a place it
 //               does not (docs/measured/accuracy.md)
 //   period      none that floats reach. In a tile octave i repeats after period * lacunarity^i of its cells, so the
@@ -94,7 +94,7 @@ HN_FN hn_float hn_fbm(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float g
 //               nearest to the mean over the pixel. The others keep their contrast
 //   (other parameters, error, period, HN_FIXED and source as for hn_fbm at a position)
 //   example     float n = hn_fbm(vec3(uv * 8.0, 0.5), 3.5, 2.0, 0.5, 7u);
-//   returns     [-1, 1], mean 0
+//   returns     [-1, 1], mean 0; with HN_GRADIENT_SINE, which is not scaled, [-3/2, 3/2]
 //   cost        1 noise per octave; octaves that have faded out cost none
 HN_FN hn_float hn_fbm(hn_vec3 p, hn_float detail, hn_float lacunarity, hn_float gain, hn_uint seed) {
   hn_octaves3 o = hn_octaves(p, detail, lacunarity, gain, seed);
@@ -113,7 +113,7 @@ HN_FN hn_float hn_fbm(hn_vec3 p, hn_float footprint, hn_int octaves, hn_float la
 // Turbulence: the mean of the octaves' absolute values. Use it for marble and fire.
 //   (parameters, period and cost as for hn_fbm)
 //   example     float n = hn_turbulence(vec3(uv * 8.0, 0.5), 6, 2.0, 0.5, 7u);
-//   returns     [0, 1], with creases where the noise passes 0
+//   returns     [0, 1], with creases where the noise passes 0; with HN_GRADIENT_SINE, which is not scaled, [0, 3/2]
 //   error       that of hn_fbm
 //   source      Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
 HN_FN hn_float hn_turbulence(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {

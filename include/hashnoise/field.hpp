@@ -63,12 +63,13 @@ struct OptionalInt : std::optional<int> {
 // Describes a field. The names are those of the functions in GLSL without hn_ and without the forms: cellular with a
 // phase is hn_cellular_phase. The numbers are the parameters of the functions. A setting that the function does not
 // have, or a number outside of its range, is an error of Field's constructor. The octaves of a fractal rotate unless it
-// has a period.
+// has a period. In a major version this struct stays as it is, because programs pass it to a shared library: a setting
+// of a later version is a member of another struct, which another constructor of Field takes beside this one.
 struct Settings {
-  // "value", "simplex_d", ...: see noise_names; if empty "perlin", or what the fractal takes in GLSL. The fractal
+  // "value", "simplex_d", ...: see noises(dimensions); if empty "perlin", or what the fractal takes in GLSL. The fractal
   // perlin_worley has noises of its own, and takes none.
   std::string noise{};
-  // The fractal type: "fbm", "ridged", "warp", ...: see fractal_names; the noise itself if empty.
+  // The fractal type: "fbm", "ridged", "warp", ...: see fractals(dimensions); the noise itself if empty.
   std::string fractal{};
   Arithmetic arithmetic = Arithmetic::kFast;
   std::uint32_t seed = 0;
@@ -104,10 +105,12 @@ struct Settings {
 // Runs task(0) to task(count - 1), in any order, and returns when all are done.
 using Executor = std::function<void(int count, const std::function<void(int)>& task)>;
 
-// An executor of that many threads, this one included; 0 for as many as the processor has.
+// An executor of that many threads, this one included; 0 for as many as the processor has. It starts the others anew in
+// each call, so for many small grids pass an executor over your own threads.
 HN_I_OFFERED Executor threads(int count = 0);
 
-// A field in D dimensions, 1 to 4. It has no state that changes: many threads may use one at once.
+// A field in D dimensions, 1 to 4. It has no state that changes: many threads may use one at once. One that was moved
+// from may only be assigned to, or destroyed.
 template <int D>
 class HN_I_OFFERED Field {
   static_assert(1 <= D && D <= 4, "hashnoise: a field has 1 to 4 dimensions");
@@ -122,14 +125,14 @@ class HN_I_OFFERED Field {
 
   // How many numbers the field has at a point. Each is a plane of its own in what `fill` writes: first all values, then
   // all derivatives along x, and so on.
-  int components() const;
+  int component_count() const;
 
   // The names of the numbers: "value", "dx", "x", "f1", ... of each component.
-  std::vector<std::string> component_names() const;
+  std::vector<std::string> components() const;
 
   InstructionSet instruction_set() const;
 
-  // Writes components() * points numbers, and returns the least and the greatest of them (of the first component).
+  // Writes component_count() * points numbers, and returns the least and the greatest of them (of the first component).
   // Throws std::invalid_argument if `values` has another size, or if a number of a grid is not finite or out of range.
   // Where a coordinate of a list of points is NaN or infinite, all numbers of that point are NaN.
   Range fill(const Grid<D>& grid, std::span<float> values, const Executor& executor = {}) const;
@@ -148,8 +151,8 @@ extern template class Field<3>;
 extern template class Field<4>;
 
 // The noises and the fractals that there are in so many dimensions, in the order of the documents.
-HN_I_OFFERED std::vector<std::string_view> noise_names(int dimensions);
-HN_I_OFFERED std::vector<std::string_view> fractal_names(int dimensions);
+HN_I_OFFERED std::vector<std::string_view> noises(int dimensions);
+HN_I_OFFERED std::vector<std::string_view> fractals(int dimensions);
 
 // The instruction sets of both this processor and the library, the widest first. A library for x86 has nothing for
 // processors without SSE4.1; CMake's HASHNOISE_INSTRUCTION_SETS chooses its sets.

@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Words wrap at 2^32. If a float in a vector does not fit an int, it becomes the nearest int. NaN becomes 0. (GLSL
-// leaves these values undefined.) So nothing has undefined behaviour, as long as coordinates and the settings of octave
-// sums are finite, and fractions, which are to be in [0, 1], are below 2^64 in size.
+// leaves these values undefined.) So nothing has undefined behaviour, as long as all floats that you pass are finite, and
+// fractions, which are to be in [0, 1], are below 2^64 in size.
 
 #pragma once
 
@@ -152,6 +152,10 @@ struct Vector2 {
   HN_I_INLINE friend constexpr Vector2 operator*(T a, Vector2 b) { return Vector2(a) * b; }
   HN_I_INLINE friend constexpr Vector2 operator/(Vector2 a, Vector2 b) { return {a.x / b.x, a.y / b.y}; }
   HN_I_INLINE friend constexpr Vector2 operator/(Vector2 a, T b) { return a / Vector2(b); }
+  HN_I_INLINE friend constexpr Vector2 operator+(T a, Vector2 b) { return Vector2(a) + b; }
+  HN_I_INLINE friend constexpr Vector2 operator-(T a, Vector2 b) { return Vector2(a) - b; }
+  HN_I_INLINE friend constexpr Vector2 operator/(T a, Vector2 b) { return Vector2(a) / b; }
+  HN_I_INLINE friend constexpr Vector2 operator-(Vector2 a) { return {-a.x, -a.y}; }
 };
 
 template <typename T>
@@ -183,6 +187,10 @@ struct Vector3 {
   HN_I_INLINE friend constexpr Vector3 operator*(T a, Vector3 b) { return Vector3(a) * b; }
   HN_I_INLINE friend constexpr Vector3 operator/(Vector3 a, Vector3 b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
   HN_I_INLINE friend constexpr Vector3 operator/(Vector3 a, T b) { return a / Vector3(b); }
+  HN_I_INLINE friend constexpr Vector3 operator+(T a, Vector3 b) { return Vector3(a) + b; }
+  HN_I_INLINE friend constexpr Vector3 operator-(T a, Vector3 b) { return Vector3(a) - b; }
+  HN_I_INLINE friend constexpr Vector3 operator/(T a, Vector3 b) { return Vector3(a) / b; }
+  HN_I_INLINE friend constexpr Vector3 operator-(Vector3 a) { return {-a.x, -a.y, -a.z}; }
   // For integers.
   HN_I_INLINE friend constexpr Vector3 operator&(Vector3 a, Vector3 b) { return {a.x & b.x, a.y & b.y, a.z & b.z}; }
   HN_I_INLINE friend constexpr Vector3 operator&(Vector3 a, T b) { return {a.x & b, a.y & b, a.z & b}; }
@@ -241,11 +249,36 @@ struct Vector4 {
     return {a.x / b.x, a.y / b.y, a.z / b.z, a.w / b.w};
   }
   HN_I_INLINE friend constexpr Vector4 operator/(Vector4 a, T b) { return a / Vector4(b); }
+  HN_I_INLINE friend constexpr Vector4 operator+(T a, Vector4 b) { return Vector4(a) + b; }
+  HN_I_INLINE friend constexpr Vector4 operator-(T a, Vector4 b) { return Vector4(a) - b; }
+  HN_I_INLINE friend constexpr Vector4 operator/(T a, Vector4 b) { return Vector4(a) / b; }
+  HN_I_INLINE friend constexpr Vector4 operator-(Vector4 a) { return {-a.x, -a.y, -a.z, -a.w}; }
   template <typename Count>
   HN_I_INLINE friend constexpr Vector4 operator>>(Vector4 a, Count b) {
     return {a.x >> T(b), a.y >> T(b), a.z >> T(b), a.w >> T(b)};
   }
 };
+
+template <typename V, typename B>
+requires(detail::kComponents<V> > 1)
+HN_I_INLINE constexpr V& operator+=(V& a, const B& b) {
+  return a = a + b;
+}
+template <typename V, typename B>
+requires(detail::kComponents<V> > 1)
+HN_I_INLINE constexpr V& operator-=(V& a, const B& b) {
+  return a = a - b;
+}
+template <typename V, typename B>
+requires(detail::kComponents<V> > 1)
+HN_I_INLINE constexpr V& operator*=(V& a, const B& b) {
+  return a = a * b;
+}
+template <typename V, typename B>
+requires(detail::kComponents<V> > 1)
+HN_I_INLINE constexpr V& operator/=(V& a, const B& b) {
+  return a = a / b;
+}
 
 using vec2 = Vector2<float>;
 using vec3 = Vector3<float>;

@@ -14,7 +14,8 @@
 // whose components go to planes of their own: `values` has all of the first component, then all of the second. `fill`
 // returns the least and the greatest number of the first component.
 //
-// Sizes that do not fit are a std::invalid_argument; with -fno-exceptions `fill` prints the error, and aborts.
+// Sizes that do not fit are a std::invalid_argument; with -fno-exceptions `fill` prints the error, and aborts. It checks
+// no origin, step or coordinate: of those that are not finite no value is defined.
 //
 // The instructions are those that the flags of the compiler allow. lanes.hpp describes what a noise over lanes may do,
 // and hashnoise.hpp which knobs there are.
@@ -160,8 +161,8 @@ bool has_points(const std::array<int, D>& size, const std::array<int, D>& first,
     if (size[axis] < 0 || size[axis] >= 1 << 29) {
       hashnoise::detail::refuse("fill: a size of the grid is not from 0 to 536870911");
     }
-    if (first[axis] < 0 || first[axis] >= (1 << 29) - size[axis]) {
-      hashnoise::detail::refuse("fill: the first or the last point of the grid is not from 0 to 536870910");
+    if (first[axis] <= -(1 << 29) || first[axis] >= (1 << 29) - size[axis]) {
+      hashnoise::detail::refuse("fill: the first or the last point of the grid is not from -536870911 to 536870910");
     }
   }
   if (std::find(size.begin(), size.end(), 0) != size.end()) {

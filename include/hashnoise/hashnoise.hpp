@@ -11,11 +11,12 @@
 // field.hpp have such loops over grids and lists of points, for sums, too.
 //
 // HN_FIXED has the same bits under any compiler's flags. The floats of HN_PRECISE need -ffp-contract=off, and no
-// fast-math.
+// fast-math, and on 32-bit x86 -msse2 -mfpmath=sse.
 //
 // Knobs (config.glsl) are macros, to be defined before the include. HN_HASH, HN_GRADIENT and HN_ARITHMETIC name inline
 // namespaces, so that translation units that differ in them may be linked together. HN_HASH_FN does not: its meaning
-// must be the same in all translation units in which these three are the same.
+// must be the same in all translation units in which these three are the same. An inline function of yours that calls
+// noise must have the same knobs in all of them, as it has one copy in a program.
 //
 // C++ converts numbers that GLSL does not: 2.5f would be 2 octaves, and the 16 of hn_perlin(x, 16) a seed. Such calls
 // are errors of the compiler ("write 16u for a seed"). An argument has the type that the function names: 7u is a

@@ -25,8 +25,8 @@ using PerAxis = std::array<T, static_cast<std::size_t>(D)>;
 //   origin  the first point, in cells
 //   step    from point to point along each axis, in cells
 //   size    points along each axis, less than 2^29
-//   first   the number of the first point along each axis, not negative: then this is a part of a larger grid, and has
-//           the bits that the larger one has there. first + size is less than 2^29
+//   first   the number of the first point along each axis, more than -2^29: then this is a part of a larger grid, and
+//           has the bits that the larger one has there. first + size is less than 2^29
 // Point i along an axis is at the float nearest to origin + (first + i) * step, as computed in doubles, so that errors
 // do not add up. Values are stored with x fastest, then y, then z, then w.
 template <int D>

@@ -32,7 +32,7 @@ PAGE = (ROOT / "docs" / "guide" / "build-systems.md").read_text(encoding="utf-8"
 ADDRESS = f"{address()}.git"
 # Files of the repository that a user's build needs.
 USED = ("CMakeLists.txt", "LICENSE", "glsl", "include", "meson.build", "packages/conan", "packages/vcpkg", "src",
-        "tools/hashnoise-config.cmake.in", "tools/hashnoise.pc.in")
+        "tools/hashnoise-config.cmake.in", "tools/hashnoise-grid.pc.in", "tools/hashnoise.pc.in")
 FUNCTIONS = ("noise2d.perlin", "noise3d.simplex", "fbm.fbm2")
 
 

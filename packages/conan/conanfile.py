@@ -27,9 +27,10 @@ class Hashnoise(ConanFile):
         self.version = ".".join(re.findall(r"^#define HN_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)$", config, re.MULTILINE))
 
     def export_sources(self):
-        for pattern in ("CMakeLists.txt", "LICENSE", "glsl/*", "include/*", "tools/*.in", "vectors/*",
-                        "build/vectors/*"):
+        for pattern in ("CMakeLists.txt", "LICENSE", "glsl/*", "include/*", "tools/*.in", "vectors/*"):
             copy(self, pattern, Path(self.recipe_folder, TOP), self.export_sources_folder)
+        made = Path(self.recipe_folder, TOP, "build", "vectors")  # by tools/make vectors (docs/develop/publishing.md)
+        copy(self, "*.json", made, Path(self.export_sources_folder, "vectors"))
 
     def package_id(self):
         self.info.clear()  # one package for every compiler
@@ -39,13 +40,13 @@ class Hashnoise(ConanFile):
 
     def package(self):
         cmake = CMake(self)
-        cmake.configure(variables={"HASHNOISE_CONFORMANCE": "OFF", "HASHNOISE_GRID": "OFF"})
+        cmake.configure(variables={"HASHNOISE_CONFORMANCE": "OFF", "HASHNOISE_GRID": "OFF",
+                                   "CMAKE_INSTALL_DOCDIR": "licenses"})  # the folder where Conan wants LICENSE
         cmake.install()
-        copy(self, "LICENSE", self.source_folder, Path(self.package_folder, "licenses"))
 
     def package_info(self):
         # find_package finds what was installed, which has hashnoise_GLSL_DIR, too.
         self.cpp_info.set_property("cmake_find_mode", "none")
-        self.cpp_info.builddirs = ["lib/cmake/hashnoise"]
+        self.cpp_info.builddirs = ["share/cmake/hashnoise"]
         self.cpp_info.bindirs = []
         self.cpp_info.libdirs = []

@@ -253,7 +253,7 @@ class Block {
 
  private:
   std::size_t result() const { return has_cells_ ? 2 * D : D; }
-  std::size_t components() const { return static_cast<std::size_t>(field_.components()); }
+  std::size_t components() const { return static_cast<std::size_t>(field_.component_count()); }
 
   bool takes_values(std::size_t begin, std::size_t count) const {
     return walk_.is_row(result(), Kind::kFloat32, begin, count) &&
@@ -306,7 +306,7 @@ class FieldOf final : public AnyField {
  public:
   explicit FieldOf(const Settings& settings) : field_(settings), settings_(settings) {}
 
-  std::vector<std::string> component_names() const override { return field_.component_names(); }
+  std::vector<std::string> component_names() const override { return field_.components(); }
   std::string_view instruction_set() const override { return name(field_.instruction_set()); }
 
   void points(const nb::list& coordinates, const nb::list& cells, nb::handle out, int threads) const override {
@@ -314,7 +314,7 @@ class FieldOf final : public AnyField {
     if (nb::len(coordinates) != D || (has_cells && nb::len(cells) != D)) {
       throw std::invalid_argument("an array for each axis is needed");
     }
-    const Planes planes(out, field_.components());
+    const Planes planes(out, field_.component_count());
     if (planes.numbers() != Numbers::kFloat32) throw std::invalid_argument("the result must be of float32");
     std::deque<Memory> memories;
     std::vector<StridedArray> arrays;
@@ -333,7 +333,7 @@ class FieldOf final : public AnyField {
 
   std::vector<std::optional<std::pair<double, double>>> ranges() const override {
     std::vector<std::optional<std::pair<double, double>>> ranges;
-    for (const std::string& component : field_.component_names()) {
+    for (const std::string& component : field_.components()) {
       const auto range = grid::documented_range(settings_, D, component);
       ranges.push_back(range ? std::optional(std::pair(range->least, range->greatest)) : std::nullopt);
     }
@@ -361,8 +361,8 @@ class FieldOf final : public AnyField {
 
   template <class AnyGrid>
   Pair fill(const AnyGrid& grid, nb::handle out, const Ranges& ranges, int threads) const {
-    const Planes planes(out, field_.components());
-    if (planes.numbers() == Numbers::kUint16 && ranges.size() != static_cast<std::size_t>(field_.components())) {
+    const Planes planes(out, field_.component_count());
+    if (planes.numbers() == Numbers::kUint16 && ranges.size() != static_cast<std::size_t>(field_.component_count())) {
       throw std::invalid_argument("words of 16 bits want a range for each component");
     }
     const std::span<float> values = planes.whole();
@@ -396,9 +396,9 @@ class FieldOf final : public AnyField {
         to += static_cast<std::ptrdiff_t>(tile.first[axis]) * steps[axis];
       }
       const std::size_t points = tile.points();
-      std::vector<float> values(points * static_cast<std::size_t>(field_.components()));
+      std::vector<float> values(points * static_cast<std::size_t>(field_.component_count()));
       found[number] = field_.fill(part, values);
-      for (std::size_t i = 0; i < static_cast<std::size_t>(field_.components()); ++i) {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(field_.component_count()); ++i) {
         const float* const from = values.data() + i * points;
         std::byte* const to_plane = to + static_cast<std::ptrdiff_t>(i) * planes.step();
         switch (planes.numbers()) {
@@ -428,7 +428,7 @@ class FieldOf final : public AnyField {
   // A wrong grid is an error of its first or its last point: throw it here, not in a thread.
   template <class AnyGrid>
   void check_corners(const AnyGrid& grid) const {
-    std::vector<float> values(static_cast<std::size_t>(field_.components()));
+    std::vector<float> values(static_cast<std::size_t>(field_.component_count()));
     AnyGrid corner = grid;
     corner.size.fill(1);
     field_.fill(corner, values);
@@ -573,8 +573,8 @@ NB_MODULE(_core, module) {
         return hashnoise::detail::suggestion(word, names);
       },
       nb::arg("word"), nb::arg("names"));
-  module.def("noise_names", &hashnoise::noise_names, nb::arg("dimensions"));
-  module.def("fractal_names", &hashnoise::fractal_names, nb::arg("dimensions"));
+  module.def("noise_names", &hashnoise::noises, nb::arg("dimensions"));
+  module.def("fractal_names", &hashnoise::fractals, nb::arg("dimensions"));
   module.def("instruction_sets", [] { return hashnoise::python::names_of(hashnoise::instruction_sets()); });
   // Of settings that are whole numbers: the least and the most. Python's number may not fit a Settings, which checks
   // the others.

@@ -118,8 +118,8 @@ Result<void> choose_function(BakeOptions& options, const Words& words) {
   }
   const std::optional<std::string>& noise = words.noise;
   const int dimensions = static_cast<int>(options.size.size());
-  const auto noises = hashnoise::noise_names(dimensions);
-  const auto sums = hashnoise::fractal_names(dimensions);
+  const auto noises = hashnoise::noises(dimensions);
+  const auto sums = hashnoise::fractals(dimensions);
   if (has(sums, options.function)) {
     options.settings.fractal = options.function;
     if (!hashnoise::grid::sum_row(options.function).takes_noise()) {

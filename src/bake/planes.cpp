@@ -72,8 +72,8 @@ class BandPoints {
 template <int D>
 Planes compute_in(const BakeOptions& options, const RowsDone& rows_done) {
   const hashnoise::Field<D> field(options.settings);
-  const auto components = static_cast<std::size_t>(field.components());
-  const auto names = field.component_names();
+  const auto components = static_cast<std::size_t>(field.component_count());
+  const auto names = field.components();
   const auto chosen = chosen_components(names, options);
   std::array<Axis, D> axes;
   std::size_t rows = 1;
@@ -113,7 +113,7 @@ Planes compute_in(const BakeOptions& options, const RowsDone& rows_done) {
 template <int D>
 std::vector<std::string> component_names_in(const BakeOptions& options) {
   const hashnoise::Field<D> field(options.settings);
-  const auto names = field.component_names();
+  const auto names = field.components();
   std::vector<std::string> chosen;
   for (const std::size_t component : chosen_components(names, options)) chosen.push_back(names[component]);
   return chosen;

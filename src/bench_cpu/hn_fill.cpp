@@ -43,7 +43,7 @@ std::optional<hashnoise::Arithmetic> arithmetic_named(std::string_view name) {
 template <int D>
 void fill(const hn::Subject& subject, hashnoise::Arithmetic arithmetic, int times) {
   const hashnoise::Field<D> field(hn::settings_of(subject, arithmetic, hashnoise::instruction_sets().front()));
-  std::vector<float> values(static_cast<std::size_t>(field.components()) * hn::kPoints);
+  std::vector<float> values(static_cast<std::size_t>(field.component_count()) * hn::kPoints);
   for (int i = 0; i < times; ++i) field.fill(hn::grid<D>(), values);
 }
 

@@ -88,7 +88,7 @@ class Works {
   template <typename Fill>
   std::size_t add_field(const hashnoise::Settings& settings, Fill fill) {
     const auto field = std::make_shared<const hashnoise::Field<D>>(settings);
-    out_.resize(std::max(out_.size(), static_cast<std::size_t>(field->components()) * kPoints));
+    out_.resize(std::max(out_.size(), static_cast<std::size_t>(field->component_count()) * kPoints));
     return add_work([field, fill] { fill(*field); });
   }
   std::size_t add_points(hashnoise::InstructionSet set) {

@@ -90,10 +90,11 @@ void check_size(int size) {
 
 // The last point has a number, too, and the sum of both is an int.
 void check_first(int first, int size) {
-  const int most = static_cast<int>(grid::kSizeRule.most) - size;
-  if (first >= 0 && first <= most) return;
-  throw std::invalid_argument("first is " + std::to_string(first) + ", and has to be from 0 to " +
-                              std::to_string(most) + " where the size is " + std::to_string(size));
+  const int least = -static_cast<int>(grid::kSizeRule.most);
+  const int most = -least - size;
+  if (first >= least && first <= most) return;
+  throw std::invalid_argument("first is " + std::to_string(first) + ", and has to be from " + std::to_string(least) +
+                              " to " + std::to_string(most) + " where the size is " + std::to_string(size));
 }
 
 void check_finite(const char* what, double number) {
@@ -111,8 +112,8 @@ void split(const Plan& plan, const std::vector<float>& positions, Axis& axis) {
 Axis axis_of(const Plan& plan, float origin, float step, int size, int first) {
   check_finite("the origin", origin);
   check_finite("the step", step);
-  const double last = static_cast<double>(origin) + static_cast<double>(first + size) * static_cast<double>(step);
-  check_finite("the last point", static_cast<double>(static_cast<float>(last)));
+  check_finite("the first point", static_cast<double>(detail::position_of(origin, step, first)));
+  check_finite("the last point", static_cast<double>(detail::position_of(origin, step, first + size)));
   std::vector<float> positions(padded(static_cast<std::size_t>(size)));
   for (int i = 0; i < size; ++i) {
     positions[static_cast<std::size_t>(i)] = detail::position_of(origin, step, first + i);
@@ -397,12 +398,12 @@ template <int D>
 Field<D>& Field<D>::operator=(Field&&) noexcept = default;
 
 template <int D>
-int Field<D>::components() const {
+int Field<D>::component_count() const {
   return plan_->components;
 }
 
 template <int D>
-std::vector<std::string> Field<D>::component_names() const {
+std::vector<std::string> Field<D>::components() const {
   const std::vector<std::string> axes = {"x", "y", "z", "w"};
   std::vector<std::string> names;
   switch (plan_->shape) {

@@ -80,6 +80,9 @@ InstructionSet chosen(const std::optional<InstructionSet>& wanted) {
            listed(names_of(compiled_instruction_sets())));
   }
   if (!wanted) return there.front();
+  if (*wanted < InstructionSet::kSse41 || *wanted > InstructionSet::kGeneric) {
+    refuse("instruction_set has to be a value of InstructionSet; there are: " + listed(names_of(there)));
+  }
   if (std::find(there.begin(), there.end(), *wanted) == there.end()) {
     refuse("this processor or this build has no " + std::string(name(*wanted)) +
            "; there are: " + listed(names_of(there)));
@@ -240,7 +243,7 @@ Plan plan_of(int dimensions, const Settings& settings) {
   }
   std::optional<SumId> sum;
   if (!settings.fractal.empty()) {
-    const auto names = [&] { return fractal_names(dimensions); };
+    const auto names = [&] { return fractals(dimensions); };
     sum = static_cast<SumId>(find(kSumRows, "fractal", settings.fractal, dimensions, names));
   }
   // A sum over noises of its own counts as Perlin noise.
@@ -250,13 +253,13 @@ Plan plan_of(int dimensions, const Settings& settings) {
            quoted(settings.noise) + " out");
   }
   if (!settings.noise.empty()) {
-    const auto names = [&] { return sum ? summands(kSumRows.at(*sum).of, dimensions) : noise_names(dimensions); };
+    const auto names = [&] { return sum ? summands(kSumRows.at(*sum).of, dimensions) : noises(dimensions); };
     noise = static_cast<NoiseId>(find(kNoiseRows, "noise", settings.noise, dimensions, names));
   }
   bool tiled = false;
-  for (std::size_t axis = 0; axis < settings.period.size(); ++axis) {
+  for (std::size_t axis = 0; axis < static_cast<std::size_t>(dimensions); ++axis) {
     check(kPeriodRule, settings.period[axis]);
-    if (axis < static_cast<std::size_t>(dimensions)) tiled = tiled || settings.period[axis] > 0;
+    tiled = tiled || settings.period[axis] > 0;
     plan.options.period[axis] = settings.period[axis];
   }
   check_owners(settings, dimensions, kNoiseRows.at(noise), sum ? &kSumRows.at(*sum) : nullptr, tiled);
@@ -287,7 +290,7 @@ Plan plan_of(int dimensions, const Settings& settings) {
 
 namespace hashnoise::inline HN_I_LIBRARY {
 
-std::vector<std::string_view> noise_names(int dimensions) { return grid::names_in(grid::kNoiseRows, dimensions); }
-std::vector<std::string_view> fractal_names(int dimensions) { return grid::names_in(grid::kSumRows, dimensions); }
+std::vector<std::string_view> noises(int dimensions) { return grid::names_in(grid::kNoiseRows, dimensions); }
+std::vector<std::string_view> fractals(int dimensions) { return grid::names_in(grid::kSumRows, dimensions); }
 
 }  // namespace hashnoise::inline HN_I_LIBRARY

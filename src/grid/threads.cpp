@@ -3,12 +3,17 @@
 #include <exception>
 #include <hashnoise/field.hpp>
 #include <mutex>
+#include <stdexcept>
+#include <string>
 #include <thread>
 
 namespace hashnoise::inline HN_I_LIBRARY {
 
 Executor threads(int count) {
-  if (count <= 0) count = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  if (count < 0) {
+    throw std::invalid_argument("threads: count is " + std::to_string(count) + ", and has to be 0 or more");
+  }
+  if (count == 0) count = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   return [count](int tasks, const std::function<void(int)>& task) {
     std::atomic<int> next{0};
     std::mutex mutex;

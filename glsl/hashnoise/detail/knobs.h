@@ -46,6 +46,12 @@
 
 #endif
 
+// 32-bit x86 without SSE: sums and products of floats are rounded once they are stored, and not before. It would be
+// other bits without a word.
+#if HN_ARITHMETIC == 2 && (__FLT_EVAL_METHOD__ == 1 || __FLT_EVAL_METHOD__ == 2)
+#error HN_PRECISE needs floats that are rounded after each operation: compile with -msse2 -mfpmath=sse, or take HN_FIXED
+#endif
+
 #if HN_HASH != HN_I_FIRST_HASH
 #error HN_HASH differs from that of the first include of hashnoise in this translation unit, whose text is in it once: give all files of a unity build the same HN_HASH, by -D, or leave this file out of it
 #endif

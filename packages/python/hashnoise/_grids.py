@@ -25,8 +25,8 @@ def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None
     cell          the cell of the first point: one whole number, or one for each axis. Then the grid is exact however
                   far out: it is computed in whole numbers, and steps are rounded to multiples of 2^-32. Without a cell,
                   a point is the float32 nearest to origin + i * step
-    first         the number of the first point, for each axis: the array is then that part of the grid from point 0
-                  on, with its bits, whatever the step is. first + size is at most 536870911
+    first         the number of the first point, for each axis, which may be negative: the array is then that part of
+                  one grid, with its bits, whatever the step is. first + size is at most 536870911
     dtype         what the array is of: "float32", "float16" or, for height maps, "uint16"; as `out` is, or else float32
     range         of uint16: the pair (least, greatest) of the values for which 0 and 65535 stand, as `--range` of
                   tools/bake has it. Values outside become the nearer end. Left out it is the range that the function
@@ -69,7 +69,7 @@ def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None
     step = per_axis("grid", "step", step, dimensions, real_number)
     origin = per_axis("grid", "origin", origin, dimensions, single_number)
     first = per_axis("grid", "first", first, dimensions, lambda function, name, value: whole_number(
-        function, name, value, 0, MOST_POINTS))
+        function, name, value, -MOST_POINTS, MOST_POINTS))
     for axis, (begin, points) in enumerate(zip(first, size)):
         if begin + points > MOST_POINTS:
             raise ValueError(f"grid: first + size must be at most {MOST_POINTS}, and is {begin + points} along "

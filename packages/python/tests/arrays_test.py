@@ -297,6 +297,8 @@ class Grids(unittest.TestCase):
                             there = (..., *(slice(begin, begin + n) for begin, n in zip(first[::-1], size[::-1])))
                             self.assertEqual(part.shape, whole[there].shape)
                             self.assertEqual(part.tobytes(), whole[there].tobytes())
+                    left = hashnoise.grid(name, (21, 12), first=(-20, -11), **options)  # it ends at point 0
+                    self.assertEqual(left[..., -1, -1].tobytes(), whole[..., 0, 0].tobytes())
         # Far away, where a step that was added up would be wrong.
         far = hashnoise.grid("perlin", 2, step=0.01, cell=0, first=536870909)
         at = (round(0.01 * 2**32) * 536870909, round(0.01 * 2**32) * 536870910)

@@ -337,7 +337,7 @@ class Wrong(unittest.TestCase):
                 (ValueError, {"name": "fbn"}, r"there is no function 'fbn' \(did you mean fbm\?\); there are perlin, "),
                 (ValueError, {"name": "Worley"}, r"there is no function 'Worley' \(here it is cellular\)"),
                 (ValueError, {"name": "hn_fbm"}, r"there is no function 'hn_fbm' \(did you mean fbm\?\)"),
-                (ValueError, {"first": (0, -1)}, "first must be from 0 to 536870911, not -1"),
+                (ValueError, {"first": (0, -2**29)}, "first must be from -536870911 to 536870911, not -536870912"),
                 (TypeError, {"first": 0.5}, "first must be a whole number"),
                 (ValueError, {"first": (1, 2, 3)}, "first must have a value for each of the 2 axes"),
                 (ValueError, {"first": (0, 536870908)},

@@ -23,7 +23,7 @@ std::vector<float> at(const Settings& settings, const std::array<std::int32_t, D
     points.cell[axis] = {&cell[axis], 1};
     points.f[axis] = {&f[axis], 1};
   }
-  std::vector<float> values(static_cast<std::size_t>(field.components()));
+  std::vector<float> values(static_cast<std::size_t>(field.component_count()));
   field.fill(points, values);
   return values;
 }

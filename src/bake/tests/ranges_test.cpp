@@ -45,7 +45,7 @@ struct Row {
 TEST(Ranges, AreThoseOfTheFunctions) {
   int found = 0;
   for (const int dimensions : {1, 2, 3, 4}) {
-    for (const std::string_view noise : hashnoise::noise_names(dimensions)) {
+    for (const std::string_view noise : hashnoise::noises(dimensions)) {
       for (const bool rotating : {false, true}) {
         // A noise with a wave has a phase in all of its forms.
         const hashnoise::grid::NoiseRow& row = hashnoise::grid::kNoiseRows[hashnoise::grid::noise_named(noise)];
@@ -78,9 +78,9 @@ TEST(Ranges, AreThoseOfTheFunctions) {
 // No value is outside of the range, and most of it is used.
 TEST(Ranges, HoldAndAreUsed) {
   for (const int dimensions : {2, 3}) {
-    const auto noises = hashnoise::noise_names(dimensions);
+    const auto noises = hashnoise::noises(dimensions);
     auto names = noises;
-    for (const auto sum : hashnoise::fractal_names(dimensions)) names.push_back(sum);
+    for (const auto sum : hashnoise::fractals(dimensions)) names.push_back(sum);
     for (const std::string_view name : names) {
       const auto options =
           parsed({std::string(name), "--size", dimensions == 2 ? "200x200" : "40x40x40", "--cells", "37"});

@@ -105,7 +105,7 @@ TEST(Comparison, NoticesWhatIsBeyondTheBound) {
 TEST(Comparison, NoticesWhatIsWrittenBesides) {
   // A field cannot be made to write elsewhere. So this is a stand-in for one.
   struct CarelessField {
-    int components() const { return 1; }
+    int component_count() const { return 1; }
     Range fill(const Grid<2>&, std::span<float> values, const Executor&) const {
       *(values.data() + values.size()) = 0.0f;
       return {};

@@ -38,7 +38,7 @@ void print(hashnoise::Settings settings) {
     grid.size[axis] = cells.size[axis] = kSize[axis];
     points *= static_cast<std::size_t>(kSize[axis]);
   }
-  std::vector<float> values(points * static_cast<std::size_t>(field.components()));
+  std::vector<float> values(points * static_cast<std::size_t>(field.component_count()));
   field.fill(grid, values);
   std::uint64_t digest = digest_of(values, 0xCBF29CE484222325u);
   field.fill(cells, values);
@@ -54,12 +54,12 @@ void print_all(hashnoise::Arithmetic arithmetic) {
     hashnoise::Settings settings;
     settings.arithmetic = arithmetic;
     settings.period = {period, 2 * period, 0, period};
-    for (const std::string_view noise : hashnoise::noise_names(D)) {
+    for (const std::string_view noise : hashnoise::noises(D)) {
       settings.noise = noise;
       print<D>(settings);
     }
     settings.octaves = 3;
-    for (const std::string_view sum : hashnoise::fractal_names(D)) {
+    for (const std::string_view sum : hashnoise::fractals(D)) {
       settings.noise.clear();
       settings.fractal = sum;
       print<D>(settings);

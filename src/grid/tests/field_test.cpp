@@ -74,8 +74,8 @@ testing::AssertionResult has_parts(const std::string& text, std::initializer_lis
 TEST(Names, OfOtherDimensionsAreNone) {
   for (const int dimensions : {-1, 0, 5}) {
     try {
-      EXPECT_TRUE(noise_names(dimensions).empty());
-      EXPECT_TRUE(fractal_names(dimensions).empty());
+      EXPECT_TRUE(noises(dimensions).empty());
+      EXPECT_TRUE(fractals(dimensions).empty());
     } catch (const std::invalid_argument&) {
     }
   }
@@ -83,7 +83,7 @@ TEST(Names, OfOtherDimensionsAreNone) {
 
 template <int D>
 void expect_every_name() {
-  for (const std::string_view noise : noise_names(D)) EXPECT_NO_ERROR(error_of<D>(of(std::string(noise)))) << noise;
+  for (const std::string_view noise : noises(D)) EXPECT_NO_ERROR(error_of<D>(of(std::string(noise)))) << noise;
   for (const Settings& settings : twin::sum_subjects(D)) EXPECT_NO_ERROR(error_of<D>(settings)) << settings;
 }
 TEST(Names, AreOfFields) {
@@ -96,8 +96,8 @@ TEST(Names, AreOfFields) {
 template <int D>
 std::vector<std::string> names_of(const std::string& noise, const std::string& sum = "") {
   const Field<D> field(of(noise, sum));
-  const auto names = field.component_names();
-  EXPECT_EQ(names.size(), static_cast<std::size_t>(field.components()));
+  const auto names = field.components();
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(field.component_count()));
   return names;
 }
 
@@ -180,7 +180,7 @@ TEST(Fields, Move) {
   Field<2> moved(std::move(first));
   EXPECT_TRUE(twin::same_bits(twin::fill(moved, grid, 30).values, perlin.values, 30));
   moved = std::move(second);
-  EXPECT_EQ(moved.components(), 3);
+  EXPECT_EQ(moved.component_count(), 3);
   EXPECT_TRUE(twin::same_bits(twin::fill(moved, grid, 30).values, value.values, 30));
 }
 
@@ -288,7 +288,7 @@ TEST(Settings, WithoutANoiseHaveTheUsualOne) {
   const Grid<2> grid = {{0.3f, -1.7f}, {0.17f, 0.23f}, {9, 7}};
   const auto values_of = [&](const Settings& settings) {
     const Field<2> field(settings);
-    std::vector<float> values(static_cast<std::size_t>(field.components()) * 63);
+    std::vector<float> values(static_cast<std::size_t>(field.component_count()) * 63);
     field.fill(grid, values);
     return values;
   };
@@ -547,7 +547,7 @@ TEST(Values, AreFiniteAtTheEndsOfWhatIsAllowed) {
           const Field<2> field(settings);
           const std::vector<float> x = {0.3f, -8388607.0f, 8388607.0f, 4194303.75f, 1e-30f};
           const std::vector<float> y = {0.7f, 8388607.0f, 8388607.0f, -0.25f, -77.7f};
-          std::vector<float> values(x.size() * static_cast<std::size_t>(field.components()));
+          std::vector<float> values(x.size() * static_cast<std::size_t>(field.component_count()));
           field.fill(Points<2>{{x, y}}, values);
           for (const float value : values) EXPECT_TRUE(std::isfinite(value)) << settings;
         }
@@ -566,7 +566,7 @@ void expect_nan(Settings settings) {
   for (const Arithmetic arithmetic : {Arithmetic::kFast, Arithmetic::kPrecise, Arithmetic::kFixed}) {
     settings.arithmetic = arithmetic;
     const Field<2> field(settings);
-    std::vector<float> values(kPoints * static_cast<std::size_t>(field.components()));
+    std::vector<float> values(kPoints * static_cast<std::size_t>(field.component_count()));
     for (const bool is_x : {true, false}) {
       std::vector<float> other = usual;
       for (const std::size_t at : {0, 17, 39}) other[at] = kNone[at % 3];
@@ -635,7 +635,7 @@ TEST(Errors, OfANegativePeriod) {
   for (const std::string sum : {"", "fbm"}) {
     for (const std::size_t axis : {0, 1}) {
       Settings settings = of("perlin", sum);
-      settings.period = {4, 4};
+      settings.period = {4, 4, -1};  // a plane has no third axis
       EXPECT_NO_ERROR(error_of<2>(settings));
       settings.period[axis] = 0;
       EXPECT_NO_ERROR(error_of<2>(settings));
@@ -832,23 +832,33 @@ TEST(Errors, OfSizes) {
   }
 }
 
+TEST(Errors, OfAnInstructionSetThatIsNone) {
+  for (const int wrong : {-1, 5, 99}) {
+    Settings settings;
+    settings.instruction_set = static_cast<InstructionSet>(wrong);
+    EXPECT_TRUE(error_of<2>(settings).starts_with("instruction_set has to be a value of InstructionSet; there are: "));
+  }
+}
+
 TEST(Errors, OfAFirstPoint) {
   const Grid<2> right = {{0, 0}, {1, 1}, {2, 2}, {0, 536870909}};
   EXPECT_NO_ERROR(error_of<2>(right, 4));
-  for (const int wrong : {-1, std::numeric_limits<int>::min(), 536870910, std::numeric_limits<int>::max()}) {
+  EXPECT_NO_ERROR(error_of<2>(Grid<2>{{0, 0}, {1, 1}, {2, 2}, {0, -536870911}}, 4));
+  for (const int wrong : {-536870912, std::numeric_limits<int>::min(), 536870910, std::numeric_limits<int>::max()}) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       Grid<2> grid = right;
       grid.first[axis] = wrong;
       CellGrid<2> cells = {{0, 0}, {0, 0}, {1, 1}, {2, 2}};
       cells.first[axis] = wrong;
       const std::string said =
-          "first is " + std::to_string(wrong) + ", and has to be from 0 to 536870909 where the size is 2";
+          "first is " + std::to_string(wrong) + ", and has to be from -536870911 to 536870909 where the size is 2";
       EXPECT_EQ(error_of<2>(grid, 4), said);
       EXPECT_EQ(error_of<2>(cells, 4), said);
     }
   }
-  // The last point of the part is no finite float.
+  // The last or the first point of the part is no finite float.
   EXPECT_ERROR(error_of<2>(Grid<2>{{3e38f, 0}, {1e37f, 1}, {2, 2}, {10, 0}}, 4));
+  EXPECT_ERROR(error_of<2>(Grid<2>{{-3e38f, 0}, {1e37f, 1}, {2, 2}, {-10, 0}}, 4));
 }
 
 // The product of these is a multiple of 2^64, or of 2^32. It is noticed before anything is done for any point: that

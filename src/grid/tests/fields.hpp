@@ -44,7 +44,7 @@ FieldValues fill(const AnyField& field, const Places& places, std::size_t points
   constexpr std::size_t kBefore = 37;
   constexpr std::size_t kBehind = 64;
   constexpr float kUntouched = -12345.0f;
-  const std::size_t numbers = points * static_cast<std::size_t>(field.components());
+  const std::size_t numbers = points * static_cast<std::size_t>(field.component_count());
   std::vector<float> memory(kBefore + numbers + kBehind, kUntouched);
   const std::span<float> values = std::span(memory).subspan(kBefore, numbers);
   FieldValues filled;
@@ -68,7 +68,7 @@ void expect_bits(Settings settings, const Places& where) {
   for (const InstructionSet set : instruction_sets()) {
     settings.instruction_set = set;
     const Field<D> field(settings);
-    ASSERT_EQ(field.components(), twin.components) << settings;
+    ASSERT_EQ(field.component_count(), twin.components) << settings;
     const FieldValues filled = [&] {
       [[maybe_unused]] const Processor processor;
       return fill(field, where, places.size());

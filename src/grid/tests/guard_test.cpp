@@ -42,7 +42,7 @@ void touch(const hashnoise::Settings& settings, std::size_t count, bool at_end) 
   const hashnoise::Field<2> field(settings);
   const GuardedArray<float> x(count, at_end), y(count, at_end);
   const GuardedArray<std::int32_t> cell_x(count, at_end), cell_y(count, at_end);
-  const GuardedArray<float> values(count * static_cast<std::size_t>(field.components()), at_end);
+  const GuardedArray<float> values(count * static_cast<std::size_t>(field.component_count()), at_end);
   field.fill(hashnoise::Points<2>{{x.span(), y.span()}}, values.span());
   field.fill(hashnoise::CellPoints<2>{{cell_x.span(), cell_y.span()}, {x.span(), y.span()}}, values.span());
   const auto width = static_cast<int>(count);

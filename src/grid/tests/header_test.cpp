@@ -87,7 +87,7 @@ TEST(Header, RejectsWhatDoesNotFit) {
   EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {-11, -1}}, values, noise), std::invalid_argument);
   EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {0, 11}}, values, noise), std::invalid_argument);
   EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {11, 0}}, values, noise), std::invalid_argument);
-  EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {11, 1}, {-1, 0}}, values, noise), std::invalid_argument);
+  EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {11, 1}, {-536870912, 0}}, values, noise), std::invalid_argument);
   EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {11, 1}, {0, 536870911}}, values, noise), std::invalid_argument);
   EXPECT_THROW(lanes::fill(Points<2>{{two, two}}, values, noise), std::invalid_argument);
   EXPECT_THROW(lanes::fill(Points<2>{{two, three}}, values, noise), std::invalid_argument);

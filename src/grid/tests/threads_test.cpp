@@ -83,14 +83,15 @@ TEST_P(AnyExecutor, GivesTheSame) {
 INSTANTIATE_TEST_SUITE_P(, AnyExecutor, testing::Values(Arithmetic::kFast, Arithmetic::kPrecise, Arithmetic::kFixed),
                          [](const auto& parameter) { return std::to_string(static_cast<int>(parameter.param)); });
 
-// With kFast, too. The first component of a part of a grid is that of the whole there.
+// With kFast, too. The first component of a part of a grid is that of the whole there. `first` is where the part begins
+// in the whole.
 template <int D, typename AnyGrid>
 void expect_part_of_whole(const Settings& settings, AnyGrid grid, const std::array<int, D>& first,
                           const std::array<int, D>& size) {
   const Field<D> field(settings);
   const std::array<int, D> whole_size = grid.size;
   const std::vector<float> whole = fill(field, grid, count_of<D>(whole_size)).values;
-  grid.first = first;
+  for (std::size_t axis = 0; axis < D; ++axis) grid.first[axis] += first[axis];
   grid.size = size;
   const std::vector<float> part = fill(field, grid, count_of<D>(size)).values;
   std::vector<float> there;
@@ -115,11 +116,13 @@ TEST_P(AnyExecutor, GivesAPartOfAGridTheBitsOfTheWhole) {
       grid.step.fill(0.0371f);
       grid.size.fill(12);
       grid.size[0] = 90;
+      grid.first.fill(-6);  // so that parts begin before point 0, and end after it
       CellGrid<D> cells;
       cells.cell.fill(-7);
       cells.f.fill(0.3f);
       cells.step.fill(0.0371);
       cells.size = grid.size;
+      cells.first = grid.first;
       std::array<int, D> first;
       first.fill(5);
       std::array<int, D> size;
@@ -177,6 +180,10 @@ TEST(Threads, AreAsManyAsSaid) {
     EXPECT_GE(most, std::min(count, 2));
     for (const auto& each : runs) EXPECT_EQ(each, 1);
   }
+}
+
+TEST(Threads, AreNotLessThanNone) {
+  EXPECT_THROW(threads(-1), std::invalid_argument);
 }
 
 TEST(Threads, RunNothingOfNothing) {

@@ -177,6 +177,8 @@ class Wrong(unittest.TestCase):
                 ("sums.toml", r'(?<=^\[ridged\]\n)((?:.*\n)+?)mean = .*', r'\1mean = "median"',
                  "ridged: mean is 'median', and has to be one of "),
                 ("sums.toml", rf"{fbm}dimensions", "range = 7\ndimensions", "Cannot overwrite a value"),
+                ("sums.toml", r'(?<=^\[warp\]\n)((?:.*\n)+?)range = .*', r'\1range = "strength"',
+                 "warp: range is 'strength', and has to be two numbers or noise or amplitude"),
                 ("sums.toml", r'(?<=^\[warp\]\n)((?:.*\n)+?)noise = "value_vector"', r'\1noise = "cellular"',
                  "warp: it sums noises of the shape vector, and cellular is none"),
                 ("sums.toml", r"(?<=^\[ping_pong\.strength\]\n)((?:.*\n)+?)default = 2", r"\1default = 65",

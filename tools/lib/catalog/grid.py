@@ -54,7 +54,7 @@ def of_sum(sum_: Sum) -> str:
     if isinstance(sum_.range, tuple):
         bounds: tuple[object, ...] = ("kThese", *sum_.range)
     else:
-        bounds = (f"kOfThe{in_camel_case(sum_.range)}", 0, 0)
+        bounds = ("kOfTheNoise" if sum_.range == "noise" else "kOfTheStrength", 0, 0)
     summed = (SHAPES[sum_.of], sum_.noise) if sum_.takes_noise else ("kValue", "none")
     return row("HN_CATALOG_SUM", *of_function(sum_), *summed, *strength, *bounds)
 

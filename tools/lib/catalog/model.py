@@ -96,7 +96,7 @@ class Noise(Function):
 class Sum(Function):
     of: str  # the shape of the noises that it sums, or OWN
     noise: str  # "" of noises of its own
-    range: tuple[float, float] | str  # "noise": that of the noise; "strength": all up to that size
+    range: tuple[float, float] | str  # "noise": that of the noise; its strength's name: all up to that size
     strength: Strength | None
     step: str  # by which it adds an octave to a value; "" if it is none
     mean: str  # what it makes of the mean
@@ -244,14 +244,15 @@ def _strength(where: str, keys: Any) -> Strength:
 def _sum(name: str, keys: Any, noises: Mapping[str, Noise]) -> Sum:
     entry = Entry("sums.toml", name, keys)
     common = _function(entry, name)
+    given = entry.take("strength", dict, None)
+    strength = _strength(f"{name}.strength", given) if given else None
     value = entry.take("range", (list, str))
-    if isinstance(value, str) and value not in ("noise", "strength"):
-        raise CatalogError(f"{entry.where}: range is {value!r}, and has to be two numbers, \"noise\" or \"strength\"")
-    strength = entry.take("strength", dict, None)
+    named = ("noise", strength.name) if strength else ("noise",)
+    if isinstance(value, str) and value not in named:
+        raise CatalogError(f"{entry.where}: range is {value!r}, and has to be two numbers or {' or '.join(named)}")
     of = entry.one_of("of", (*SHAPES, OWN))
     made = Sum(**common, of=of, noise=entry.one_of("noise", tuple(noises)) if of != OWN else "",
-               range=entry.pair("range", value) if isinstance(value, list) else value,
-               strength=_strength(f"{name}.strength", strength) if strength else None,
+               range=entry.pair("range", value) if isinstance(value, list) else value, strength=strength,
                step=entry.take("step", str, ""), mean=entry.one_of("mean", MEANS) if "mean" in entry.keys else "",
                adds_words=entry.take("adds", str, ""), error=entry.take("error", str, ""))
     if bool(made.step) != (made.shape == "value" and made.takes_noise):

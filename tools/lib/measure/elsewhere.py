@@ -53,7 +53,7 @@ class Build:
         output_of("cmake", "-S", ROOT, "-B", self.folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                   f"-DCMAKE_SYSTEM_NAME={self.place.system}", f"-DCMAKE_SYSTEM_PROCESSOR={self.place.processor}",
                   f"-DCMAKE_CXX_COMPILER={self.place.compiler}", f"-DCMAKE_PROJECT_hashnoise_INCLUDE={flags}",
-                  "-DHASHNOISE_CONFORMANCE=OFF", "-DHASHNOISE_INSTALL=OFF")
+                  "-DHASHNOISE_CONFORMANCE=OFF", "-DHASHNOISE_TESTS=OFF", "-DHASHNOISE_INSTALL=OFF")
         output_of("cmake", "--build", self.folder, "--target", "hashnoise-grid", "--parallel",
                   len(os.sched_getaffinity(0)))
 

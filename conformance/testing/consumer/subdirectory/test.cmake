@@ -29,7 +29,8 @@ call(${WORK}/without/bin/consumer)
 
 installed(files ${WORK}/with -DHASHNOISE_INSTALL=ON)
 foreach(file bin/consumer include/hashnoise/hashnoise.hpp include/hashnoise/glsl.hpp
-             include/hashnoise/hashnoise.glsl include/hashnoise/detail/cell.glsl)
+             include/hashnoise/hashnoise.glsl include/hashnoise/detail/cell.glsl
+             share/doc/hashnoise/LICENSE)  # and not in the folder of the project
   if(NOT file IN_LIST files)
     message(FATAL_ERROR "HASHNOISE_INSTALL should install ${file}: ${files}")
   endif()

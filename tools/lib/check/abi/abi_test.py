@@ -46,7 +46,7 @@ class Committed(unittest.TestCase):
     def test_it_has_what_the_header_offers_and_nothing_else(self) -> None:
         names = command.functions(self.text)
         space = f"hashnoise::v{MAJOR}::"
-        for name in ("Field<2>::Field(", "Field<4>::fill(", "threads(int)", "noise_names[abi:cxx11](int)", "fractal_names",
+        for name in ("Field<2>::Field(", "Field<4>::fill(", "threads(int)", "noises[abi:cxx11](int)", "fractals(",
                      "instruction_sets()", "name("):
             self.assertTrue(any(name.split("[")[0] in symbol for symbol in names), name)
         self.assertEqual([name for name in names if space not in name or "::grid::" in name], [])

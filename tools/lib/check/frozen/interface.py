@@ -9,7 +9,6 @@ import io
 import json
 import re
 from collections.abc import Iterator
-from itertools import cycle
 from pathlib import Path
 
 from base.tree import BOUNDS, GLSL, ROOT, glsl_files
@@ -18,10 +17,12 @@ from catalog.tables.functions import read_functions
 from catalog.tables.glsl import declarations
 from ship import hlsl_nodes
 from ship.blender import files as blender
+from ship.godot import files as godot
 from ship.isf import files as isf
 from ship.materialx import files as materialx
 from ship.rust.files import HASHES, of_module
 from ship.unity import files as unity
+from ship.unreal import files as unreal
 from translate.parsing.syntax import Parameter
 from translate.pick.command import Choice, read_library
 from translate.pick.osl import DEFAULTS
@@ -29,7 +30,7 @@ from translate.pick.scalars import bare
 
 COLUMNS = ("kind", "name", "what")
 BOUND, RANGE = "bound", "range"
-RATCHETS = {BOUND: (1,), RANGE: (-1, 1)}  # they may become smaller; the sign of each number, in turn
+OF_VALUES = BOUND, RANGE  # kinds of rows that experimental functions have not
 MEMBERS = {"hn_place": ("cell",), "hn_octaves": ("place", "seed"), "hn_slopes": (), "hn_shifts": ()}  # else all
 CONSTANT = re.compile(r"^ *#define (HN_(?:METRIC|DISTRIBUTION|HASH|GRADIENT|ARITHMETIC|FAST|PRECISE|FIXED)\w*) +(\w+)",
                       re.M)
@@ -39,6 +40,7 @@ ENUM_OF_CPP = re.compile(r"^enum class (\w+) \{ (.*) \};", re.M)
 OF_JAVASCRIPT = re.compile(r"^export (?:interface|declare class) (\w+) \{(.*?)^\}", re.M | re.S)
 BOUNDS_OF = re.compile(r'^(\w+)_BOUNDS\((?:"(\w+)", (\d, \w+), )?(.+)\)$', re.M)
 TABLES_OF_BOUNDS = re.compile(r"<!-- tools/make bounds: (?:sums|Jacobians) -->(?:\n[^\n]*){2}\n(.*?)<!-- end -->", re.S)
+WITH_VALUE = "value", "slopes", "value_and_quadrature"  # shapes with a component of that name
 # In the row of hn_uniform, the numbers that belong to hn_distribution_fbm.
 OF_DISTRIBUTIONS = (2, 3, 6, 7)
 
@@ -74,6 +76,7 @@ def shaders() -> Iterator[Row]:
     for form in blender.FORMS:
         yield from (("blender", f"{blender.shader(form)}.{one.at.text}", f"{one.type} {DEFAULTS.get(one.at.text, 0)}")
                     for one in library.forms[form].parameters)
+        yield "blender", f"{blender.shader(form)}.value", f"output {library.forms[form].type.removeprefix('hn_')}"
 
 
 def catalog() -> Iterator[Row]:
@@ -82,8 +85,11 @@ def catalog() -> Iterator[Row]:
         kind = "fractal" if isinstance(function, model.Sum) else "noise"
         yield from ((kind, f"{function.name} {n}D", function.shape) for n in range(function.first, function.last + 1))
     for noise in of.noises:
+        # src/grid/ranges.hpp takes a value without a range as one in [-1, 1], so a range of its own would be another.
+        value = {"value": [(-1, 1)] * (noise.last - noise.first + 1)} if noise.shape in WITH_VALUE else {}
         yield from ((RANGE, f"{noise.name} {n}D, {component}", f"{pair[0]} {pair[1]}")
-                    for component, pairs in noise.ranges.items() for n, pair in enumerate(pairs, noise.first) if pair)
+                    for component, pairs in {**value, **noise.ranges}.items()
+                    for n, pair in enumerate(pairs, noise.first) if pair)
     for sum_ in of.sums:
         yield RANGE, sum_.name, sum_.range if isinstance(sum_.range, str) else f"{sum_.range[0]} {sum_.range[1]}"
         if sum_.noise:
@@ -92,6 +98,12 @@ def catalog() -> Iterator[Row]:
             yield "default", f"{sum_.strength.name} of {sum_.name}", str(sum_.strength.default)
     yield from (("default", one.name, str(one.default)) for one in of.settings.values() if one.default is not None)
     yield from (("metric", name, str(number)) for number, name in enumerate(of.metrics, 1))
+    yield "default", "metric", of.metrics[0]
+    # The catalog does not have these two.
+    yield from (("default", "wave", f"{found} along x")
+                for found in re.findall(r"\boptions\.wave\[0\] = ([\d.]+)f;", text_at("src", "grid", "plan.cpp")))
+    yield from (("default", "arithmetic of tools/bake", found)
+                for found in re.findall(r'\barithmetic = "(\w+)";', text_at("src", "bake", "arguments.hpp")))
 
 
 def cpp() -> Iterator[Row]:
@@ -123,6 +135,9 @@ def python() -> Iterator[Row]:
 
 
 def javascript() -> Iterator[Row]:
+    """The modules, and the declarations in these. The functions of WGSL and of TSL have the names of forms."""
+    exports = json.loads(text_at("packages", "npm", "package.json"))["exports"]
+    yield from (("javascript", f"hashnoise{path.removeprefix('.')}", "import") for path in exports)
     for path in sorted((ROOT / "packages" / "npm" / "src").rglob("*.d.ts")):
         text = re.sub(r"(?s)/\*.*?\*/|//[^\n]*", "", path.read_text(encoding="utf-8"))
         yield from (("javascript", *found) for found in re.findall(r"^export declare function (\w+)(.*);$", text, re.M))
@@ -140,10 +155,15 @@ def nodes() -> Iterator[Row]:
         for one in materialx.inputs(form):
             usual = re.search(r'(?:value|defaultgeomprop)="([^"]*)"', one.said)
             yield "materialx", f"{materialx.node(form)}.{one.name}", f"{materialx.TYPES[one.type]} {usual[1]}"
+        output = re.search(r'<output name="(\w+)" type="(\w+)"', materialx.declared(form))
+        yield "materialx", f"{materialx.node(form)}.{output[1]}", f"output {output[2]}"
     for form in hlsl_nodes.NODES:
-        for suffix in hlsl_nodes.ARITHMETICS.values():
-            ports = ", ".join(" ".join(port) for port in hlsl_nodes.ports(form))
-            yield "graph", f"HashNoise{suffix}{hlsl_nodes.camel(form)}", ports
+        ports = ", ".join(" ".join(port) for port in hlsl_nodes.ports(form))
+        for arithmetic, suffix in hlsl_nodes.ARITHMETICS.items():
+            name = f"HashNoise{suffix}{hlsl_nodes.camel(form)}"
+            yield "graph", name, ports
+            yield "graph", f"{name}.Out", f"output {hlsl_nodes.PORTS[hlsl_nodes.forms()[form].type]}"
+            yield "unreal", f"{bare(form)} {arithmetic}", f"{unreal.code(form, arithmetic)} {unreal.output(form)}"
     for name, look in isf.LOOKS.items():
         for one in isf.inputs(look):
             of = {key: value for key, value in isf.INPUTS[one].items() if not key.startswith("LABEL")}
@@ -151,6 +171,7 @@ def nodes() -> Iterator[Row]:
     scale = re.search(r"^SCALE = ([\d.]+)", (blender.PACKAGE / "nodes.py").read_text(encoding="utf-8"), re.M)
     yield "blender", "Scale", scale[1]
     yield from (("unity", bare(form), "") for form in unity.SCRIPTS)
+    yield from (("godot", f"{Path(name).stem}.gdshaderinc", "") for name in godot.public_parts(godot.parts()))
 
 
 def bounds() -> Iterator[Row]:
@@ -169,12 +190,13 @@ def bounds() -> Iterator[Row]:
 
 
 def library() -> Rows:
-    """All rows that the library has. Values of experimental functions may change, so their bounds are left out."""
+    """All rows that the library has. Values of experimental functions may change, so their bounds and ranges are left
+    out."""
     experimental = {function.calls for function in read_functions() if function.experimental}
     found: Rows = {}
     for part in (shaders, catalog, cpp, python, javascript, nodes, bounds):
         for kind, name, what in part():
-            if kind not in RATCHETS or f"hn_{name.removeprefix('hn_').split(' ')[0]}" not in experimental:
+            if kind not in OF_VALUES or f"hn_{name.removeprefix('hn_').split(' ')[0]}" not in experimental:
                 found.setdefault((kind, name), what)
     return found
 
@@ -193,22 +215,22 @@ def text_of(rows: Rows) -> str:
 
 
 def stays(kind: str, was: str, now: str | None) -> bool:
-    """Whether what there is now is what there was, or a bound that is no larger."""
-    if was == now or now is None or kind not in RATCHETS:
+    """Whether what there is now is what there was, or a bound that is no larger. A range stays, too: files of 16 bits
+    are scaled by it, so a narrower one would change each of their numbers."""
+    if was == now or now is None or kind != BOUND:
         return was == now
     try:
         before, after = ([float.fromhex(one) if "x" in one else float(one) for one in of.split()] for of in (was, now))
     except ValueError:
         return False
-    signs = cycle(RATCHETS[kind])
-    return len(before) == len(after) and all(sign * b <= sign * a for a, b, sign in zip(before, after, signs))
+    return len(before) == len(after) and all(b <= a for a, b in zip(before, after))
 
 
 def changed(table: Rows, rows: Rows) -> Iterator[str]:
     for (kind, name), was in sorted(table.items()):
         now = rows.get((kind, name))
         if not stays(kind, was, now):
-            may = f" (a {kind} may only become smaller)" if kind in RATCHETS else ""
+            may = " (a bound may only become smaller)" if kind == BOUND else ""
             is_now = "gone" if now is None else now
             yield (f"{kind} {name}: it was {was or 'there'}, and is {is_now}. It stays from 1.0 on{may}: "
                    "restore it, or give what is new another name")

@@ -9,6 +9,7 @@ from unittest import mock
 
 from base.tree import INTERFACE, ROOT
 from check.frozen import interface
+from ship import hlsl_nodes
 from ship.materialx import files as materialx
 from translate.pick import program
 
@@ -18,10 +19,21 @@ REMEDY = ": restore it, or give what is new another name"
 CHANGES = (  # of a file; what is reported
     ("catalog/settings.toml", "default = 6", "default = 5",
      f"default octaves: it was 6, and is 5. {STAYS}{REMEDY}"),
+    ("catalog/settings.toml", '["euclidean", "squared"', '["squared", "euclidean"',
+     "default metric: it was euclidean, and is squared."),
+    # A range stays in both directions: 16 bits of a narrower one are other numbers.
     ("catalog/sums.toml", "range = [0, 1]", "range = [0, 2]",
-     f"range turbulence: it was 0 1, and is 0 2. {STAYS} (a range may only become smaller){REMEDY}"),
+     f"range turbulence: it was 0 1, and is 0 2. {STAYS}{REMEDY}"),
+    ("catalog/sums.toml", "range = [0, 1]", "range = [0, 0.99]",
+     f"range turbulence: it was 0 1, and is 0 0.99. {STAYS}{REMEDY}"),
+    ("catalog/noises.toml", "f1 = [[0, 1.1181]", "f1 = [[0, 1.118]",
+     "range cellular 2D, f1: it was 0 1.1181, and is 0 1.118."),
+    ("catalog/noises.toml", "[perlin.options]",
+     "[perlin.ranges]\nvalue = [[], [-0.91, 0.91], [], []]\n[perlin.options]",
+     "range perlin 2D, value: it was -1 1, and is -0.91 0.91."),
     ("conformance/expected/bounds.inc", "2.44e-6, 2.67e-6", "2.44e-6, 2.68e-6",
-     "bound hn_perlin 2, octahedral: it was 2.44e-6 2.67e-6 "),
+     "bound hn_perlin 2, octahedral: it was 2.44e-6 2.67e-6 3.77 1.0 4.30e-5 1.0, and is 2.44e-6 2.68e-6 3.77 1.0 "
+     f"4.30e-5 1.0. {STAYS} (a bound may only become smaller){REMEDY}"),
     ("docs/measured/accuracy.md", "`hn_fbm(vec2)` | 3.1e-4", "`hn_fbm(vec2)` | 3.2e-4",
      "bound hn_fbm(vec2): it was 3.1e-4 "),
     ("glsl/hashnoise/cellular2d.glsl", "(hn_vec2 p, hn_float jitter, hn_int metric,",
@@ -40,6 +52,11 @@ CHANGES = (  # of a file; what is reported
      "python random.x: it was 1, and is 2"),
     ("packages/npm/src/index.d.ts", "allInCell(cell: number |", "allInCell(cell: string |",
      "javascript Field.allInCell: it was (cell: number | "),
+    ("packages/npm/package.json", "./tsl/fixed\"", "./tsl/exact\"",
+     "javascript hashnoise/tsl/fixed: it was import, and is gone."),
+    ("src/bake/arguments.hpp", 'arithmetic = "fixed"', 'arithmetic = "fast"',
+     "default arithmetic of tools/bake: it was fixed, and is fast."),
+    ("src/grid/plan.cpp", "wave[0] = 3.0f", "wave[0] = 2.0f", "default wave: it was 3.0 along x, and is 2.0 along x."),
     ("packages/blender/nodes.py", "SCALE = 5.0", "SCALE = 4.0", "blender Scale: it was 5.0, and is 4.0."),
 )
 
@@ -73,18 +90,25 @@ class Interface(unittest.TestCase):
             messages = [*interface.changed(self.table, interface.library())]
         self.assertRegex(messages[0], r"\Amaterialx hn_\w+.jitter: it was float 1.0, and is float 0.5\. ")
 
+    def test_a_changed_output_of_a_node_is_reported(self) -> None:
+        with mock.patch.dict(hlsl_nodes.PORTS, {"vec2": "float3"}):
+            messages = "\n".join(interface.changed(self.table, interface.library()))
+        self.assertIn("graph HashNoiseWarp2.Out: it was output float2, and is output float3. ", messages)
+        self.assertIn("unreal warp2 fast: it was return hn_warp(", messages)
+        with mock.patch.dict(materialx.TYPES, {"vec3": "color3"}):
+            messages = "\n".join(interface.changed(self.table, interface.library()))
+        self.assertIn("materialx hn_warp3d.out: it was output vector3, and is output color3. ", messages)
+
     def test_what_is_new_and_bounds_that_shrink_are_no_change_and_written(self) -> None:
-        rows = {**self.table, ("function", "hn_new(vec2)"): "", ("bound", "hn_sine"): "0x1p-20 3.66e-5",
-                ("range", "ridged"): "0.1 1"}
+        rows = {**self.table, ("function", "hn_new(vec2)"): "", ("bound", "hn_sine"): "0x1p-20 3.66e-5"}
         self.assertEqual([*interface.changed(self.table, rows)], [])
         self.assertEqual([*interface.stale(self.table, rows)],
                          ["bound hn_sine: it is smaller now. Run tools/make freeze",
-                          "function hn_new(vec2): it has no row. Run tools/make freeze",
-                          "range ridged: it is smaller now. Run tools/make freeze"])
+                          "function hn_new(vec2): it has no row. Run tools/make freeze"])
 
-    def test_bounds_of_experimental_functions_are_free_until_they_are_ready(self) -> None:
-        bounds = " ".join(name for kind, name in self.table if kind == "bound")
-        self.assertNotRegex(bounds, "phasor|gullies|distribution")
+    def test_bounds_and_ranges_of_experimental_functions_are_free_until_they_are_ready(self) -> None:
+        bounds = " ".join(name for kind, name in self.table if kind in ("bound", "range"))
+        self.assertNotRegex(bounds, "phasor|gullies|distribution|perlin_worley")
         self.assertIn(("form", "hn_phasor2"), self.table)
         with mock.patch.object(interface, "read_functions", lambda: []):
             new = {name for kind, name in interface.library().keys() - self.table.keys()}

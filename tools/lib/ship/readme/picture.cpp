@@ -34,13 +34,13 @@ constexpr int kBorder = 4;      // pixels between tiles
 
 using Tile = vec3 (*)(vec2 uv);
 constexpr Tile kTiles[] = {
-// A line may call a function that sets a cell and an offset, before a comma.
-#define TILE(...)                 \
-  [](vec2 uv) -> vec3 {           \
-    using namespace hashnoise;    \
-    [[maybe_unused]] ivec2 cell;  \
-    [[maybe_unused]] vec2 offset; \
-    return __VA_ARGS__;           \
+// A line may call a function that sets the nearest cell and an offset, before a comma.
+#define TILE(...)                   \
+  [](vec2 uv) -> vec3 {             \
+    using namespace hashnoise;      \
+    [[maybe_unused]] ivec2 nearest; \
+    [[maybe_unused]] vec2 offset;   \
+    return __VA_ARGS__;             \
   },
 #include "tiles.inc"
 };

@@ -97,7 +97,7 @@ class Picture(unittest.TestCase):
         # The simulated erosion in the pictures (simulated_erosion.hpp) is no shader.
         given = "float simulated_slope(vec2 uv) { return uv.x; }\nvec3 uneroded(vec2 uv) { return uv.xyx; }\n"
         shader = (f"#version 330\n{single_file('--strip')}{given}in vec2 uv;\nout vec4 color;\nvoid main() {{\n"
-                  f"  ivec2 cell;\n  vec2 offset;\n{lines}}}\n")
+                  f"  ivec2 nearest;\n  vec2 offset;\n{lines}}}\n")
         self.assertEqual(compile_glsl(shader).returncode, 0)
 
     def test_code_that_does_not_compile_is_told(self):

@@ -6,6 +6,7 @@ import gzip
 import hashlib
 import os
 import re
+import shutil
 import subprocess
 import tempfile
 from datetime import date
@@ -125,13 +126,12 @@ class Release:
         """The installed files of the library without compiled ones, so find_package takes it from where it is."""
         with tempfile.TemporaryDirectory() as scratch:
             log = {"stderr": subprocess.STDOUT}
-            vectors_folder()  # CMake installs them where they are made
             run(["cmake", "-S", ROOT, "-B", f"{scratch}/build", "-G", "Ninja", "-DHASHNOISE_GRID=OFF",
                  "-DHASHNOISE_CONFORMANCE=OFF", "-DHASHNOISE_TESTS=OFF", "-DHASHNOISE_INSTALL=ON",
-                 "-DCMAKE_INSTALL_LIBDIR=lib"], **log)
+                 "-DCMAKE_INSTALL_DOCDIR=."], **log)
             top = Path(scratch) / "headers" / f"hashnoise-{self.version}"
             run(["cmake", "--install", f"{scratch}/build", "--prefix", top], **log)
-            (top / "LICENSE").write_bytes((ROOT / "LICENSE").read_bytes())
+            shutil.copytree(vectors_folder(), top / "share/hashnoise/vectors", dirs_exist_ok=True)
             files = {path.relative_to(top.parent).as_posix(): path.read_bytes() for path in top.rglob("*") if path.is_file()}
             (self.folder / f"hashnoise-{self.version}-headers.zip").write_bytes(zipped(files, self.seconds))
 

@@ -155,7 +155,7 @@ class Makes(Project):
         done = subprocess.run(["g++", "-std=c++20", "-fsyntax-only", "-I", here / "include", source],
                               capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertTrue((here / "lib" / "cmake" / "hashnoise" / "hashnoise-config.cmake").is_file())
+        self.assertTrue((here / "share" / "cmake" / "hashnoise" / "hashnoise-config.cmake").is_file())
         self.assertTrue((here / "LICENSE").is_file())
         self.assertTrue((here / "share" / "hashnoise" / "vectors" / "index.json").is_file())
         self.assertFalse((here / "include" / "hashnoise" / "field.hpp").exists())  # of a library that is not there

@@ -1,5 +1,6 @@
 """Comments in space differ from those on the plane in these numbers, which do not follow from the dimension: costs, and
-bounds, which tools/make bounds --check holds against its proofs."""
+bounds, which tools/make bounds --check holds against its proofs, and ranges with the gradient of the paper, which
+reaches more than 1 in space alone."""
 
 IN_SPACE: dict[str, dict[str, str]] = {
     "cell_border2d.glsl": {
@@ -26,6 +27,11 @@ IN_SPACE: dict[str, dict[str, str]] = {
         "1.22e-4": "3.01e-4",
         "5.30e-6": "1.14e-5",
         "by y, then by x": "by z, then by y, then by x",
+    },
+    "fbm2d.glsl": {
+        "[-1, 1], mean 0": "[-1, 1], mean 0; with HN_GRADIENT_SINE, which is not scaled, [-3/2, 3/2]",
+        "creases where the noise passes 0":
+            "creases where the noise passes 0; with HN_GRADIENT_SINE, which is not scaled, [0, 3/2]",
     },
     "fbm_d2d.glsl": {
         "4 multiplications": "9 multiplications",
