@@ -76,7 +76,8 @@ def shaders() -> Iterator[Row]:
     for form in blender.FORMS:
         yield from (("blender", f"{blender.shader(form)}.{one.at.text}", f"{one.type} {DEFAULTS.get(one.at.text, 0)}")
                     for one in library.forms[form].parameters)
-        yield "blender", f"{blender.shader(form)}.value", f"output {library.forms[form].type.removeprefix('hn_')}"
+        yield from (("blender", f"{blender.shader(form)}.{name.lower()}", f"output {type_}")
+                    for name, type_ in blender.outputs(form).items())
 
 
 def catalog() -> Iterator[Row]:

@@ -58,6 +58,8 @@ CHANGES = (  # of a file; what is reported
      "default arithmetic of tools/bake: it was fixed, and is fast."),
     ("src/grid/plan.cpp", "wave[0] = 3.0f", "wave[0] = 2.0f", "default wave: it was 3.0 along x, and is 2.0 along x."),
     ("packages/blender/nodes.py", "SCALE = 5.0", "SCALE = 4.0", "blender Scale: it was 5.0, and is 4.0."),
+    ("packages/blender/nodes.py", '("F1", "F2")', '("First", "F2")',
+     "blender cellular2.f1: it was output float, and is gone."),
 )
 
 
