@@ -14,7 +14,8 @@ ARITHMETICS = {"fast": "", "fixed": "Fixed"}
 # One shader may have both arithmetics, and one program.
 NAMES = {("hlsl", "fixed"): "hn_fixed", ("csharp", "fixed"): "HashNoiseFixed"}
 NODES = asked.nodes("graphs")
-TILE = "hn_tile2"
+# All functions: shaders and scripts also have the short forms of those that take a jitter.
+FORMS = (*NODES, *(form.removesuffix("_jitter") for form in NODES if form.endswith("_jitter")), "hn_tile2")
 PORTS = {"float": "float", "int": "float", "uint": "float", "vec2": "float2", "vec3": "float3", "ivec2": "float2"}
 # A port is a float, and a seed may be any whole number that a float has.
 CONVERTED = {"int": "(int){}", "uint": "(uint)(int){}"}
@@ -31,8 +32,8 @@ def forms() -> dict[str, Function]:
 
 
 def camel(name: str) -> str:
-    """perlin2_place is PerlinTile2."""
-    words = name.removeprefix("hn_").replace("2_place", "_tile2").split("_")
+    """perlin2_place is PerlinTile2, and cellular2_jitter is Cellular2."""
+    words = name.removeprefix("hn_").removesuffix("_jitter").replace("2_place", "_tile2").split("_")
     return "".join(word[0].upper() + word[1:] for word in words)
 
 
@@ -61,4 +62,4 @@ def call(form: str, arithmetic: str) -> str:
 
 def shader(arithmetic: str) -> str:
     """A file with all functions."""
-    return picked((*NODES, TILE), "hlsl", arithmetic)
+    return picked(FORMS, "hlsl", arithmetic)

@@ -51,6 +51,10 @@ INPUTS = {
     "high": {"TYPE": "color", "DEFAULT": WHITE, "LABEL": "High"},
 }
 COMMON = ("size", "speed", "contrast", "seed"), ("low", "high")
+# The z of a position. A plane at one z would pulse once in each cell: at a whole z hills have a deviation of
+# 0.24 and at half a z of 0.28, and the mean of cells is 0.55 and 0.46. A tilted plane passes through all depths at once,
+# with 0.26 and 0.50 at any time.
+DEPTH = "TIME * speed + 0.37 * at.x + 0.53 * at.y"
 
 
 @cache
@@ -75,8 +79,8 @@ def shader(name: str) -> str:
 {text}
 void main() {{
   highp uint word = uint(seed);
-  highp vec2 at = (isf_FragNormCoord - 0.5) * vec2(RENDERSIZE.x / RENDERSIZE.y, 1.0);
-  highp vec3 p = vec3(at * size, TIME * speed);
+  highp vec2 at = size * (isf_FragNormCoord - 0.5) * vec2(RENDERSIZE.x / RENDERSIZE.y, 1.0);
+  highp vec3 p = vec3(at, {DEPTH});
   gl_FragColor = mix(low, high, clamp({look.code}, 0.0, 1.0));
 }}
 """

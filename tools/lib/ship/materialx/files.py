@@ -34,8 +34,8 @@ class Input(NamedTuple):
     said: str  # the other attributes
 
 
-AMPLITUDE = Input("amplitude", "float", 'value="1.0" uiname="Amplitude" doc="What the noise is multiplied by."')
-PIVOT = Input("pivot", "float", 'value="0.0" uiname="Pivot" doc="What is added behind that."')
+AMPLITUDE = Input("amplitude", "float", 'value="1.0" uiname="Amplitude" doc="A factor of the noise: any number."')
+PIVOT = Input("pivot", "float", 'value="0.0" uiname="Pivot" doc="A summand, behind the factor."')
 # By the names and the types of the parameters that they are for. MaterialX's own noises have the same names.
 INPUTS = {
     ("p", "vec2"): Input("texcoord", "vec2", 'defaultgeomprop="UV0" uiname="Texture Coordinates" '
@@ -48,11 +48,22 @@ INPUTS = {
     ("amplitude", "float"): Input("amplitude", "float", 'value="1.0" uiname="Amplitude"'),
     ("jitter", "float"): Input("jitter", "float", 'value="1.0" uiname="Jitter"'),
     ("metric", "int"): Input("metric", "int", f'value="1" enum="{",".join(METRICS)}" enumvalues="'
-                             f'{",".join(str(i + 1) for i in range(len(METRICS)))}" uiname="Metric"'),
+                             f'{",".join(str(i + 1) for i in range(len(METRICS)))}" uiname="Metric" '
+                             'doc="The distance: Squared is the square of the Euclidean one, Manhattan the sum of the '
+                             'sizes along the axes, Chebyshev the largest of them, and Hybrid the sum of Manhattan and '
+                             'Squared."'),
     ("seed", "uint"): Input("seed", "int", 'value="0" uiname="Seed"'),
 }
-PERIOD = Input("period", "vec2", 'value="8.0, 8.0" uiname="Period" '
-               'doc="After how many cells it repeats: whole numbers; 0 is never."')
+PERIOD = Input("period", "vec2", 'value="8.0, 8.0" uimin="0.0, 0.0" uiname="Period" '
+               'doc="After how many cells it repeats along each axis: whole numbers; 0 is never."')
+TILE_LACUNARITY = Input("lacunarity", "float", 'value="2.0" uimin="1.0" uimax="255.0" uiname="Lacunarity" '
+                        'doc="How much finer each octave is than the one before: a whole number from 1 to 255, since '
+                        'octaves have to fit into the period. Other numbers are rounded down."')
+# Their functions share the comment of the form at a position.
+TILE_DOCS = {
+    "hn_perlin2_place": "Perlin noise in a tile of the plane: it repeats after the period, without a seam.",
+    "hn_fbm2_place": "Fractional Brownian motion (fBm) in a tile of the plane: it repeats after the period, without a "
+                     "seam. Its octaves are not rotated, so it shows the axes more than hn_fbm2d does."}
 
 
 @cache
@@ -77,6 +88,8 @@ def inputs(form: str) -> list[Input]:
     for one in function.parameters:
         if one.type == "hn_place2":
             found += [INPUTS["p", "vec2"], PERIOD]
+        elif one.at.text == "lacunarity" and PERIOD in found:
+            found.append(TILE_LACUNARITY)
         else:
             found.append(described(INPUTS[one.at.text, one.type], form, one.at.text))
     names = {one.name for one in found}
@@ -155,8 +168,15 @@ def source(form: str, target: str) -> str:
 
 
 def doc(form: str) -> str:
-    """The first sentence about the function, which is before its plain form."""
-    return first_sentence(forms()[re.sub("_(full|place)$", "", form)], GLSL)
+    """The first sentence about the function, with the name of the input for the gain."""
+    if form.endswith("_place"):
+        return TILE_DOCS[form]
+    return first_sentence(forms()[form], GLSL).replace("by the gain", "by diminish")
+
+
+def definition(form: str) -> str:
+    """The name of the nodedef. As in MaterialX's own it ends with the type, which leaves room for other types."""
+    return f"ND_{node(form)}_{TYPES[forms()[form].type]}"
 
 
 def declared(form: str) -> str:
@@ -164,7 +184,7 @@ def declared(form: str) -> str:
     group = "procedural3d" if "3d" in name else "procedural2d"
     rows = "".join(f'    <input name="{one.name}" type="{TYPES[one.type]}" {one.said} />\n' for one in inputs(form))
     zero = ", ".join(["0.0"] * (int(function.type[-1]) if function.type[-1].isdigit() else 1))
-    return (f'  <nodedef name="ND_{name}" node="{name}" nodegroup="{group}" doc={quoteattr(doc(form))}>\n{rows}'
+    return (f'  <nodedef name="{definition(form)}" node="{name}" nodegroup="{group}" doc={quoteattr(doc(form))}>\n{rows}'
             f'    <output name="out" type="{TYPES[function.type]}" default="{zero}" />\n  </nodedef>\n')
 
 
@@ -176,7 +196,7 @@ def document(inside: str) -> str:
 
 def implementations(target: str) -> str:
     return document("".join(
-        f'  <implementation name="IM_{node(form)}_{target}" nodedef="ND_{node(form)}" '
+        f'  <implementation name="{definition(form).replace("ND_", "IM_", 1)}_{target}" nodedef="{definition(form)}" '
         f'file="{node(form)}.{TARGETS[target]}" function="{node(form)}" target="{target}" />\n' for form in FORMS))
 
 

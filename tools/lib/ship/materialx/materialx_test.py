@@ -36,7 +36,7 @@ class Text(unittest.TestCase):
 
     def test_a_definition_is_that_of_its_node(self) -> None:
         made = xml.fromstring(files.document(files.declared("hn_cellular2_jitter"))).find("nodedef")
-        self.assertEqual((made.get("name"), made.get("node")), ("ND_hn_cellular2d", "hn_cellular2d"))
+        self.assertEqual((made.get("name"), made.get("node")), ("ND_hn_cellular2d_vector2", "hn_cellular2d"))
         self.assertEqual([(one.get("name"), one.get("type")) for one in made.iter("input")],
                          [("texcoord", "vector2"), ("jitter", "float"), ("metric", "integer"), ("seed", "integer")])
         self.assertEqual(made.find("output").attrib, {"name": "out", "type": "vector2", "default": "0.0, 0.0"})
@@ -50,12 +50,30 @@ class Text(unittest.TestCase):
         for one in made.iter("input"):
             self.assertRegex(one.get("doc"), r"^[A-Z].*[^.]\.$")
 
+    def test_each_input_has_a_sentence_and_a_sum_names_its_inputs(self) -> None:
+        for form in files.FORMS:
+            made = xml.fromstring(files.document(files.declared(form))).find("nodedef")
+            for one in made.iter("input"):
+                self.assertRegex(one.get("doc", ""), r"^[A-Z].*[^.]\.$", f"{files.node(form)}.{one.get('name')}")
+            self.assertNotIn("gain", made.get("doc"))
+
+    def test_a_tile_is_described_as_one(self) -> None:
+        for form in ("hn_perlin2_place", "hn_fbm2_place"):
+            self.assertRegex(files.doc(form), "repeats after the period")
+        self.assertNotIn(", and rotated", files.doc("hn_fbm2_place"))
+        with self.assertRaises(KeyError):
+            files.doc("hn_value2_place")
+        lacunarity, = (one.said for one in files.inputs("hn_fbm2_place") if one.name == "lacunarity")
+        self.assertIn("a whole number from 1 to 255", lacunarity)
+        self.assertNotIn(files.TILE_LACUNARITY, files.inputs("hn_fbm2"))
+
     def test_every_target_has_an_implementation_of_its_own(self) -> None:
         """Else Metal and Slang would take that of GLSL."""
         for target in files.TARGETS:
             made = xml.fromstring(files.implementations(target)).findall("implementation")
             self.assertEqual([(one.get("nodedef"), one.get("target")) for one in made],
-                             [(f"ND_{files.node(form)}", target) for form in files.FORMS])
+                             [(files.definition(form), target) for form in files.FORMS])
+            self.assertEqual(made[0].get("name"), f"IM_hn_value2d_float_{target}")
 
     def test_a_text_has_names_of_its_own(self) -> None:
         text = files.source("hn_value2", "genglsl")
@@ -106,7 +124,7 @@ class Library(unittest.TestCase):
         found = {}
         exec(code.replace("import MaterialX as mx\n", "").replace("hashnoise-materialx-VERSION", str(self.folder)),
              {"mx": materialx()}, found)
-        self.assertIsNotNone(found["library"].getNodeDef("ND_hn_fbm2d"))
+        self.assertIsNotNone(found["library"].getNodeDef("ND_hn_fbm2d_float"))
         nodes, = re.findall(r"```xml\n(.*?)```", page, re.DOTALL)
         self.assertIn("hn_fbm2d(", self.made.shader_of(files.document(nodes), "height"))
 

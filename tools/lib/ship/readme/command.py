@@ -52,6 +52,7 @@ SUMS = "docs/reference/fractals.md"
 CONFORMANCE = "docs/guide/conformance.md"
 MOVING = "docs/guide/moving.md"
 LANGUAGES = "docs/guide/languages.md"
+ENGINES = "docs/guide/engines.md"
 HASHES = "docs/measured/hashes.md"
 JUDGE = "docs/measured/judge.md"
 UNIFORM = "docs/guide/uniform.md"
@@ -88,6 +89,7 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             (HASHES, "tools/make readme: hashes", hashes.hash_table(hashes.record())),
             (JUDGE, "tools/make readme: judged", of_noises.judge_table(of_noises.read())),
             (SILICON, "tools/make readme: circuits", of_circuits.table(circuits)),
+            (ENGINES, "tools/make readme: nodes", files.nodes_table()),
             ("packages/blender/README.md", "tools/make readme: nodes", blender.node_table()),
             ("packages/materialx/README.md", "tools/make readme: nodes", materialx.node_table()),
             ("packages/unity/README.md", "tools/make readme: nodes", unity.node_table()),

@@ -1,4 +1,4 @@
-"""Which file has which function."""
+"""Which file has which function, and which package a node of it."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import functools
 import re
 
 from base.tree import GLSL
+from catalog import asked
 from catalog.tables import glsl
 from catalog.tables.markdown import table
 from translate.pick.command import ARITHMETICS, SYNTAXES, Choice, picker, read_library
@@ -14,6 +15,8 @@ from translate.pick.shading import LANGUAGES
 from translate.single_file.files import text
 
 DIMENSIONS = re.compile(r"(\d)d\.glsl$")
+NODE = re.compile(r"(hn_\w+?)(\d)(?:_jitter|(_place))?")
+GRAPHS = {"graphs": "Unity, Unreal", "blender": "Blender", "materialx": "MaterialX"}
 
 
 @functools.cache
@@ -32,6 +35,20 @@ def files_table() -> str:
             files[match[1] if match else "*"].append(f"`{file}` {size(file)}")
         rows.setdefault(tuple(", ".join(of) for of in files.values()), []).append(f"`{function}`")
     return table(("", "1D", "2D", "3D", "4D", "all"), [[", ".join(functions), *cells] for cells, functions in rows.items()])
+
+
+def nodes_table() -> str:
+    """Of packages for graphs of shaders. A row has the functions with the same cells."""
+    sizes: dict[str, dict[str, list[str]]] = {}
+    for who in GRAPHS:
+        for form in asked.nodes(who):
+            name, size, place = NODE.fullmatch(form).groups()
+            of = sizes.setdefault(f"`{name}`{' in a tile' if place else ''}", {one: [] for one in GRAPHS})
+            of[who].append(f"{size}D")
+    rows: dict[tuple[str, ...], list[str]] = {}
+    for name, of in sizes.items():
+        rows.setdefault(tuple(", ".join(cell) for cell in of.values()), []).append(name)
+    return table(("", *GRAPHS.values()), [[", ".join(names), *cells] for cells, names in rows.items()])
 
 
 # The functions whose size the page states, and their files.

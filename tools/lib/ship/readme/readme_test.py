@@ -171,6 +171,15 @@ class Numbers(unittest.TestCase):
             self.assertEqual(stop.exception.code, 2)
 
 
+class Nodes(unittest.TestCase):
+    def test_a_row_has_the_functions_that_the_same_packages_have(self):
+        nodes = {"graphs": ("hn_perlin2", "hn_cell_border2_jitter", "hn_perlin2_place"), "materialx": ("hn_perlin2_place",),
+                 "blender": ("hn_cell_border2_jitter", "hn_perlin2", "hn_perlin3")}
+        with mock.patch.object(files.asked, "nodes", nodes.get):
+            self.assertEqual(files.nodes_table().splitlines()[2:], [
+                "| `hn_perlin` | 2D | 2D, 3D | |", "| `hn_cell_border` | 2D | 2D | |", "| `hn_perlin` in a tile | 2D | | 2D |"])
+
+
 class Code(unittest.TestCase):
     def test_shaders_compile_without_a_warning(self):
         self.assertGreaterEqual(len(blocks("glsl")), 5)

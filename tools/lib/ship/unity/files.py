@@ -9,14 +9,14 @@ from pathlib import PurePosixPath
 
 from base.tree import ROOT
 from catalog.tables.markdown import table
-from ship.hlsl_nodes import ARITHMETICS, NODES, PORTS, TILE, call, camel, forms, picked, ports, shader
+from ship.hlsl_nodes import ARITHMETICS, FORMS, NODES, PORTS, call, camel, forms, picked, ports, shader
 from ship.packing import of_npm, own_files
 from ship.recipes import RECIPES
 
 PACKAGE = ROOT / "packages" / "unity"
 NAME = RECIPES["unity"].name
 # C# has slopes, too, for normals, and exact places.
-SCRIPTS = (*NODES, TILE, "hn_place_in_cell2", "hn_perlin_d2", "hn_simplex_d2", "hn_fbm_d2")
+SCRIPTS = (*FORMS, "hn_place_in_cell2", "hn_perlin_d2", "hn_simplex_d2", "hn_fbm_d2")
 
 
 def node(form: str, arithmetic: str) -> str:

@@ -58,7 +58,11 @@ float4 UnityObjectToClipPos(float4 p) { return mul(unity_ObjectToWorld, p); }
 class Text(unittest.TestCase):
     def test_a_node_has_a_name_and_ports(self) -> None:
         for form, name, ports in (("hn_perlin2", "Perlin2", [("float2", "Position"), ("float", "Seed")]),
-                                  ("hn_cell_border2", "CellBorder2", [("float2", "Position"), ("float", "Seed")]),
+                                  ("hn_cell_border3_jitter", "CellBorder3",
+                                   [("float3", "Position"), ("float", "Jitter"), ("float", "Seed")]),
+                                  ("hn_cellular2_jitter", "Cellular2",
+                                   [("float2", "Position"), ("float", "Jitter"), ("float", "Metric"),
+                                    ("float", "Seed")]),
                                   ("hn_perlin2_place", "PerlinTile2",
                                    [("float2", "Position"), ("float2", "Period"), ("float", "Seed")])):
             with self.subTest(form):
@@ -69,10 +73,12 @@ class Text(unittest.TestCase):
         self.assertIn("void HashNoisePerlinTile2_float(float2 Position, float2 Period, float Seed, out float Out) {\n"
                       "  Out = hn_perlin(hn_tile(Position, (int2)Period), (uint)(int)Seed);\n}\n",
                       files.node("hn_perlin2_place", "fast"))
-        self.assertIn("void HashNoiseCellular2_half(half2 Position, half Seed, out half2 Out) {\n",
-                      files.node("hn_cellular2", "fast"))
-        self.assertEqual(files.node("hn_cellular2", "fixed").count("void HashNoiseFixedCellular2_float("), 1)
-        self.assertNotIn("half", files.node("hn_cellular2", "fixed"))
+        self.assertIn("  Out = hn_cellular(Position, Jitter, (int)Metric, (uint)(int)Seed);\n}\n"
+                      "void HashNoiseCellular2_half(half2 Position, half Jitter, half Metric, half Seed, "
+                      "out half2 Out) {\n", files.node("hn_cellular2_jitter", "fast"))
+        fixed = files.node("hn_cellular2_jitter", "fixed")
+        self.assertEqual(fixed.count("void HashNoiseFixedCellular2_float("), 1)
+        self.assertNotIn("half", fixed)
 
     def test_what_unity_imports_is_each_file_and_folder_but_samples(self) -> None:
         self.assertEqual(files.seen(["a/b.cs", "package.json", "Samples~/c/d.cs"]), ["a", "a/b.cs", "package.json"])
@@ -214,18 +220,18 @@ class Normal {{
         _, block = self.blocks("hlsl")
         main = (f'#include "Packages/{files.NAME}/Shaders/HashNoise.hlsl"\n{block}'
                 "float4 frag(float2 uv : TEXCOORD0) : SV_Target {\n  float n;\n"
-                "  Clouds3_float(float3(uv, 0.5), 6, 2, 0.5, 7, n);\n  return n + hn_perlin(uv, 7u);\n}\n")
+                "  Hybrid3_float(float3(uv, 0.5), 6, 2, 0.5, 7, n);\n  return n + hn_perlin(uv, 7u);\n}\n")
         self.assertEqual(self.refusals("frag", "frag", main), {})
         (self.root / "both.cs").write_text("""class Both {
-    static float At(float x) { return Clouds.Clouds3(x, 0f, 0f, 6, 2f, 0.5f, 7u) + HashNoise.Perlin2(x, 0f, 7u); }
+    static float At(float x) { return Hybrid.Hybrid3(x, 0f, 0f, 6, 2f, 0.5f, 7u) + HashNoise.Perlin2(x, 0f, 7u); }
 }
 """)
         (self.root / "engine.cs").write_text(ENGINE)
         self.run_in("mcs", "-langversion:7.2", "-target:library", "-out:both.dll", "engine.cs", "both.cs",
-                    "Assets/Clouds.cs", *self.scripts())
-        shared = self.root / "Assets" / "Clouds.hlsl"
+                    "Assets/Hybrid.cs", *self.scripts())
+        shared = self.root / "Assets" / "Hybrid.hlsl"
         shared.write_text(re.sub(r"\bmy_", "hn_", shared.read_text()))
-        self.assertIn("glslang", self.refusals("frag", "frag", main.replace("my_clouds", "hn_clouds")))
+        self.assertIn("glslang", self.refusals("frag", "frag", main.replace("my_hybrid", "hn_hybrid")))
 
 
 if __name__ == "__main__":

@@ -68,7 +68,8 @@ class Text(unittest.TestCase):
         for form, code, output in (
                 ("hn_fbm3", "return hn_fbm(Position, (int)Octaves, Lacunarity, Gain, (uint)(int)Seed);",
                  "CMOT Float 1"),
-                ("hn_cellular2", "return hn_cellular(Position, (uint)(int)Seed);", "CMOT Float 2"),
+                ("hn_cellular2_jitter", "return hn_cellular(Position, Jitter, (int)Metric, (uint)(int)Seed);",
+                 "CMOT Float 2"),
                 ("hn_perlin2_place", "return hn_perlin(hn_tile(Position, (int2)Period), (uint)(int)Seed);",
                  "CMOT Float 1")):
             self.assertEqual((files.code(form), files.output(form)), (code, output))
@@ -134,7 +135,7 @@ class Plugin(unittest.TestCase):
 
     def test_a_position_of_four_components_is_an_error_where_there_is_2d_and_3d(self) -> None:
         for type_ in ("float", "float4"):
-            for code, refused in (("hn_perlin(Position, 7u)", True), ("hn_cell_border(Position, 7u)", False)):
+            for code, refused in (("hn_perlin(Position, 7u)", True), ("hn_perlin(hn_tile(Position, 8), 7u)", False)):
                 found = self.refusals('#include "/HashNoise/HashNoise.ush"\n'
                                       f"float Node({type_} Position) {{ return {code}; }}\n"
                                       "float4 Main(float2 uv : TEXCOORD0) : SV_Target { return Node(uv.x); }\n")
@@ -149,7 +150,7 @@ class Plugin(unittest.TestCase):
         subprocess.run([TOOLS / "pick", *words], cwd=self.folder, check=True, stdout=subprocess.DEVNULL)
         code = re.search(r"`(return my_.*?)`", page)[1]
         self.assertEqual(self.refusals(
-            '#include "/HashNoise/HashNoise.ush"\n#include "/HashNoise/Clouds.ush"\n'
+            '#include "/HashNoise/HashNoise.ush"\n#include "/HashNoise/Hybrid.ush"\n'
             f"float Node(float3 Position, float Octaves, float Lacunarity, float Gain, float Seed) {{\n{code}\n}}\n"
             "float4 Main(float2 uv : TEXCOORD0) : SV_Target {\n"
             "  return Node(float3(uv, 0.5), 6, 2, 0.5, 7) + hn_perlin(uv, 7u);\n}\n"), {})
