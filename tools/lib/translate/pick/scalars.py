@@ -28,6 +28,8 @@ from translate.names import PASSED, wgsl_name
 
 CONSTANT = re.compile(rf"\b(?:{'|'.join(PASSED.values())})\w+")
 ROOM = 84  # for components in one line
+# What users call distances, as in Field, in Python and in tools/bake, by the catalog's names.
+DISTANCES = {"first": "f1", "second": "f2", "third": "f3"}
 NEGATED = {"<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "=="}  # of whole numbers
 
 
@@ -185,6 +187,7 @@ class Syntax:
         self.precise = precise
         self.used: set[str] = set()           # helpers
         self.function_now = ""                # the name of the one that is written
+        self.is_public_now = False            # whether users call it
         self.set_structs: frozenset[str] = frozenset()  # parameters of it
 
     # Names.
@@ -663,6 +666,7 @@ def components(function: Function) -> Sequence[str]:
     """The names of the components of its result: those of a vector are its axes."""
     is_mean_with_slopes = function.name == "hn_mean" and function.types[1:] and "slopes" in function.types[1]
     given = _results().get("hn_fbm_d" if is_mean_with_slopes else function.name, AXES)
+    given = tuple(DISTANCES.get(name, name) for name in given)
     return expanded(given, SIZES[function.type] - 1) if len(given) > 1 and function.type in SIZES else AXES
 
 
@@ -688,7 +692,7 @@ def _function(evaluated: Evaluated, name: str, is_public: bool, syntax: Syntax,
     beside = [one.name for one in results[function.type != "void":]] if syntax.sets_parameters else []
     writer = Scalars(syntax, structs, evaluated.block, evaluated.evaluation.hints,
                      evaluated.evaluation.axes, [*parameters, *beside, *snake], names, results)
-    syntax.function_now = name
+    syntax.function_now, syntax.is_public_now = name, is_public
     syntax.set_structs = frozenset(syntax.variable(one.at.text) for one in evaluated.parameters if one.is_set)
     lines = writer.lines()
     changed = writer.changed_parameters()

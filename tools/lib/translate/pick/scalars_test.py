@@ -13,6 +13,7 @@ from translate.pick import command
 from translate.pick.c import C
 from translate.pick.csharp import CSharp
 from translate.pick.evaluate import Module
+from translate.pick.java import Java
 from translate.pick.javascript import JavaScript, TypeScript
 from translate.pick.program import Program, chosen, read
 from translate.pick.runners import RUNNERS, NotInstalled
@@ -98,9 +99,9 @@ class InCSharp(unittest.TestCase):
         cases = {"hn_perlin_d2": "float Value, float Dx, float Dy", "hn_value_d1": "float Value, float Dx",
                  "hn_fbm_d3": "float Value, float Dx, float Dy, float Dz",
                  "hn_mean2_slopes": "float Value, float Dx, float Dy", "hn_gullies2": "float Value, float Dx, float Dy",
-                 "hn_cellular_d2": "float Value, float Dx, float Dy", "hn_cellular2": "float First, float Second",
-                 "hn_cellular_three3": "float First, float Second, float Third",
-                 "hn_cellular2_nearest": "(float First, float Second) Value, (int X, int Y) Nearest, (float X, float Y) "
+                 "hn_cellular_d2": "float Value, float Dx, float Dy", "hn_cellular2": "float F1, float F2",
+                 "hn_cellular_three3": "float F1, float F2, float F3",
+                 "hn_cellular2_nearest": "(float F1, float F2) Value, (int X, int Y) Nearest, (float X, float Y) "
                                          "Offset",
                  "hn_phasor2": "float Value, float Quadrature", "hn_uniform_d": "float Value, float Slope",
                  "hn_mean2_shifts": "float X, float Y", "hn_warp3": "float X, float Y, float Z",
@@ -109,6 +110,28 @@ class InCSharp(unittest.TestCase):
             with self.subTest(name):
                 shown = " ".join(text(Program(of, chosen(of, [name])), CSharp()).split())
                 self.assertIn(f"public static ({returned}) {CSharp().function_name(name, True)}(", shown)
+
+
+class InJava(unittest.TestCase):
+    def test_results_that_are_no_vectors_have_records_of_their_own(self) -> None:
+        of = library()
+        cases = {"hn_perlin_d2": "Derivatives2(float value, float dx, float dy)",
+                 "hn_value_d1": "Derivatives1(float value, float dx)",
+                 "hn_fbm_d3": "Derivatives3(float value, float dx, float dy, float dz)",
+                 "hn_mean2_slopes": "Derivatives2(float value, float dx, float dy)",
+                 "hn_cellular2": "Distances2(float f1, float f2)",
+                 "hn_cellular_three3": "Distances3(float f1, float f2, float f3)",
+                 "hn_cellular2_nearest": "Cellular2NearestResult(Distances2 value, Int2 nearest, Float2 offset)",
+                 "hn_phasor2": "ValueQuadrature(float value, float quadrature)",
+                 "hn_uniform_d": "ValueSlope(float value, float slope)",
+                 "hn_warp3": "Float3(float x, float y, float z)", "hn_circle": "Float2(float x, float y)"}
+        for name, returned in cases.items():
+            with self.subTest(name):
+                shown = " ".join(text(Program(of, chosen(of, [name])), Java()).split())
+                self.assertIn(f"public static {returned.partition('(')[0]} {Java().function_name(name, True)}(", shown)
+                self.assertIn(f"record {returned} {{", shown)
+        alone = text(Program(of, chosen(of, ["hn_uniform_d"])), Java())
+        self.assertNotIn("Float2", alone)  # a record that nothing uses is left out
 
 
 class InTypeScript(unittest.TestCase):
