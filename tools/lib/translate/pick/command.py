@@ -105,9 +105,9 @@ class Choice:
         return settings_of(self.arithmetic, self.hash, self.gradient, self.hash_function)
 
     def options(self) -> list[str]:
-        """The options that are given."""
+        """The options that are given, and always the arithmetic: who reads a text has to see that it is the server's."""
         given = ((field.name, getattr(self, field.name), field.default) for field in fields(self))
-        return [word for name, value, default in given if value != default
+        return [word for name, value, default in given if value != default or name == "arithmetic"
                 for word in (f"--{name.replace('_', '-')}", value)]
 
     def check(self) -> None:
@@ -195,17 +195,17 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
             from translate.pick import scalars
             written = syntax(precise)
             written.name = choice.name or written.name
-            return scalars.text(made, written, facts(made, library, False), origin(command))
+            return scalars.text(made, written, facts(made, library, False, choice.knobs), origin(command))
         if choice.language == TSL:
             from translate.pick import tsl
-            return tsl.text(made, facts(made, library, True), origin(command))
+            return tsl.text(made, facts(made, library, True, choice.knobs), origin(command))
         code = made.text(language, precise, with_seedless=True)
         renamed = renaming(code, choice)
         code = renamed(code)
         if language.is_included:
             name = guard(wgsl_name(made.roots[0].function), code)
             code = f"#ifndef {name}\n#define {name}\n{code}#endif\n"
-        return imported_as(choice.import_path) + heading(made, language, command, library, renamed) + code
+        return imported_as(choice.import_path) + heading(made, language, command, library, choice.knobs, renamed) + code
 
     return pick
 

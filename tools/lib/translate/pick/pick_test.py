@@ -480,6 +480,50 @@ class Comments(unittest.TestCase):
                      "the metric.", "in [0, 1.1181]", "on average 0.43 and 0.70", "at most 3.53e-6"):
             self.assertIn(part, shown)
 
+    OF_ARITHMETICS = re.compile(r"HN_(?:FAST|FIXED|PRECISE|GRADIENT)\w*")
+
+    def test_they_have_one_arithmetic_and_one_gradient(self) -> None:
+        """The number that all return, hn_self_check, is of none."""
+        known = {name: function for name, function in module("fast").forms.items() if name != "hn_self_check"}
+        for arithmetic, gradient in itertools.product(command.ARITHMETICS, ("octahedral", "sine")):
+            knobs = command.Choice(arithmetic=arithmetic, gradient=gradient).knobs
+            for name, function in known.items():
+                facts = comments.facts(function, GLSL, True, knobs)
+                for shown in (facts.what, *facts.parameters.values(), facts.returns, facts.error):
+                    self.assertNotRegex(shown, self.OF_ARITHMETICS, f"{name}, {arithmetic}, {gradient}")
+        of_all = [comments.facts(function, GLSL, True) for function in known.values()]
+        self.assertGreater(sum(bool(self.OF_ARITHMETICS.search(f"{one.returns} {one.error}")) for one in of_all), 100)
+
+    def test_errors_and_limits_are_those_of_the_arithmetic(self) -> None:
+        def of(name: str, arithmetic: str, gradient: str = "octahedral") -> comments.Facts:
+            return comments.facts(module("fast").forms[name], GLSL, True,
+                                  command.Choice(arithmetic=arithmetic, gradient=gradient).knobs)
+
+        limits = ("It takes a gain above 1 as 1, a lacunarity outside [0, 255] as 0 or 255, and more than 32 octaves as "
+                  "32.")
+        for arithmetic, gain in (("fast", "; not negative, and the sum of its powers below 2^126"), ("fixed", ""),
+                                 ("precise", "; not negative, and the sum of its powers below 2^100")):
+            facts = of("hn_fbm2", arithmetic)
+            self.assertEqual(facts.parameters["gain"], f"ratio of amplitudes (persistence), usually 0.5{gain}")
+            self.assertEqual(facts.what.endswith(limits), arithmetic == "fixed")
+        self.assertEqual(facts.error, "at a position it grows with |p| * lacunarity^octaves, since a float rounds the "
+                         "positions; at a place it does not")
+        self.assertEqual(of("hn_fbm2", "fixed").error, "it does not grow with the coordinates")
+        for name, arithmetic, gradient, error in (
+                ("hn_perlin2", "fixed", "octahedral", "at most 4.30e-5 against the exact value"),
+                ("hn_perlin2", "fixed", "sine", "at most 7.99e-5 against the exact value"),
+                ("hn_perlin2", "fast", "octahedral", "at most 2.67e-6 against the exact value, in any rounding mode. "
+                 "From a cell at most 2.44e-6"),
+                ("hn_perlin2", "fast", "sine", "at most 4.58e-6 against the exact value, in any rounding mode. "
+                 "From a cell at most 4.36e-6"),
+                ("hn_cellular_d2", "fixed", "octahedral", "that of hn_cellular, and of a derivative at most 1.08e-5 divided "
+                 "by the distance"),
+                ("hn_clouds2", "fixed", "octahedral", "3 times that of hn_fbm, plus 2.6e-5"),
+                ("hn_gradient_lattice2", "fixed", "sine", "less than 3.7e-5")):
+            self.assertEqual(of(name, arithmetic, gradient).error, error, name)
+        self.assertTrue(of("hn_perlin2", "fixed", "sine").returns.startswith(
+            "[-1, 1], which is not scaled, mean 0, 0 at lattice points, "))
+
     def test_no_constant_is_named_that_a_text_lacks(self) -> None:
         """In languages of the CPU, but for what is passed to hn_distribution: its own text has that."""
         of_library = {name: module("fast").constant(name).at.text for name in module("fast").constants if is_passed(name)}
@@ -735,7 +779,7 @@ class Command(unittest.TestCase):
                 ("go", "terrain", "package terrain\n", "Example: `terrain.Lattice2(3, -5, 7)`")):
             with self.subTest(language):
                 shown = self.call("hn_lattice2", "--language", language, "--name", name)[1]
-                self.assertIn(f"by: tools/pick hn_lattice2 --language {language} --name {name}\n", shown)
+                self.assertIn(f"by: tools/pick hn_lattice2 --language {language} --arithmetic fast --name {name}\n", shown)
                 self.assertIn(begins, shown)
                 self.assertIn(example, shown)
                 self.assertNotIn("hashnoise", shown.partition("by:")[2].lower().replace("the hashnoise authors", ""))
