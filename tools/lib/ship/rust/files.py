@@ -84,9 +84,10 @@ def facts_of(program: Program, arithmetic: str) -> list[Facts]:
         text = MAKERS.sub("", text)
         return re.sub(r"\bhn_[a-z_]\w*", named, text.replace("hn_place(", f"Place{n}::in_cell("))
 
+    knobs = command.Choice(arithmetic=arithmetic).knobs
     return [Facts(texts(root.function, one.what), {name: texts(root.function, text) for name, text in one.parameters.items()},
                   texts(root.function, one.returns), texts(root.function, one.error))
-            for root, one in zip(program.roots, facts(program, GLSL, False, command.Choice(arithmetic=arithmetic).knobs))]
+            for root, one in zip(program.roots, facts(program, GLSL, False, knobs))]
 
 
 def written(made: Made) -> str:

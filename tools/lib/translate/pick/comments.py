@@ -139,8 +139,8 @@ def facts(function: Function, library: Path, has_overloads: bool, knobs: Setting
     returns = "" if function.type == "void" else found.entries.get("returns", "")
     what, error = found.what, found.entries.get("error", "")
     if knobs.arithmetic == "HN_FIXED" and (limits := found.entries.get("HN_FIXED", "")):
-        limits, _, rest = limits.rstrip(".").partition(f". {NO_GROWTH}")
-        what, error = f"{what} It {limits}.", error if rest == limits else NO_GROWTH_OF.sub("it does not grow with the coordinates", error)
+        what = f"{what} It {limits.partition('. ')[0]}."
+        error = NO_GROWTH_OF.sub(NO_GROWTH, error)  # hn_fbm states it, and is hn_octaves at the same position
     return Facts(of_knobs(without_references(what), knobs),
                  {one.at.text: of_knobs(_parameter(one, found.entries.get(one.at.text, ""), seedless), knobs)
                   for one in function.parameters},
@@ -176,12 +176,12 @@ OF_SINE = (
     (r"; with HN_GRADIENT_SINE, ", "; "),
 )
 NO_SINE = ((r"; (?:with )?HN_GRADIENT_SINE.*?(?=;|\. |$)", ""),)
-NO_GROWTH = "The error does not grow with"
+NO_GROWTH = "it does not grow with the coordinates"
 NO_GROWTH_OF = re.compile(r"at a position it grows with (?=\|p\|).*")
 
 
 def of_knobs(text: str, knobs: Settings) -> str:
-    """What holds with these alone."""
+    """The part that holds with these alone."""
     if not knobs.arithmetic:
         return text
     for pattern, by in OF_SINE if knobs.gradient == "SINE" else NO_SINE:

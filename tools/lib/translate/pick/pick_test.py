@@ -739,6 +739,15 @@ class Command(unittest.TestCase):
             self.assertEqual(self.call("hn_value2", "--out", str(path)), (0, f"{path}\n"))
             self.assertTrue(code(path.read_text()).startswith(text("hn_value2")))
 
+    def test_output_that_cannot_be_written_is_an_error(self) -> None:
+        for redirection, reason in ((">/dev/full", "No space left on device"), (">&-", "Bad file descriptor")):
+            for command_ in (f"pick hn_random2 {redirection}", f"pick whole random2d.glsl {redirection}"):
+                with self.subTest(command_):
+                    done = subprocess.run(["bash", "-c", f"{TOOLS}/{command_}"], capture_output=True, text=True, check=False)
+                    name = command_.partition(" ")[0] + " whole" * ("whole" in command_)
+                    self.assertEqual((done.returncode, done.stderr),
+                                     (2, f"tools/{name}: cannot write the standard output: {reason}\n"))
+
     def test_a_sum_over_another_noise_is_that_of_a_library_which_sums_it(self) -> None:
         with tempfile.TemporaryDirectory() as folder:
             library = Path(folder) / "glsl"
@@ -809,6 +818,13 @@ class Command(unittest.TestCase):
         self.assertIn("; in a tile that is hn_perlin2_tile\n", self.call("hn_perlin")[1])
         self.assertIn("there is no function hn_ball2_place", self.call("hn_ball2_tile")[1])
 
+    def test_a_name_that_the_text_does_not_have_is_taken(self) -> None:
+        for language, name in (("java", "Float2"), ("csharp", "Perlin2"), ("go", "noise")):
+            self.assertEqual(self.call("hn_value2", "--language", language, "--name", name)[0], 0, name)
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "Terrain.java"
+            self.assertEqual(self.call("hn_value2", "--language", "java", "--name", "Terrain", "--out", str(path))[0], 0)
+
     def test_bad_usage(self) -> None:
         for arguments, message in (((), "name functions"), (("--list", "hn_value2"), "name functions"),
                                    (("hn_perln2",), "there is no function hn_perln2 (did you mean hn_perlin2"),
@@ -849,7 +865,22 @@ class Command(unittest.TestCase):
                                    (("hn_value2", "--language", "rust", "--name", "mine"), "a module of any name"),
                                    (("hn_value2", "--language", "java", "--name", "a-b"), "such as Terrain, not 'a-b'"),
                                    (("hn_value2", "--language", "hlsl", "--name", "my_"), "single underscores"),
-                                   (("hn_value2", "--language", "go", "--name", "func"), "a word of the language"),
+                                   (("hn_value2", "--language", "go", "--name", "func"),
+                                    "--name func is a word of the language, or a name in the text"),
+                                   (("hn_value2", "--language", "go", "--name", "math"),
+                                    "--name math is a word of the language, or a name in the text"),
+                                   (("hn_value2", "--language", "csharp", "--name", "Value2"),
+                                    "--name Value2 is a word of the language, or a name in the text"),
+                                   (("hn_value2", "--language", "csharp", "--name", "System"),
+                                    "--name System is a word of the language, or a name in the text"),
+                                   (("hn_value2", "--language", "java", "--name", "Math"),
+                                    "--name Math is a word of the language, or a name in the text"),
+                                   (("hn_circle", "--language", "java", "--name", "Float2"),
+                                    "--name Float2 is a word of the language, or a name in the text"),
+                                   (("hn_value2_place", "--language", "java", "--name", "Place2"),
+                                    "--name Place2 is a word of the language, or a name in the text"),
+                                   (("hn_value2", "--language", "java", "--out", "/nowhere/Terrain.java"),
+                                    "Terrain.java has to have a public class of its name: add --name Terrain"),
                                    (("hn_value2", "--list"), "or ask for --list"),
                                    (("hn_value2", "--glsl", "/nowhere"), "/nowhere")):
             with self.subTest(arguments):

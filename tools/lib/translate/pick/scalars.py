@@ -28,7 +28,7 @@ from translate.names import PASSED, wgsl_name
 
 CONSTANT = re.compile(rf"\b(?:{'|'.join(PASSED.values())})\w+")
 ROOM = 84  # for components in one line
-# What users call distances, as in Field, in Python and in tools/bake, by the catalog's names.
+# Users call distances so in Field, in Python and in tools/bake, by the catalog's names.
 DISTANCES = {"first": "f1", "second": "f2", "third": "f3"}
 NEGATED = {"<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "=="}  # of whole numbers
 
