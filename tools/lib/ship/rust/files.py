@@ -19,7 +19,7 @@ from translate.pick import command
 from translate.pick.comments import Facts
 from translate.pick.evaluate import Module
 from translate.pick.program import Program, facts, name_of, names, read
-from translate.pick.rust import MADE_BY, Rust
+from translate.pick.rust import Rust
 from translate.pick.scalars import Part, bare, text
 
 PACKAGE = ROOT / "packages" / "rust"
@@ -41,8 +41,11 @@ class OfCrate(Rust):
     A place can be compared alike with floats and with integers."""
     passed = "/// A metric of cellular noise.\npub const {}: i32 = {};"
 
+    def struct_comment(self, name: str) -> str:
+        return ""
+
     def struct(self, name: str, fields: Sequence[Part]) -> str:
-        shown = super().struct(name, fields).removeprefix(f"/// {MADE_BY}\n")
+        shown = super().struct(name, fields)
         return shown.replace("    pub ", "    pub(crate) ").replace(", Eq)]", ")]")
 
 

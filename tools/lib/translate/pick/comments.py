@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from catalog.tables.glsl import Declaration, declarations
+from translate.names import OF_AXES
 from translate.parsing.syntax import Function, Parameter
 from translate.pick.values import SIZES, scalar_of
 from translate.settings import NO_SETTINGS, Settings
@@ -196,6 +197,25 @@ def of_knobs(text: str, knobs: Settings) -> str:
 
 def first_sentence(function: Function, library: Path) -> str:
     return re.split(r"\.(?: |$)", facts(function, library, False).what)[0] + "."
+
+
+# Structs that users see, by how their names begin: {} stands for the functions that make one.
+STRUCTS = {
+    "hn_place": "Where noise is evaluated, made by {} and others. Later versions keep the cell of these fields.",
+    "hn_i_octave_sum": "A part of octaves, whose fields later versions may change.",
+    "hn_octaves": "The octaves of a loop, made by {} and others. Later versions keep the place and the seed of these fields.",
+    "hn_slopes": "The sum of the derivatives of a loop, made by {}, whose fields later versions may change.",
+    "hn_shifts": "The sum of the displacements of a loop, made by {}, whose fields later versions may change.",
+    "hn_derivatives": "A result and its derivatives.",
+    "hn_hexes": "The three hexagons that overlap at a position, a component for each."}
+MAKERS = {"place": "in_cell", "octaves": "of", "slopes": "of", "shifts": "of"}
+
+
+def of_struct(name: str, called: Callable[[str], str]) -> str:
+    """The comment of a struct. `called` writes the name of a function."""
+    text = next((text for begin, text in STRUCTS.items() if name.startswith(begin)), "")
+    found = OF_AXES.fullmatch(name)
+    return text.format(called(f"hn_{found[1]}_{MAKERS[found[1]]}{found[2]}")) if found else text
 
 
 # Examples: what is passed, a number for each component; where there is no number, a variable of that name.

@@ -11,12 +11,14 @@ from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, block_comm
 from translate.pick.values import AXES, SIZES, scalar_of
 
 UNSIGNED = {"/": "divideUnsigned", "%": "remainderUnsigned"}
+RECORD = re.compile(r"public record (\w+)\(")
 # Records of results that are no vectors, by their first and last components; a number is that of the dimensions.
 RECORDS = {("value", "d"): "Derivatives", ("f1", "f"): "Distances", ("value", "quadrature"): "ValueQuadrature",
            ("value", "slope"): "ValueSlope"}
 
 
 class Java(Syntax):
+    word = "int: its 32 bits, so Integer.remainderUnsigned(h, n) is a number below n"
     name = "HashNoise"  # of the class
     example_of = "{}."
     passed = "public static final int {} = {};"
@@ -151,13 +153,21 @@ private static int toWord(float x) {
         return f"public static final class {self.type_name(name)} {{\n{textwrap.indent(''.join(parts), ' ' * 4)}}}\n"
 
     def documented(self, name: str, facts: Facts) -> list[str]:
-        return block_comment(facts, "@return")
+        return block_comment(facts, "@return", "<p>")
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
-        def is_used(part: str) -> bool:
-            """Vectors that became the records of results are not."""
-            record = re.match(r"public record (\w+)\(", part)
-            return not record or any(re.search(rf"\b{record[1]}\b", other) for other in parts if other is not part)
-
-        parts = [part for part in parts if is_used(part)]
-        return super().file(heading, names, [f"public final class {self.name} {{\n{indented(parts)}}}\n"])
+        """Records that users do not get are private, and those that nothing uses are left out: vectors that became the
+        records of results."""
+        records = {found[1]: part for part in parts if (found := RECORD.match(part))}
+        others = "".join(part for part in parts if not RECORD.match(part))
+        heads = " ".join(re.findall(r"(?s)(?:^|\n)public static [^{;]*\(.*?\{", others))
+        for name, part in reversed(records.items()):  # a record has those before it
+            heads += part.partition(")")[0] if re.search(rf"\b{name}\b", heads) else ""
+        written = []
+        for part in parts:
+            found = RECORD.match(part)
+            is_public = not found or re.search(rf"\b{found[1]}\b", heads)
+            if is_public or any(re.search(rf"\b{found[1]}\b", other) for other in parts if other is not part):
+                written.append(part if is_public else part.replace("public", "private", 1))
+        about = "/** Procedural noise. */\n"
+        return super().file(heading, names, [f"{about}public final class {self.name} {{\n{indented(written)}}}\n"])

@@ -547,7 +547,7 @@ class Comments(unittest.TestCase):
             shown = self.comment(self.pick(["hn_fbm2"], command.Choice(language, "fixed")))
             for name in ("x", "y", "octaves", "lacunarity", "gain", "seed"):
                 with self.subTest(name, language=language):
-                    self.assertRegex(shown, rf'(?:@param |name="|- |, ){name}\b')
+                    self.assertRegex(shown, rf'(?:@param (?:{{\w+}} )?|name="|- |, ){name}\b')
             self.assertIn("usually 4 to 8", shown)
 
     def compiled(self, call: str, name: str, shown: str) -> subprocess.CompletedProcess[str]:

@@ -469,7 +469,9 @@ def heading(program: Program, language: Language, command: str, library: Path, k
 
 
 def origin(command: str) -> list[str]:
-    return [f" Of hashnoise {version()}, by: {command}", " Copyright (c) 2026 The hashnoise authors; MIT License."]
+    return [*textwrap.wrap(f" Of hashnoise {version()}, by: {command}", 118, subsequent_indent="     ",
+                           break_long_words=False, break_on_hyphens=False),
+            " Copyright (c) 2026 The hashnoise authors; MIT License."]
 
 
 def facts(program: Program, library: Path, may_lack_seed: bool, knobs: Settings) -> list[Facts]:
