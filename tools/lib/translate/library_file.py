@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import argparse
 import difflib
+import errno
+import os
 import re
 import sys
 from collections.abc import Callable, Sequence
@@ -71,13 +73,27 @@ def check_name(parser: argparse.ArgumentParser, name: str, library: Path) -> Non
 
 
 def write(parser: argparse.ArgumentParser, text: str, out: Path | None) -> None:
-    """To standard output, or into a file, whose folder is made if it is not there, and whose path is printed."""
+    """To standard output, or into a file, whose folder is made if it is not there, and whose path is printed. The exit
+    status is 2 if that is not possible."""
     if out is None:
-        sys.stdout.write(text)
+        _print(parser, text)
         return
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
         out.write_text(text, encoding="ascii")
-        print(out)
     except OSError as error:
         parser.error(f"cannot write {out}: {error.strerror}")
+    _print(parser, f"{out}\n")
+
+
+def _print(parser: argparse.ArgumentParser, text: str) -> None:
+    """All of it: a full disk shows when the buffer is written, which Python else does behind the last statement."""
+    try:
+        if sys.stdout is None:  # closed by the shell
+            raise OSError(errno.EBADF, os.strerror(errno.EBADF))
+        sys.stdout.write(text)
+        sys.stdout.flush()
+    except OSError as error:
+        if sys.stdout is not None:  # the rest goes nowhere, so that Python does not try again
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        parser.exit(2, f"{parser.prog}: cannot write the standard output: {error.strerror}\n")

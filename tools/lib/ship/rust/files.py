@@ -16,10 +16,10 @@ from proof.vectors.files import vectors_folder
 from ship.packing import Refused, of_cargo, own_files
 from translate.parsing.syntax import Function as Declared
 from translate.pick import command
-from translate.pick.comments import Facts, of_one_arithmetic
+from translate.pick.comments import Facts
 from translate.pick.evaluate import Module
 from translate.pick.program import Program, facts, name_of, names, read
-from translate.pick.rust import MADE_BY, Rust
+from translate.pick.rust import Rust
 from translate.pick.scalars import Part, bare, text
 
 PACKAGE = ROOT / "packages" / "rust"
@@ -41,8 +41,11 @@ class OfCrate(Rust):
     A place can be compared alike with floats and with integers."""
     passed = "/// A metric of cellular noise.\npub const {}: i32 = {};"
 
+    def struct_comment(self, name: str) -> str:
+        return ""
+
     def struct(self, name: str, fields: Sequence[Part]) -> str:
-        shown = super().struct(name, fields).removeprefix(f"/// {MADE_BY}\n")
+        shown = super().struct(name, fields)
         return shown.replace("    pub ", "    pub(crate) ").replace(", Eq)]", ")]")
 
 
@@ -81,12 +84,13 @@ def facts_of(program: Program, arithmetic: str) -> list[Facts]:
         def named(found: re.Match[str]) -> str:
             return bare(next((one for one in (f"{found[0]}{n}", found[0]) if one in known), found[0]))
 
-        text = MAKERS.sub("", of_one_arithmetic(text, arithmetic == "fixed"))
+        text = MAKERS.sub("", text)
         return re.sub(r"\bhn_[a-z_]\w*", named, text.replace("hn_place(", f"Place{n}::in_cell("))
 
+    knobs = command.Choice(arithmetic=arithmetic).knobs
     return [Facts(texts(root.function, one.what), {name: texts(root.function, text) for name, text in one.parameters.items()},
                   texts(root.function, one.returns), texts(root.function, one.error))
-            for root, one in zip(program.roots, facts(program, GLSL, False))]
+            for root, one in zip(program.roots, facts(program, GLSL, False, knobs))]
 
 
 def written(made: Made) -> str:

@@ -36,6 +36,7 @@ def _of_two(name: str, sign: str) -> dict[str, str]:
 
 
 class C(Syntax):
+    word = "uint32_t"
     example_struct = example_set = "&{}"
     passed = "#define {} {}"
     indent = 2

@@ -248,7 +248,7 @@ class NamesOfVariables(unittest.TestCase):
         for language, _, _, shown in in_all(PAIRS[0]):
             function = max(functions_in(language, shown), key=lambda one: one.end - one.begin)
             before, body, behind = shown[:function.begin], shown[function.begin:function.end], shown[function.end:]
-            local = next(one for line in statements(body) for one in declared(language, line))
+            local = next(one for line in statements(without_comments(body)) for one in declared(language, line))
             parameter = next(one for one, is_set in parameters(language, function.taken) if not is_set)
             itself = f"    {parameter} = {parameter}{'' if language == 'go' else ';'}\n"
             with self.subTest(language):
@@ -330,20 +330,33 @@ class MetalCompiler:
 
 class TypeScriptCompiler:
     packages = Path()
+    suffix = "ts"
+    options: Sequence[str] = ()
 
     def lint(self, texts: Sequence[str], folder: Path) -> None:
-        names = written_to(folder, {f"m{i}.ts": text for i, text in enumerate(texts)})
+        names = written_to(folder, {f"m{i}.{self.suffix}": text for i, text in enumerate(texts)})
         ran(self.packages, NODE, "npx", "--no-install", "tsc", "--ignoreConfig", "--noEmit", "--strict",
             "--noUnusedLocals", "--noUnusedParameters", "--noImplicitReturns", "--target", "es2020", "--module",
-            "es2020", "--types", "", *(folder / name for name in names))
+            "es2020", "--types", "", *self.options, *(folder / name for name in names))
+
+
+class JavaScriptCompiler(TypeScriptCompiler):
+    """Node.js, and the compiler of TypeScript, by the types in the comments."""
+    suffix = "js"
+    options = ("--allowJs", "--checkJs")
+
+    def lint(self, texts: Sequence[str], folder: Path) -> None:
+        RUNNERS["javascript"]().lint(texts, folder)
+        super().lint(texts, folder)
 
 
 def compiler(language: str) -> Compiler:
     """The compiler of a language; raises NotInstalled or Absent if it is not there."""
-    if language == "typescript":
+    if language in ("typescript", "javascript"):
+        RUNNERS["javascript"]().check()
         if not (TypeScriptCompiler.packages / "made").exists():
             raise NotInstalled("TypeScript is not there: name the folder that lib/base/javascript/environment.py makes")
-        return TypeScriptCompiler()
+        return TypeScriptCompiler() if language == "typescript" else JavaScriptCompiler()
     if language == "wgsl":
         device()
         return WgslCompiler()
@@ -361,11 +374,13 @@ REFUSED: Mapping[str, Sequence[tuple[str, str]]] = {
     "rust": (("-> f32 {", "-> f32 {\n    let unused = 1.0;"), ("seed: u32", "seed: u32, _a: u32, _b: u32, _c: u32, "
              "_d: u32, _e: u32, _f: u32"), (".wrapping_add(", ".wrapping_add(1 - 1 + ")),
     "go": (("\treturn ", "\treturn  "), ("seed uint32", "seed, seed uint32")),
-    "csharp": (("uint seed) {", "uint seed) {\nint unused = 1;"),),
+    "csharp": (("uint seed) {", "uint seed) {\nint unused = 1;"),
+               ("#pragma warning disable 1591\n\n/// <summary>Procedural noise.</summary>\n", "")),
     "c": (("uint32_t seed)", "uint32_t seed, int unused)"), ("float y,", "double y,")),
     "typescript": (("seed: number", "seed: number, unused: number"), ("{\n", "{\n  const unused = 1;\n")),
-    "javascript": (("seed)", "seed, seed)"),),
-    "java": (("int seed) {", "int seed) {\nint unused = (int) 1;\n"),),
+    "javascript": (("seed)", "seed, seed)"), ("@param {number} seed", "@param {string} seed"),
+                   ("@returns {number} [", "@returns {Vector2} [")),
+    "java": (("int seed) {", "int seed) {\nint unused = (int) 1;\n"), ("<p>Example", "<p><p>Example")),
     "osl": (("int seed)", "int seed, int seed)"),),
     "glsl": (("uint seed) {", "uint seed, highp uint seed) {"),),
     "godot": (("return ", "return seed + "),), "hlsl": (("uint seed) {", "uint seed, uint seed) {"),),

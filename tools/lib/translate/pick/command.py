@@ -25,7 +25,7 @@ Ask for all functions of a shader or program at once: two texts may have the sam
 
 tools/pick whole writes files of the library with all that they include, as one: tools/pick whole --help.
 
-Exit status: 0 done, 2 bad usage.
+Exit status: 0 done, 2 bad usage, or the text cannot be written.
 """
 
 from __future__ import annotations
@@ -81,6 +81,7 @@ TSL = "tsl"  # three.js's, which is none: a module with the text of two of the s
 # The languages in which --name names something, and what.
 NAMED = {"csharp": "the class", "java": "the class", "go": "the package", "osl": "the shader",
          "hlsl": "names, which begin with it in place of hn"}
+COMMENT = re.compile(r"//.*|(?s:/\*.*?\*/)")
 NO_PRECISE = "three.js passes `precise` to no shader: take --arithmetic fixed, whose bits are the same everywhere"
 
 
@@ -105,17 +106,21 @@ class Choice:
         return settings_of(self.arithmetic, self.hash, self.gradient, self.hash_function)
 
     def options(self) -> list[str]:
-        """The options that are given."""
+        """The options that are given, and the arithmetic in any case: a review has to see that it is the server's."""
         given = ((field.name, getattr(self, field.name), field.default) for field in fields(self))
-        return [word for name, value, default in given if value != default
+        return [word for name, value, default in given if value != default or name == "arithmetic"
                 for word in (f"--{name.replace('_', '-')}", value)]
+
+    @property
+    def taken(self) -> str:
+        return f"--name {self.name} is a word of the language, or a name in the text: take another name"
 
     def check(self) -> None:
         if self.name and self.language not in NAMED:
             raise Unknown(f"--name is of --language {', '.join(NAMED)}. A text in Rust, TypeScript or JavaScript is a "
                           "module of any name; elsewhere name all functions in one call of tools/pick")
         if self.name and self.language in SYNTAXES and self.name in SYNTAXES[self.language].reserved:
-            raise Unknown(f"--name {self.name} is a word of the language: take another name")
+            raise Unknown(self.taken)
         of_verilog = next((name for name in OF_VERILOG if getattr(self, name)), None)
         if self.language == VERILOG:
             if self.arithmetic != "fixed":
@@ -196,17 +201,23 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
             written = syntax(precise)
             written.name = choice.name or written.name
             written.is_fixed = choice.arithmetic == "fixed"
-            return scalars.text(made, written, facts(made, library, False), origin(command))
+            text = scalars.text(made, written, facts(made, library, False, choice.knobs), origin(command))
+            if choice.name and len(re.findall(rf"\b{choice.name}\b", COMMENT.sub("", text))) > 1:
+                raise Unknown(choice.taken)
+            return text
         if choice.language == TSL:
             from translate.pick import tsl
-            return tsl.text(made, facts(made, library, True), origin(command))
+            return tsl.text(made, facts(made, library, True, choice.knobs), origin(command))
         code = made.text(language, precise, with_seedless=True)
         renamed = renaming(code, choice)
+        words = {*re.findall(r"\w+", code)}
+        if choice.name and any(renamed(word) in words - {word} for word in words):
+            raise Unknown(choice.taken)
         code = renamed(code)
         if language.is_included:
             name = guard(wgsl_name(made.roots[0].function), code)
             code = f"#ifndef {name}\n#define {name}\n{code}#endif\n"
-        return imported_as(choice.import_path) + heading(made, language, command, library, renamed) + code
+        return imported_as(choice.import_path) + heading(made, language, command, library, choice.knobs, renamed) + code
 
     return pick
 
@@ -269,6 +280,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given.arithmetic = given.arithmetic or ("fixed" if given.language == VERILOG else "fast")
     if bool(given.names) == given.list:
         parser.error("name functions, such as hn_perlin2, or ask for --list")
+    if given.language == "java" and given.out and given.out.suffix == ".java" and (
+            given.out.stem != (given.name or SYNTAXES["java"].name)):
+        parser.exit(2, f"tools/pick: {given.out.name} has to have a public class of its name: "
+                    f"add --name {given.out.stem}\n")
     choice = Choice(**{field.name: getattr(given, field.name) or field.default for field in fields(Choice)})
     try:
         if given.list:

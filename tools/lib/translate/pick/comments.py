@@ -11,8 +11,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from catalog.tables.glsl import Declaration, declarations
+from translate.names import OF_AXES
 from translate.parsing.syntax import Function, Parameter
 from translate.pick.values import SIZES, scalar_of
+from translate.settings import NO_SETTINGS, Settings
 
 HEADING = re.compile(r" {3}(\w+(?:, \w+)*) {2,}(\S.*)")
 OF_ABOVE = re.compile(r"\bas above\b")
@@ -127,7 +129,8 @@ def _parameter(parameter: Parameter, text: str, may_be_left_out: bool) -> str:
     return text if may_be_left_out else text.replace(LEFT_OUT, "")
 
 
-def facts(function: Function, library: Path, has_overloads: bool) -> Facts:
+def facts(function: Function, library: Path, has_overloads: bool, knobs: Settings = NO_SETTINGS) -> Facts:
+    """With knobs those of a text that has no others."""
     types = tuple(type_.removeprefix("hn_") for type_ in function.types)
     declared = _declared(library)[0].get((function.name, types))
     if declared is None or declared.comment is None:
@@ -135,34 +138,84 @@ def facts(function: Function, library: Path, has_overloads: bool) -> Facts:
     found = _whole(declared, library)
     seedless = has_overloads and (function.name, types[:-1]) in _declared(library)[0]
     returns = "" if function.type == "void" else found.entries.get("returns", "")
-    return Facts(without_references(found.what),
-                 {one.at.text: _parameter(one, found.entries.get(one.at.text, ""), seedless)
+    what, error = found.what, found.entries.get("error", "")
+    if knobs.arithmetic == "HN_FIXED" and (limits := found.entries.get("HN_FIXED", "")):
+        what = f"{what} It {limits.partition('. ')[0]}."
+        error = NO_GROWTH_OF.sub(NO_GROWTH, error)  # hn_fbm states it, and is hn_octaves at the same position
+    return Facts(of_knobs(without_references(what), knobs),
+                 {one.at.text: of_knobs(_parameter(one, found.entries.get(one.at.text, ""), seedless), knobs)
                   for one in function.parameters},
-                 *(without_references(text).rstrip(".") for text in (returns, found.entries.get("error", ""))))
+                 *(of_knobs(without_references(text).rstrip("."), knobs) for text in (returns, error)))
 
 
 # In a text of one arithmetic, the patterns of what is of others, and what stands there with floats and with HN_FIXED.
+# None leaves what is there.
+OF_BOUND = r"(?: against the exact \w+| divided by the distance| / reach)?"
 OF_ONE = (
-    (r"; (?:with )?HN_GRADIENT_SINE.*?(?=;|\. |$)", "", ""),
-    (r" \(HN_PRECISE: [^()]*\)", "", ""),
+    (r"less than \S+ \(HN_FIXED: (\S+)\)", None, r"less than \1"),
     (r" \(HN_FIXED: ([^()]*)\)", "", r" (\1)"),
-    (r"\bat most \S+( against the exact value)?(?:(, in any metric)? and rounding mode|, in any rounding mode)?"
-     r"\. HN_FIXED (\S+e-\d+)", None, r"at most \3\1\2"),
-    (r"\. HN_FIXED \S+e-\d+", "", None),
-    (r"\. From a cell at most \S+e-\d+", None, ""),
+    (r" \(HN_FIXED up to ([^()]*)\)", "", r" (up to \1)"),
+    (rf"\bat most \S+({OF_BOUND})(?:(, in any metric)? and rounding mode|, in any rounding mode)?"
+     r"\. HN_FIXED (\S+e-\d+)(?: divided by it| / reach)?", None, r"at most \3\1\2"),
+    (r"\. HN_FIXED \S+e-\d+(?: divided by it| / reach)?", "", None),
+    (r"\. From a cell at most \S+e-\d+(?: divided by it)?", None, ""),
+    (r"\S+e-\d+ \(HN_FIXED (\S+)\)", None, r"\1"),
+    (r" \(HN_FIXED \S+\)", "", None),
     (r"\. With HN_FIXED a(.*?)(?=\. |$)", "", r". A\1"),
+    (r"\. HN_FIXED has the same bits everywhere", "", ". The bits are the same everywhere"),
+    (r" \(with HN_FIXED; (roundings) of floats( [^()]*)\)", r" (\1\2)", ""),
+    (r"outside of it HN_FIXED and fractals (take the nearer end), and for floats of other noises (no value is defined)",
+     r"outside of it fractals \1, and for other noises \2", r"outside of it noises \1"),
+    (r"\. HN_FIXED (cuts off .*?)\. Floats cut off neither", "", r". The function \1"),
+    (r"; not negative, and the sum of its powers below 2\^126", None, ""),
 )
+OF_SINE = (
+    (r"\S+e-\d+([^.;]*); HN_GRADIENT_SINE (\S+e-\d+)", r"\2\1"),
+    (r"^none; with HN_GRADIENT_SINE ", ""),
+    (r"^\S+ \S+ \(proven bound \S+\)(.*); with HN_GRADIENT_SINE, (which is not scaled), (\[.*?\]) and the rest alike",
+     r"\3, \2\1"),
+    (r"; with HN_GRADIENT_SINE, ", "; "),
+)
+NO_SINE = ((r"; (?:with )?HN_GRADIENT_SINE.*?(?=;|\. |$)", ""),)
+NO_GROWTH = "it does not grow with the coordinates"
+NO_GROWTH_OF = re.compile(r"at a position it grows with (?=\|p\|).*")
 
 
-def of_one_arithmetic(text: str, is_fixed: bool) -> str:
+def of_knobs(text: str, knobs: Settings) -> str:
+    """The part that holds with these alone."""
+    if not knobs.arithmetic:
+        return text
+    for pattern, by in OF_SINE if knobs.gradient == "SINE" else NO_SINE:
+        text = re.sub(pattern, by, text)
+    text = re.sub(r"2\^126 \(HN_PRECISE: (\S+)\)", r"\1" if knobs.arithmetic == "HN_PRECISE" else "2^126", text)
+    text = re.sub(r" \(HN_PRECISE: [^()]*\)", "", text)
     for pattern, with_floats, with_integers in OF_ONE:
-        by = with_integers if is_fixed else with_floats
+        by = with_integers if knobs.arithmetic == "HN_FIXED" else with_floats
         text = text if by is None else re.sub(pattern, by, text)
     return text
 
 
 def first_sentence(function: Function, library: Path) -> str:
     return re.split(r"\.(?: |$)", facts(function, library, False).what)[0] + "."
+
+
+# Structs that users see, by how their names begin: {} stands for the functions that make one.
+STRUCTS = {
+    "hn_place": "Where noise is evaluated, made by {} and others. Later versions keep the cell of these fields.",
+    "hn_i_octave_sum": "A part of octaves, whose fields later versions may change.",
+    "hn_octaves": "The octaves of a loop, made by {} and others. Later versions keep the place and the seed of these fields.",
+    "hn_slopes": "The sum of the derivatives of a loop, made by {}, whose fields later versions may change.",
+    "hn_shifts": "The sum of the displacements of a loop, made by {}, whose fields later versions may change.",
+    "hn_derivatives": "A result and its derivatives.",
+    "hn_hexes": "The three hexagons that overlap at a position, a component for each."}
+MAKERS = {"place": "in_cell", "octaves": "of", "slopes": "of", "shifts": "of"}
+
+
+def of_struct(name: str, called: Callable[[str], str]) -> str:
+    """The comment of a struct. `called` writes the name of a function."""
+    text = next((text for begin, text in STRUCTS.items() if name.startswith(begin)), "")
+    found = OF_AXES.fullmatch(name)
+    return text.format(called(f"hn_{found[1]}_{MAKERS[found[1]]}{found[2]}")) if found else text
 
 
 # Examples: what is passed, a number for each component; where there is no number, a variable of that name.

@@ -7,13 +7,18 @@ import textwrap
 from collections.abc import Mapping, Sequence
 
 from translate.pick.printer import STRENGTH, UNARY
-from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, block_comment, indented, pascal
+from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, block_comment, components, indented, pascal
 from translate.pick.values import AXES, SIZES, scalar_of
 
 UNSIGNED = {"/": "divideUnsigned", "%": "remainderUnsigned"}
+RECORD = re.compile(r"public record (\w+)\(")
+# Records of results that are no vectors, by their first and last components; a number is that of the dimensions.
+RECORDS = {("value", "d"): "Derivatives", ("f1", "f"): "Distances", ("value", "quadrature"): "ValueQuadrature",
+           ("value", "slope"): "ValueSlope"}
 
 
 class Java(Syntax):
+    word = "int: its 32 bits, so Integer.remainderUnsigned(h, n) is a number below n"
     name = "HashNoise"  # of the class
     example_of = "{}."
     passed = "public static final int {} = {};"
@@ -46,15 +51,25 @@ private static int toWord(float x) {
     def helpers(self) -> Mapping[str, str]:
         return self.records | self.own_helpers
 
-    def _record(self, name: str, parts: Sequence[Part]) -> str:
-        inside = ", ".join(f"{self.type(part.type)} {self.variable(part.name)}" for part in parts)
-        self.records[name] = f"public record {name}({inside}) {{}}\n"
+    def _record(self, name: str, types: Sequence[str], parts: Sequence[str]) -> str:
+        inside = ", ".join(f"{type_} {self.variable(part)}" for type_, part in zip(types, parts))
+        self.records.setdefault(name, f"public record {name}({inside}) {{}}\n")
         return self.helper(name)
 
     def vector(self, type_: str) -> str:
-        scalar = scalar_of(type_)
-        return self._record(f"{'Float' if scalar == 'float' else 'Int'}{SIZES[type_]}",
-                            [Part(axis, scalar) for axis in AXES[:SIZES[type_]]])
+        scalar, size = scalar_of(type_), SIZES[type_]
+        return self._record(f"{'Float' if scalar == 'float' else 'Int'}{size}", [self.type(scalar)] * size, AXES)
+
+    def axes(self, result: Part) -> Sequence[str]:
+        return components(result.function) if result.function else AXES
+
+    def returned_type(self, result: Part) -> str:
+        """Users get a record with the names of the components, also where these are no axes."""
+        axes = self.axes(result)
+        if not self.is_public_now or axes[0] in AXES or SIZES.get(result.type, 1) < 2:
+            return self.type(result.type)
+        kind = RECORDS.get((axes[0], axes[-1])) or f"{RECORDS[axes[0], axes[-1][:1]]}{len(axes) - (axes[0] == 'value')}"
+        return self._record(kind, ["float"] * len(axes), axes)
 
     # Expressions.
 
@@ -105,10 +120,25 @@ private static int toWord(float x) {
 
     # Functions.
 
+    def returned(self, results: Sequence[Part], pieces: Sequence[Piece]) -> list[str]:
+        return super().returned(results, [self._named(*one) for one in zip(results, pieces)])
+
+    def _named(self, result: Part, piece: Piece) -> Piece:
+        """A vector as the record that users get."""
+        record, vector = self.returned_type(result), self.type(result.type)
+        if record == vector:
+            return piece
+        if piece.text.startswith(begin := f"new {vector}("):
+            return Piece(f"new {record}({piece.text[len(begin):]}")
+        parts = ", ".join(f"v.{axis}()" for axis in AXES[:SIZES[result.type]])
+        self.records[record] = self.records[record].replace("{}", f"{{ {record}({vector} v) {{ this({parts}); }} }}")
+        return self.call(f"new {record}", [piece])
+
     def _results(self, name: str, results: Sequence[Part]) -> str:
         if len(results) > 1:
-            return self._record(f"{pascal(name)}Result", results)
-        return self.type(results[0].type) if results else "void"
+            types = [self.returned_type(part) for part in results]
+            return self._record(f"{pascal(name)}Result", types, [part.name for part in results])
+        return self.returned_type(results[0]) if results else "void"
 
     def function(self, name: str, parameters: Sequence[Taken], results: Sequence[Part], is_public: bool) -> str:
         taken = ", ".join(f"{self.type(one.type)} {one.name}" for one in parameters)
@@ -123,7 +153,21 @@ private static int toWord(float x) {
         return f"public static final class {self.type_name(name)} {{\n{textwrap.indent(''.join(parts), ' ' * 4)}}}\n"
 
     def documented(self, name: str, facts: Facts) -> list[str]:
-        return block_comment(facts, "@return")
+        return block_comment(facts, "@return", "<p>")
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
-        return super().file(heading, names, [f"public final class {self.name} {{\n{indented(parts)}}}\n"])
+        """Records that users do not get are private, and those that nothing uses are left out: vectors that became the
+        records of results."""
+        records = {found[1]: part for part in parts if (found := RECORD.match(part))}
+        others = "".join(part for part in parts if not RECORD.match(part))
+        heads = " ".join(re.findall(r"(?s)(?:^|\n)public static [^{;]*\(.*?\{", others))
+        for name, part in reversed(records.items()):  # a record has those before it
+            heads += part.partition(")")[0] if re.search(rf"\b{name}\b", heads) else ""
+        written = []
+        for part in parts:
+            found = RECORD.match(part)
+            is_public = not found or re.search(rf"\b{found[1]}\b", heads)
+            if is_public or any(re.search(rf"\b{found[1]}\b", other) for other in parts if other is not part):
+                written.append(part if is_public else part.replace("public", "private", 1))
+        about = "/** Procedural noise. */\n"
+        return super().file(heading, names, [f"{about}public final class {self.name} {{\n{indented(written)}}}\n"])

@@ -34,6 +34,7 @@ def counted(piece: Piece) -> Piece:
 
 
 class JavaScript(Syntax):
+    word = "whole number from 0 to 2^32 - 1"
     indent = 2
     passed = "export const {} = {};"
     types = {"float": "number", "int": "number", "uint": "number", "bool": "boolean"}
@@ -48,24 +49,36 @@ class JavaScript(Syntax):
 
     @property
     def helpers(self) -> dict[str, str]:
-        one, two = self._head("x"), self._head("a", "b")
+        one, two, word = self._head("x"), self._head("a", "b"), self._head("word")
+        of_one, of_two, of_word = (self._typed_head(names, ["number"] * len(names), "number")
+                                   for names in (("x",), ("a", "b"), ("word",)))
         return {
             "fround": "const fround = Math.fround;\n",
             "imul": "const imul = Math.imul;\n",
             "numbers": BITS_OF_FLOATS,
-            **{f"Vector{size}": f"export type Vector{size} = [{', '.join(['number'] * size)}];\n"
-               for size in (2, 3, 4) if self.is_typed},
-            "min": f"function min{two} {{ return b < a ? b : a; }}\n",
-            "max": f"function max{two} {{ return a < b ? b : a; }}\n",
-            "toInt": f"/** The nearest int. */\nfunction toInt{one} {{\n"
+            **{f"Vector{size}": (f"export type Vector{size} = {of};\n" if self.is_typed else
+                                 f"/** @typedef {{{of}}} Vector{size} */\n")
+               for size in (2, 3, 4) for of in [f"[{', '.join(['number'] * size)}]"]},
+            "min": f"{of_two}function min{two} {{ return b < a ? b : a; }}\n",
+            "max": f"{of_two}function max{two} {{ return a < b ? b : a; }}\n",
+            "toInt": f"// The nearest int.\n{of_one}function toInt{one} {{\n"
                      "  return x >= 2147483648 ? 2147483647 : x > -2147483648 ? x | 0 : x < 0 ? -2147483648 : 0;\n}\n",
-            "toUint": f"function toUint{one} {{ return x >= 4294967296 ? 4294967295 : x > 0 ? x >>> 0 : 0; }}\n",
-            "asFloat": f"function asFloat{self._head('word')} {{\n  words[0] = word;\n  return numbers[0];\n}}\n",
-            "asUint": f"function asUint{one} {{\n  numbers[0] = x;\n  return words[0];\n}}\n"}
+            "toUint": f"{of_one}function toUint{one} {{ return x >= 4294967296 ? 4294967295 : x > 0 ? x >>> 0 : 0; }}\n",
+            "asFloat": f"{of_word}function asFloat{word} {{\n  words[0] = word;\n  return numbers[0];\n}}\n",
+            "asUint": f"{of_one}function asUint{one} {{\n  numbers[0] = x;\n  return words[0];\n}}\n"}
+
+    def __init__(self, precise: bool = False):
+        super().__init__(precise)
+        self.types_now: dict[str, str] = {}  # of the parameters of the last function, and by "" of its result
 
     def _head(self, *names: str) -> str:
         of = self._of("number")
         return f"({', '.join(f'{name}{of}' for name in names)}){of}"
+
+    def _typed_head(self, names: Sequence[str], types: Sequence[str], given: str) -> str:
+        """Above a function that users do not call: the types, for compilers that check JavaScript."""
+        parameters = "".join(f"@param {{{type_}}} {name} " for name, type_ in zip(names, types))
+        return "" if self.is_typed else f"/** {parameters}@returns {{{given}}} */\n"
 
     def _of(self, type_: str) -> str:
         return f": {type_}" if self.is_typed else ""
@@ -158,8 +171,10 @@ class JavaScript(Syntax):
     def declare(self, type_: str, name: str, value: str | None, changes: bool) -> str:
         if value is None:
             return f"let {name}{self._of(self.type(type_))};"
-        is_array = self.is_typed and "vec" in type_ and value.startswith("[")
-        return f"{'let' if changes else 'const'} {name}{self._of(self.type(type_)) if is_array else ''} = {value};"
+        before = behind = ""
+        if "vec" in type_ and value.startswith("["):
+            before, behind = ("" if self.is_typed else f"/** @type {{{self.type(type_)}}} */ "), self._of(self.type(type_))
+        return f"{'let' if changes else 'const'} {before}{name}{behind} = {value};"
 
     def change(self, type_: str, name: str, sign: str, by: str) -> str | None:
         if type_ == "float" or sign in "*/%" or type_ == "uint" and sign in ("+", "-", ">>"):
@@ -173,11 +188,15 @@ class JavaScript(Syntax):
     # Functions.
 
     def function(self, name: str, parameters: Sequence[Taken], results: Sequence[Part], is_public: bool) -> str:
-        taken = ", ".join(f"{'' if one.is_read else '_'}{one.name}{self._of(self.type(one.type))}"
-                          for one in parameters)
+        of = [self.type(one.type) for one in parameters]
+        written = [f"{'' if one.is_read else '_'}{one.name}" for one in parameters]
+        taken = ", ".join(f"{one}{self._of(type_)}" for one, type_ in zip(written, of))
         types = "; ".join(f"{self.variable(part.name)}: {self.type(part.type)}" for part in results)
         given = self.type(results[0].type) if len(results) == 1 else f"{{ {types} }}" if results else "void"
-        return f"{'export ' if is_public else ''}function {name}({taken}){self._of(given)} {{"
+        self.types_now = {} if self.is_typed else {
+            **{one.name: f"{{{type_}}} " for one, type_ in zip(parameters, of)}, "": f"{{{given}}} "}
+        typed = "" if is_public else self._typed_head(written, of, given)
+        return f"{typed}{'export ' if is_public else ''}function {name}({taken}){self._of(given)} {{"
 
     def beginning(self, parameters: Sequence[Taken], is_public: bool) -> list[str]:
         """Users' numbers need not be floats."""
@@ -192,13 +211,19 @@ class JavaScript(Syntax):
             body = "".join(f"  {field}: {type_};\n" for field, type_ in written)
             return f"export interface {self.type_name(name)} {{\n{body}}}\n"
         body = "".join(f" * @property {{{type_}}} {field}\n" for field, type_ in written)
-        return f"/**\n * @typedef {{object}} {self.type_name(name)}\n{body} */\n"
+        about = super().struct_comment(name).removesuffix(" */\n") or "/**\n"
+        return f"{about} * @typedef {{object}} {self.type_name(name)}\n{body} */\n"
 
     def documented(self, name: str, facts: Facts) -> list[str]:
-        return block_comment(facts, "@returns")
+        return block_comment(facts, "@returns", types=self.types_now)
+
+    def struct_comment(self, name: str) -> str:
+        """In JavaScript the definition is a comment itself."""
+        self.types_now = {}
+        return super().struct_comment(name) if self.is_typed else ""
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
-        begins = ("const ", "export type ")
+        begins = ("const ", "export type ", "/** @typedef {[")
         first = [part for part in parts if part.startswith(begins)]
         return super().file(heading, names, [*first, *(part for part in parts if not part.startswith(begins))])
 

@@ -20,13 +20,14 @@ from pathlib import Path
 
 from base.thorough import THOROUGH
 from base.tree import GLSL, ROOT
+from base.twin import compile_program
 from translate.parsing.syntax import Function
 from translate.pick import command
 from translate.pick.comparison import compile_words
 from translate.pick.evaluate import Module
 from translate.pick.osl_runner import OslRunner
 from translate.pick.program import Program, chosen, read
-from translate.pick.runners import RUNNERS, Case, NotInstalled, NotRun, Runner
+from translate.pick.runners import RUNNERS, Case, JavaRunner, NotInstalled, NotRun, Runner, ran, written_to
 from translate.pick.scalars import Piece, Syntax, text
 
 POINTS = 200
@@ -144,6 +145,28 @@ class Language(unittest.TestCase):
         if self.runner.exact:
             with tempfile.TemporaryDirectory() as folder:
                 self.runner.run_exact(Path(folder))
+
+    def test_the_program_of_the_page_has_the_bits_of_the_library(self) -> None:
+        """And a program with another seed does not."""
+        if not isinstance(self.runner, JavaRunner):
+            return  # the page has a program in Java
+        page = (ROOT / "docs" / "guide" / "same-bits.md").read_text()
+        pick, *build = re.findall(r"(?m)^    ((?:tools/pick|javac?) .*)", page)
+        program, = re.findall(r"(?ms)^```java\n(.*?)^```$", page)
+        call = re.search(r"with the bits of `(hn_fbm\(.*?, 7u\))`", page)[1]
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            cpp = (f"#include <hashnoise/hashnoise.hpp>\n#include <cstdio>\nusing namespace hashnoise;\n"
+                   f'int main() {{ std::printf("%.9g", {call}); }}\n')
+            written_to(folder, {"height.cpp": cpp})
+            compile_program("the call of the page", folder / "height.cpp", folder / "height", "-O0",
+                            macros=["HN_ARITHMETIC=HN_FIXED"])
+            expected = struct.pack("<f", float(ran(folder, folder / "height")))
+            ran(folder, ROOT / pick.split()[0], *pick.split()[1:])
+            for text_, same in ((program, True), (program.replace("0.5f, 7)", "0.5f, 8)"), False)):
+                written_to(folder, {"Server.java": text_})
+                *_, shown = [ran(folder, *line.split()) for line in build]
+                self.assertEqual(struct.pack("<f", float(shown)) == expected, same, shown)
 
     def test_a_fault_of_the_printer_is_noticed(self) -> None:
         of = module("fixed", self.runner.syntax)

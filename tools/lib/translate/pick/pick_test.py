@@ -480,6 +480,50 @@ class Comments(unittest.TestCase):
                      "the metric.", "in [0, 1.1181]", "on average 0.43 and 0.70", "at most 3.53e-6"):
             self.assertIn(part, shown)
 
+    OF_ARITHMETICS = re.compile(r"HN_(?:FAST|FIXED|PRECISE|GRADIENT)\w*")
+
+    def test_they_have_one_arithmetic_and_one_gradient(self) -> None:
+        """The number that all return, hn_self_check, is of none."""
+        known = {name: function for name, function in module("fast").forms.items() if name != "hn_self_check"}
+        for arithmetic, gradient in itertools.product(command.ARITHMETICS, ("octahedral", "sine")):
+            knobs = command.Choice(arithmetic=arithmetic, gradient=gradient).knobs
+            for name, function in known.items():
+                facts = comments.facts(function, GLSL, True, knobs)
+                for shown in (facts.what, *facts.parameters.values(), facts.returns, facts.error):
+                    self.assertNotRegex(shown, self.OF_ARITHMETICS, f"{name}, {arithmetic}, {gradient}")
+        of_all = [comments.facts(function, GLSL, True) for function in known.values()]
+        self.assertGreater(sum(bool(self.OF_ARITHMETICS.search(f"{one.returns} {one.error}")) for one in of_all), 100)
+
+    def test_errors_and_limits_are_those_of_the_arithmetic(self) -> None:
+        def of(name: str, arithmetic: str, gradient: str = "octahedral") -> comments.Facts:
+            return comments.facts(module("fast").forms[name], GLSL, True,
+                                  command.Choice(arithmetic=arithmetic, gradient=gradient).knobs)
+
+        limits = ("It takes a gain above 1 as 1, a lacunarity outside [0, 255] as 0 or 255, and more than 32 octaves as "
+                  "32.")
+        for arithmetic, gain in (("fast", "; not negative, and the sum of its powers below 2^126"), ("fixed", ""),
+                                 ("precise", "; not negative, and the sum of its powers below 2^100")):
+            facts = of("hn_fbm2", arithmetic)
+            self.assertEqual(facts.parameters["gain"], f"ratio of amplitudes (persistence), usually 0.5{gain}")
+            self.assertEqual(facts.what.endswith(limits), arithmetic == "fixed")
+        self.assertEqual(facts.error, "at a position it grows with |p| * lacunarity^octaves, since a float rounds the "
+                         "positions; at a place it does not")
+        self.assertEqual(of("hn_fbm2", "fixed").error, "it does not grow with the coordinates")
+        for name, arithmetic, gradient, error in (
+                ("hn_perlin2", "fixed", "octahedral", "at most 4.30e-5 against the exact value"),
+                ("hn_perlin2", "fixed", "sine", "at most 7.99e-5 against the exact value"),
+                ("hn_perlin2", "fast", "octahedral", "at most 2.67e-6 against the exact value, in any rounding mode. "
+                 "From a cell at most 2.44e-6"),
+                ("hn_perlin2", "fast", "sine", "at most 4.58e-6 against the exact value, in any rounding mode. "
+                 "From a cell at most 4.36e-6"),
+                ("hn_cellular_d2", "fixed", "octahedral", "that of hn_cellular, and of a derivative at most 1.08e-5 divided "
+                 "by the distance"),
+                ("hn_clouds2", "fixed", "octahedral", "3 times that of hn_fbm, plus 2.6e-5"),
+                ("hn_gradient_lattice2", "fixed", "sine", "less than 3.7e-5")):
+            self.assertEqual(of(name, arithmetic, gradient).error, error, name)
+        self.assertTrue(of("hn_perlin2", "fixed", "sine").returns.startswith(
+            "[-1, 1], which is not scaled, mean 0, 0 at lattice points, "))
+
     def test_no_constant_is_named_that_a_text_lacks(self) -> None:
         """In languages of the CPU, but for what is passed to hn_distribution: its own text has that."""
         of_library = {name: module("fast").constant(name).at.text for name in module("fast").constants if is_passed(name)}
@@ -503,7 +547,7 @@ class Comments(unittest.TestCase):
             shown = self.comment(self.pick(["hn_fbm2"], command.Choice(language, "fixed")))
             for name in ("x", "y", "octaves", "lacunarity", "gain", "seed"):
                 with self.subTest(name, language=language):
-                    self.assertRegex(shown, rf'(?:@param |name="|- |, ){name}\b')
+                    self.assertRegex(shown, rf'(?:@param (?:{{\w+}} )?|name="|- |, ){name}\b')
             self.assertIn("usually 4 to 8", shown)
 
     def compiled(self, call: str, name: str, shown: str) -> subprocess.CompletedProcess[str]:
@@ -695,6 +739,15 @@ class Command(unittest.TestCase):
             self.assertEqual(self.call("hn_value2", "--out", str(path)), (0, f"{path}\n"))
             self.assertTrue(code(path.read_text()).startswith(text("hn_value2")))
 
+    def test_output_that_cannot_be_written_is_an_error(self) -> None:
+        for redirection, reason in ((">/dev/full", "No space left on device"), (">&-", "Bad file descriptor")):
+            for command_ in (f"pick hn_random2 {redirection}", f"pick whole random2d.glsl {redirection}"):
+                with self.subTest(command_):
+                    done = subprocess.run(["bash", "-c", f"{TOOLS}/{command_}"], capture_output=True, text=True, check=False)
+                    name = command_.partition(" ")[0] + " whole" * ("whole" in command_)
+                    self.assertEqual((done.returncode, done.stderr),
+                                     (2, f"tools/{name}: cannot write the standard output: {reason}\n"))
+
     def test_a_sum_over_another_noise_is_that_of_a_library_which_sums_it(self) -> None:
         with tempfile.TemporaryDirectory() as folder:
             library = Path(folder) / "glsl"
@@ -735,7 +788,7 @@ class Command(unittest.TestCase):
                 ("go", "terrain", "package terrain\n", "Example: `terrain.Lattice2(3, -5, 7)`")):
             with self.subTest(language):
                 shown = self.call("hn_lattice2", "--language", language, "--name", name)[1]
-                self.assertIn(f"by: tools/pick hn_lattice2 --language {language} --name {name}\n", shown)
+                self.assertIn(f"by: tools/pick hn_lattice2 --language {language} --arithmetic fast --name {name}\n", shown)
                 self.assertIn(begins, shown)
                 self.assertIn(example, shown)
                 self.assertNotIn("hashnoise", shown.partition("by:")[2].lower().replace("the hashnoise authors", ""))
@@ -781,6 +834,13 @@ class Command(unittest.TestCase):
         self.assertIn("; in a tile that is hn_perlin2_tile\n", self.call("hn_perlin")[1])
         self.assertIn("there is no function hn_ball2_place", self.call("hn_ball2_tile")[1])
 
+    def test_a_name_that_the_text_does_not_have_is_taken(self) -> None:
+        for language, name in (("java", "Float2"), ("csharp", "Perlin2"), ("go", "noise")):
+            self.assertEqual(self.call("hn_value2", "--language", language, "--name", name)[0], 0, name)
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "Terrain.java"
+            self.assertEqual(self.call("hn_value2", "--language", "java", "--name", "Terrain", "--out", str(path))[0], 0)
+
     def test_bad_usage(self) -> None:
         for arguments, message in (((), "name functions"), (("--list", "hn_value2"), "name functions"),
                                    (("hn_perln2",), "there is no function hn_perln2 (did you mean hn_perlin2"),
@@ -821,8 +881,24 @@ class Command(unittest.TestCase):
                                    (("hn_value2", "--language", "rust", "--name", "mine"), "a module of any name"),
                                    (("hn_value2", "--language", "java", "--name", "a-b"), "such as Terrain, not 'a-b'"),
                                    (("hn_value2", "--language", "hlsl", "--name", "my_"), "single underscores"),
-                                   (("hn_value2", "--language", "go", "--name", "func"), "a word of the language"),
-                                   (("hn_value2", "--language", "osl", "--name", "noise"), "a word of the language"),
+                                   (("hn_value2", "--language", "osl", "--name", "noise"),
+                                    "--name noise is a word of the language, or a name in the text"),
+                                   (("hn_value2", "--language", "go", "--name", "func"),
+                                    "--name func is a word of the language, or a name in the text"),
+                                   (("hn_value2", "--language", "go", "--name", "math"),
+                                    "--name math is a word of the language, or a name in the text"),
+                                   (("hn_value2", "--language", "csharp", "--name", "Value2"),
+                                    "--name Value2 is a word of the language, or a name in the text"),
+                                   (("hn_value2", "--language", "csharp", "--name", "System"),
+                                    "--name System is a word of the language, or a name in the text"),
+                                   (("hn_value2", "--language", "java", "--name", "Math"),
+                                    "--name Math is a word of the language, or a name in the text"),
+                                   (("hn_circle", "--language", "java", "--name", "Float2"),
+                                    "--name Float2 is a word of the language, or a name in the text"),
+                                   (("hn_value2_place", "--language", "java", "--name", "Place2"),
+                                    "--name Place2 is a word of the language, or a name in the text"),
+                                   (("hn_value2", "--language", "java", "--out", "/nowhere/Terrain.java"),
+                                    "Terrain.java has to have a public class of its name: add --name Terrain"),
                                    (("hn_value2", "--list"), "or ask for --list"),
                                    (("hn_value2", "--glsl", "/nowhere"), "/nowhere")):
             with self.subTest(arguments):

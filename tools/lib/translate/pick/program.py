@@ -19,6 +19,7 @@ from translate.parsing.preprocessor import Preprocessor
 from translate.parsing.syntax import Function, Parameter, definitions
 from translate.parsing.tokens import Unknown
 from translate.names import wgsl_name
+from translate.settings import Settings
 from translate.pick import comments
 from translate.pick.comments import Facts
 from translate.pick.evaluate import Evaluation, Kept, Known, Module, Summed, Typed, dotted
@@ -456,10 +457,11 @@ class Program:
         return "\n".join([*wrapped(head, 0), *lines, "}"]) + "\n"
 
 
-def heading(program: Program, language: Language, command: str, library: Path, renamed: Callable[[str], str]) -> str:
+def heading(program: Program, language: Language, command: str, library: Path, knobs: Settings,
+            renamed: Callable[[str], str]) -> str:
     """The head: functions, arguments, results, errors, and the command that makes the text again."""
     lines: list[str] = []
-    for root, of_function in zip(program.roots, facts(program, library, language.has_overloads)):
+    for root, of_function in zip(program.roots, facts(program, library, language.has_overloads, knobs)):
         function = root.function
         lines += [*textwrap.wrap(f" {language.signature(function)}", 118, subsequent_indent="     "),
                   *comments.lines(of_function, language.variable, language.example(function))]
@@ -467,12 +469,15 @@ def heading(program: Program, language: Language, command: str, library: Path, r
 
 
 def origin(command: str) -> list[str]:
-    return [f" Of hashnoise {version()}, by: {command}", " Copyright (c) 2026 The hashnoise authors; MIT License."]
+    return [*textwrap.wrap(f" Of hashnoise {version()}, by: {command}", 118, subsequent_indent="     ",
+                           break_long_words=False, break_on_hyphens=False),
+            " Copyright (c) 2026 The hashnoise authors; MIT License."]
 
 
-def facts(program: Program, library: Path, may_lack_seed: bool) -> list[Facts]:
-    """The library's comments on each function."""
-    return [of_noise(comments.facts(root.function, library, may_lack_seed), program.module.summed) for root in program.roots]
+def facts(program: Program, library: Path, may_lack_seed: bool, knobs: Settings) -> list[Facts]:
+    """The library's comments on each function, as far as they are of these knobs."""
+    return [of_noise(comments.facts(root.function, library, may_lack_seed, knobs), program.module.summed)
+            for root in program.roots]
 
 
 def of_noise(known: Facts, summed: Summed | None) -> Facts:

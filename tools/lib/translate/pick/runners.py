@@ -353,7 +353,7 @@ class CSharpRunner(LikeC):
 
     def lint(self, texts: Sequence[str], folder: Path) -> None:
         names = written_to(folder, {f"m{i}.cs": f"namespace M{i} {{\n{text}}}\n" for i, text in enumerate(texts)})
-        ran(folder, *self.COMPILE, "-target:library", "-out:noise.dll", *names)
+        ran(folder, *self.COMPILE, "-target:library", "-doc:noise.xml", "-out:noise.dll", *names)
 
     def result(self, results: Sequence[Part], number: int) -> str:
         return f"r.{pascal(results[number].name)}" if len(results) > 1 else "r"
@@ -449,8 +449,8 @@ public final class Words {{
         return ["java", *(() if self.optimizes else self.cheap), "words.Words"]
 
     def _compile(self, files: Mapping[str, str], folder: Path) -> None:
-        ran(folder, "javac", *(f"-J{option}" for option in self.cheap), "-proc:none", "-Xlint:all", "-Werror",
-            *written_to(folder, files))
+        ran(folder, "javac", *(f"-J{option}" for option in self.cheap), "-proc:none", "-Xlint:all",
+            "-Xdoclint:all,-missing", "-Werror", *written_to(folder, files))
 
     def lint(self, texts: Sequence[str], folder: Path) -> None:
         self._compile({f"m{i}/HashNoise.java": f"package m{i};\n{text}" for i, text in enumerate(texts)}, folder)

@@ -65,6 +65,7 @@ def rotated(left: Piece, right: Piece) -> Piece | None:
 
 
 class Rust(Syntax):
+    word = "u32"
     example_struct = "&mut {}"
     passed = "#[allow(dead_code)] pub const {}: i32 = {};"
     head = "{}"
@@ -265,10 +266,13 @@ fn abs(x: f32) -> f32 {
         self.chains = False
         return f"{allowed}{'pub ' if is_public else ''}fn {name}({taken}){given} {{"
 
+    def struct_comment(self, name: str) -> str:
+        made = f"///\n/// {MADE_BY}\n" if OF_AXES.fullmatch(name) else ""
+        return f"{super().struct_comment(name)}{made}"
+
     def struct(self, name: str, fields: Sequence[Part]) -> str:
         inside = "".join(f"    pub {self.field_name(field.name)}: {self.type(field.type)},\n" for field in fields)
         if all(field.type in ("int", "uint", "bool", *self.whole) for field in fields):
             self.whole.add(name)
         equal = "PartialEq, Eq" if name in self.whole else "PartialEq"
-        made = f"/// {MADE_BY}\n" if OF_AXES.fullmatch(name) else ""
-        return f"{made}#[derive(Clone, Copy, Debug, Default, {equal})]\npub struct {pascal(bare(name))} {{\n{inside}}}\n"
+        return f"#[derive(Clone, Copy, Debug, Default, {equal})]\npub struct {pascal(bare(name))} {{\n{inside}}}\n"

@@ -28,6 +28,8 @@ from translate.names import PASSED, wgsl_name
 
 CONSTANT = re.compile(rf"\b(?:{'|'.join(PASSED.values())})\w+")
 ROOM = 84  # for components in one line
+# Users call distances so in Field, in Python and in tools/bake, by the catalog's names.
+DISTANCES = {"first": "f1", "second": "f2", "third": "f3"}
 NEGATED = {"<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "=="}  # of whole numbers
 
 
@@ -85,12 +87,14 @@ def spaced(parts: Sequence[str]) -> str:
     return "".join(itertools.chain(*itertools.zip_longest(parts, between, fillvalue="")))
 
 
-def block_comment(facts: Facts, tag: str) -> list[str]:
-    """A comment for javadoc and JSDoc. Text behind a tag belongs to it."""
-    paragraphs = [facts.what, facts.call and f"Example: {facts.call}", facts.error and f"Error: {facts.error}.",
-                  *(f"@param {one} {text}." for names, text in facts.parameters.items() for one in names.split(", ")
-                    if one not in facts.sets),
-                  facts.all_returns and f"{tag} {facts.all_returns}."]
+def block_comment(facts: Facts, tag: str, begin: str = "", types: Mapping[str, str] = {}) -> list[str]:
+    """A comment for javadoc and JSDoc. Text behind a tag belongs to it. `begin` stands before a further paragraph, and
+    `types` has what stands before the names of parameters, and by "" before the result."""
+    paragraphs = [facts.what, facts.call and f"{begin}Example: {facts.call}",
+                  facts.error and f"{begin}Error: {facts.error}.",
+                  *(f"@param {types.get(one, '')}{one} {text}." for names, text in facts.parameters.items()
+                    for one in names.split(", ") if one not in facts.sets),
+                  facts.all_returns and f"{tag} {types.get('', '')}{facts.all_returns}."]
     lines = [line for paragraph in paragraphs if paragraph for line in ("", *paragraph_lines(paragraph))][1:]
     return ["/**", *(f" * {line}".rstrip() for line in lines), " */"] if lines else []
 
@@ -100,6 +104,18 @@ def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: comments.Fa
     names = iter(syntax.variable(one.at.text) for one in evaluated.parameters)
     taken = {one.at.text: [next(names) for _ in module.passed(one)] for one in function.parameters}
     sets = [one.at.text for one in function.parameters if one.is_set and not module.passed(one)]
+
+    size = next(filter(None, (re.search(r"\d", type_) for type_ in function.types)), ["1"])[0]
+
+    def of_language(text: str) -> str:
+        """With the names that functions and words have in the language: those of forms of as many dimensions."""
+        def called(found: re.Match[str]) -> str:
+            form = next((one for one in (f"{found[0]}{size}", f"{found[0]}_of{size}", found[0]) if one in module.forms), "")
+            return syntax.function_name(form, is_public=True) if form else found[0]
+
+        text = re.sub(r"\bhn_place and hn_tile make one \(tools/pick writes (\w+) and (\w+)\)", r"\1 and \2 make one", text)
+        text = re.sub(r"\bany uvec\d", f"any {syntax.word} in each", re.sub(r"\bany uint\b", f"any {syntax.word}", text))
+        return re.sub(r"\bhn_[a-z]\w*", called, text)
 
     def argument(one: Parameter, numbers: Sequence[float] | None) -> str:
         if one.at.text in PASSED:
@@ -116,10 +132,11 @@ def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: comments.Fa
         return (syntax.example_struct if one.is_set else "{}").format(", ".join(taken[one.at.text]))
 
     passed = ", ".join(filter(None, comments.arguments_of(function, argument)))
-    shown = {", ".join(taken[one]) or syntax.variable(one): _of_numbers(text, one, syntax)
+    shown = {", ".join(taken[one]) or syntax.variable(one): of_language(_of_numbers(text, one, syntax))
              for one, text in known.parameters.items()}
     call = f"{syntax.example_of.format(syntax.name)}{name}({passed})" if known.what else ""
-    return Facts(known.what, known.returns, known.error, shown, call, () if syntax.sets_parameters else sets)
+    return Facts(of_language(known.what), of_language(known.returns), of_language(known.error), shown, call,
+                 () if syntax.sets_parameters else sets)
 
 
 def _of_numbers(text: str, parameter: str, syntax: Syntax) -> str:
@@ -173,6 +190,7 @@ class Syntax:
     # The form of a component's declaration, if the components of a vector share a line, and of the line.
     component: re.Pattern[str] | None = None
     components = ""
+    word = "uint"          # a word of 32 bits in comments
     item = "- "            # before an item of a list in a comment
     name = ""              # of what the functions are in, if users may name it
     is_fixed = False       # whether the arithmetic is HN_FIXED, for who writes about it
@@ -186,6 +204,7 @@ class Syntax:
         self.precise = precise
         self.used: set[str] = set()           # helpers
         self.function_now = ""                # the name of the one that is written
+        self.is_public_now = False            # whether users call it
         self.set_structs: frozenset[str] = frozenset()  # parameters of it
 
     # Names.
@@ -349,6 +368,11 @@ class Syntax:
 
     def struct(self, name: str, fields: Sequence[Part]) -> str:
         raise NotImplementedError
+
+    def struct_comment(self, name: str) -> str:
+        """The lines above a struct."""
+        text = comments.of_struct(name, lambda function: self.function_name(function, is_public=True))
+        return "".join(f"{line}\n" for line in self.documented(self.type_name(name), Facts(text, "", ""))) if text else ""
 
     def documented(self, name: str, facts: Facts) -> list[str]:
         """A comment above a function, in the form that the language's tools know."""
@@ -615,10 +639,10 @@ def text(program: Program, syntax: Syntax, known: Sequence[comments.Facts] = (),
     of_roots: list[str] = []
     for name, root, of_library in itertools.zip_longest(public, program.roots, known):
         shown = syntax.function_name(name, is_public=True)
-        said = syntax.documented(shown, facts_of(root, shown, syntax, of_library or comments.Facts()))
         written_root = _function(root, shown, True, syntax, parts, names)
+        said = syntax.documented(shown, facts_of(root, shown, syntax, of_library or comments.Facts()))
         of_roots.append("\n".join([*said, written_root]))
-    structs = [syntax.struct(name, fields) for name, fields in parts.items()]
+    structs = [syntax.struct_comment(name) + syntax.struct(name, fields) for name, fields in parts.items()]
     constants = "".join(f"{syntax.passed.format(syntax.constant_name(name), number)}\n"
                         for name, number in constants_of([root.function for root in program.roots], program.module))
     helpers = [syntax.helpers[name] for name in syntax.helpers if name in syntax.used]
@@ -664,6 +688,7 @@ def components(function: Function) -> Sequence[str]:
     """The names of the components of its result: those of a vector are its axes."""
     is_mean_with_slopes = function.name == "hn_mean" and function.types[1:] and "slopes" in function.types[1]
     given = _results().get("hn_fbm_d" if is_mean_with_slopes else function.name, AXES)
+    given = tuple(DISTANCES.get(name, name) for name in given)
     return expanded(given, SIZES[function.type] - 1) if len(given) > 1 and function.type in SIZES else AXES
 
 
@@ -689,7 +714,7 @@ def _function(evaluated: Evaluated, name: str, is_public: bool, syntax: Syntax,
     beside = [one.name for one in results[function.type != "void":]] if syntax.sets_parameters else []
     writer = Scalars(syntax, structs, evaluated.block, evaluated.evaluation.hints,
                      evaluated.evaluation.axes, [*parameters, *beside, *snake], names, results)
-    syntax.function_now = name
+    syntax.function_now, syntax.is_public_now = name, is_public
     syntax.set_structs = frozenset(syntax.variable(one.at.text) for one in evaluated.parameters if one.is_set)
     lines = writer.lines()
     changed = writer.changed_parameters()

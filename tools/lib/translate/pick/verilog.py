@@ -375,7 +375,7 @@ class Made:
 
     def __init__(self, module: Module, asked: Function, library: Path, choice: Choice):
         self.name, self.function = wgsl_name(asked), at_place(module, asked)
-        self.facts = of_noise(comments.facts(asked, library, False), module.summed)
+        self.facts = of_noise(comments.facts(asked, library, False, choice.knobs), module.summed)
         self.module, self.choice, self.constants = module, choice, constants(choice.constants)
         self.has_rest = any(one.at.text == "octaves" for one in self.function.parameters)
         self.ports: list[Port] = []
