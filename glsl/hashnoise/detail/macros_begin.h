@@ -7,6 +7,8 @@
 #undef Arguments
 #pragma push_macro("Arithmetic")
 #undef Arithmetic
+#pragma push_macro("B")
+#undef B
 #pragma push_macro("Cell")
 #undef Cell
 #pragma push_macro("CellAndPlace")
@@ -117,6 +119,8 @@
 #undef Uint
 #pragma push_macro("UintVector")
 #undef UintVector
+#pragma push_macro("V")
+#undef V
 #pragma push_macro("Value")
 #undef Value
 #pragma push_macro("Vector")
@@ -269,8 +273,8 @@
 #undef common_length
 #pragma push_macro("component")
 #undef component
-#pragma push_macro("component_names")
-#undef component_names
+#pragma push_macro("component_count")
+#undef component_count
 #pragma push_macro("components")
 #undef components
 #pragma push_macro("condition")
@@ -397,8 +401,8 @@
 #undef fprintf
 #pragma push_macro("fractal")
 #undef fractal
-#pragma push_macro("fractal_names")
-#undef fractal_names
+#pragma push_macro("fractals")
+#undef fractals
 #pragma push_macro("fraction")
 #undef fraction
 #pragma push_macro("from")
@@ -657,8 +661,8 @@
 #undef next_centre
 #pragma push_macro("noise")
 #undef noise
-#pragma push_macro("noise_names")
-#undef noise_names
+#pragma push_macro("noises")
+#undef noises
 #pragma push_macro("none")
 #undef none
 #pragma push_macro("noreturn")
