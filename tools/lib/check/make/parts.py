@@ -50,7 +50,7 @@ PARTS = (
          ("glsl/hashnoise/[!c]*.glsl", "glsl/hashnoise/c[!o]*.glsl", "glsl/hashnoise/detail/*"), python=(3, 9)),
     Part("readme", "pictures, numbers and tables of pages", "half a minute", "ship.readme.command",
          (*PAGES, *LIBRARY, "docs/measured/results/**/*.csv", "tools/costs.csv", "tools/lib/ship/readme/*.[ch]pp",
-          "catalog/*.toml"),
+          "catalog/*.toml", "packages/blender/nodes.py"),
          (*PAGES, "docs/images/*.png", "docs/guide/gallery/*.png", "packages/*/README.md")),
     Part("bounds", "ranges, slopes and errors, proven: bounds.inc, and the tables of docs/measured/accuracy.md",
          "half a minute", "proof.bounds.command",
