@@ -203,7 +203,8 @@ def first_sentence(function: Function, library: Path) -> str:
 STRUCTS = {
     "hn_place": "Where noise is evaluated, made by {} and others. Later versions keep the cell of these fields.",
     "hn_i_octave_sum": "A part of octaves, whose fields later versions may change.",
-    "hn_octaves": "The octaves of a loop, made by {} and others. Later versions keep the place and the seed of these fields.",
+    "hn_octaves": "The octaves of a loop, made by {} and others. Later versions keep the place and the seed of these "
+                  "fields.",
     "hn_slopes": "The sum of the derivatives of a loop, made by {}, whose fields later versions may change.",
     "hn_shifts": "The sum of the displacements of a loop, made by {}, whose fields later versions may change.",
     "hn_derivatives": "A result and its derivatives.",

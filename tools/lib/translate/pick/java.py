@@ -18,7 +18,7 @@ RECORDS = {("value", "d"): "Derivatives", ("f1", "f"): "Distances", ("value", "q
 
 
 class Java(Syntax):
-    word = "int: its 32 bits, so Integer.remainderUnsigned(h, n) is a number below n"
+    word = "int"
     name = "HashNoise"  # of the class
     example_of = "{}."
     passed = "public static final int {} = {};"
@@ -153,7 +153,9 @@ private static int toWord(float x) {
         return f"public static final class {self.type_name(name)} {{\n{textwrap.indent(''.join(parts), ' ' * 4)}}}\n"
 
     def documented(self, name: str, facts: Facts) -> list[str]:
-        return block_comment(facts, "@return", "<p>")
+        """A returned word may be negative, so h % n would be, too."""
+        word = "any int: its 32 bits, so Integer.remainderUnsigned(h, n) is a number from 0 to n - 1"
+        return block_comment(facts._replace(returns=re.sub("^any int\\b", word, facts.returns)), "@return", "<p>")
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
         """Records that users do not get are private, and those that nothing uses are left out: vectors that became the

@@ -63,7 +63,8 @@ class JavaScript(Syntax):
             "max": f"{of_two}function max{two} {{ return a < b ? b : a; }}\n",
             "toInt": f"// The nearest int.\n{of_one}function toInt{one} {{\n"
                      "  return x >= 2147483648 ? 2147483647 : x > -2147483648 ? x | 0 : x < 0 ? -2147483648 : 0;\n}\n",
-            "toUint": f"{of_one}function toUint{one} {{ return x >= 4294967296 ? 4294967295 : x > 0 ? x >>> 0 : 0; }}\n",
+            "toUint": f"{of_one}function toUint{one} "
+                      "{ return x >= 4294967296 ? 4294967295 : x > 0 ? x >>> 0 : 0; }\n",
             "asFloat": f"{of_word}function asFloat{word} {{\n  words[0] = word;\n  return numbers[0];\n}}\n",
             "asUint": f"{of_one}function asUint{one} {{\n  numbers[0] = x;\n  return words[0];\n}}\n"}
 
@@ -173,7 +174,8 @@ class JavaScript(Syntax):
             return f"let {name}{self._of(self.type(type_))};"
         before = behind = ""
         if "vec" in type_ and value.startswith("["):
-            before, behind = ("" if self.is_typed else f"/** @type {{{self.type(type_)}}} */ "), self._of(self.type(type_))
+            of = self.type(type_)
+            before, behind = ("", self._of(of)) if self.is_typed else (f"/** @type {{{of}}} */ ", "")
         return f"{'let' if changes else 'const'} {before}{name}{behind} = {value};"
 
     def change(self, type_: str, name: str, sign: str, by: str) -> str | None:

@@ -499,8 +499,8 @@ class Comments(unittest.TestCase):
             return comments.facts(module("fast").forms[name], GLSL, True,
                                   command.Choice(arithmetic=arithmetic, gradient=gradient).knobs)
 
-        limits = ("It takes a gain above 1 as 1, a lacunarity outside [0, 255] as 0 or 255, and more than 32 octaves as "
-                  "32.")
+        limits = ("It takes a gain above 1 as 1, a lacunarity outside [0, 255] as 0 or 255, and more than 32 octaves "
+                  "as 32.")
         for arithmetic, gain in (("fast", "; not negative, and the sum of its powers below 2^126"), ("fixed", ""),
                                  ("precise", "; not negative, and the sum of its powers below 2^100")):
             facts = of("hn_fbm2", arithmetic)
@@ -516,8 +516,8 @@ class Comments(unittest.TestCase):
                  "From a cell at most 2.44e-6"),
                 ("hn_perlin2", "fast", "sine", "at most 4.58e-6 against the exact value, in any rounding mode. "
                  "From a cell at most 4.36e-6"),
-                ("hn_cellular_d2", "fixed", "octahedral", "that of hn_cellular, and of a derivative at most 1.08e-5 divided "
-                 "by the distance"),
+                ("hn_cellular_d2", "fixed", "octahedral", "that of hn_cellular, and of a derivative at most 1.08e-5 "
+                 "divided by the distance"),
                 ("hn_clouds2", "fixed", "octahedral", "3 times that of hn_fbm, plus 2.6e-5"),
                 ("hn_gradient_lattice2", "fixed", "sine", "less than 3.7e-5")):
             self.assertEqual(of(name, arithmetic, gradient).error, error, name)
@@ -743,7 +743,8 @@ class Command(unittest.TestCase):
         for redirection, reason in ((">/dev/full", "No space left on device"), (">&-", "Bad file descriptor")):
             for command_ in (f"pick hn_random2 {redirection}", f"pick whole random2d.glsl {redirection}"):
                 with self.subTest(command_):
-                    done = subprocess.run(["bash", "-c", f"{TOOLS}/{command_}"], capture_output=True, text=True, check=False)
+                    done = subprocess.run(["bash", "-c", f"{TOOLS}/{command_}"], capture_output=True, text=True,
+                                          check=False)
                     name = command_.partition(" ")[0] + " whole" * ("whole" in command_)
                     self.assertEqual((done.returncode, done.stderr),
                                      (2, f"tools/{name}: cannot write the standard output: {reason}\n"))
@@ -788,7 +789,8 @@ class Command(unittest.TestCase):
                 ("go", "terrain", "package terrain\n", "Example: `terrain.Lattice2(3, -5, 7)`")):
             with self.subTest(language):
                 shown = self.call("hn_lattice2", "--language", language, "--name", name)[1]
-                self.assertIn(f"by: tools/pick hn_lattice2 --language {language} --arithmetic fast --name {name}\n", shown)
+                self.assertIn(f"by: tools/pick hn_lattice2 --language {language} --arithmetic fast --name {name}\n",
+                              shown)
                 self.assertIn(begins, shown)
                 self.assertIn(example, shown)
                 self.assertNotIn("hashnoise", shown.partition("by:")[2].lower().replace("the hashnoise authors", ""))
@@ -839,7 +841,8 @@ class Command(unittest.TestCase):
             self.assertEqual(self.call("hn_value2", "--language", language, "--name", name)[0], 0, name)
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "Terrain.java"
-            self.assertEqual(self.call("hn_value2", "--language", "java", "--name", "Terrain", "--out", str(path))[0], 0)
+            status, _ = self.call("hn_value2", "--language", "java", "--name", "Terrain", "--out", str(path))
+            self.assertEqual(status, 0)
 
     def test_bad_usage(self) -> None:
         for arguments, message in (((), "name functions"), (("--list", "hn_value2"), "name functions"),

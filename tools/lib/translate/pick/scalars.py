@@ -110,11 +110,13 @@ def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: comments.Fa
     def of_language(text: str) -> str:
         """With the names that functions and words have in the language: those of forms of as many dimensions."""
         def called(found: re.Match[str]) -> str:
-            form = next((one for one in (f"{found[0]}{size}", f"{found[0]}_of{size}", found[0]) if one in module.forms), "")
+            known = (f"{found[0]}{size}", f"{found[0]}_of{size}", found[0])
+            form = next((one for one in known if one in module.forms), "")
             return syntax.function_name(form, is_public=True) if form else found[0]
 
-        text = re.sub(r"\bhn_place and hn_tile make one \(tools/pick writes (\w+) and (\w+)\)", r"\1 and \2 make one", text)
-        text = re.sub(r"\bany uvec\d", f"any {syntax.word} in each", re.sub(r"\bany uint\b", f"any {syntax.word}", text))
+        text = re.sub(r"\bhn_place and hn_tile make one \(tools/pick writes (\w+ and \w+)\)", r"\1 make one", text)
+        text = re.sub(r"\bany uint\b", f"any {syntax.word}", text)
+        text = re.sub(r"\bany uvec\d", f"any {syntax.word} in each", text)
         return re.sub(r"\bhn_[a-z]\w*", called, text)
 
     def argument(one: Parameter, numbers: Sequence[float] | None) -> str:
@@ -372,7 +374,8 @@ class Syntax:
     def struct_comment(self, name: str) -> str:
         """The lines above a struct."""
         text = comments.of_struct(name, lambda function: self.function_name(function, is_public=True))
-        return "".join(f"{line}\n" for line in self.documented(self.type_name(name), Facts(text, "", ""))) if text else ""
+        lines = self.documented(self.type_name(name), Facts(text, "", "")) if text else []
+        return "".join(f"{line}\n" for line in lines)
 
     def documented(self, name: str, facts: Facts) -> list[str]:
         """A comment above a function, in the form that the language's tools know."""

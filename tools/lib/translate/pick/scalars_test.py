@@ -185,7 +185,8 @@ class Comments(unittest.TestCase):
         for language, shown in self.texts.items():
             with self.subTest(language):
                 head = " ".join(re.sub(r"(?m)^// *", "", shown.partition("\n\n")[0]).split())
-                self.assertIn(f"tools/pick {' '.join(self.NAMES)} --language {language} --arithmetic fixed Copyright", head)
+                self.assertIn(f"tools/pick {' '.join(self.NAMES)} --language {language} --arithmetic fixed Copyright",
+                              head)
                 self.assertLessEqual(max(map(len, shown.splitlines())), 120)
 
     def test_in_go_a_comment_is_a_sentence_that_begins_with_the_name(self) -> None:
