@@ -345,10 +345,13 @@ class BesideOthers(unittest.TestCase):
 
     def test_floats_of_x87_are_an_error_with_precise(self) -> None:
         text = including("hashnoise.hpp")
-        for compiler in (one for one in COMPILERS if "clang" not in Path(one).name):  # Clang has no such floats on x86-64
+        if platform.machine() != "x86_64":
+            self.skipTest("this machine has no x87")
+        for compiler in (one for one in COMPILERS if "clang" not in Path(one).name):  # Clang has none on x86-64
             for arithmetic, sure in (("HN_FAST", False), ("HN_FIXED", False), ("HN_PRECISE", True)):
-                said = messages(compiler, f"#define HN_ARITHMETIC {arithmetic}\n{text}", "-std=c++20", "-mfpmath=387", only="-E")
-                self.assertEqual("-mfpmath=sse" in said, sure and platform.machine() == "x86_64", (compiler, arithmetic, said))
+                said = messages(compiler, f"#define HN_ARITHMETIC {arithmetic}\n{text}", "-std=c++20", "-mfpmath=387",
+                                only="-E")
+                self.assertEqual("-mfpmath=sse" in said, sure, (compiler, arithmetic, said))
 
     def test_a_comparison_of_a_program_warns_as_before(self) -> None:
         said = messages(COMPILERS[0], all_headers() + "inline bool same(float x) { return x == 0.5f; }\n", "-std=c++20", "-Wfloat-equal")

@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Words wrap at 2^32. If a float in a vector does not fit an int, it becomes the nearest int. NaN becomes 0. (GLSL
-// leaves these values undefined.) So nothing has undefined behaviour, as long as all floats that you pass are finite, and
-// fractions, which are to be in [0, 1], are below 2^64 in size.
+// leaves these values undefined.) So nothing has undefined behaviour, as long as all floats that you pass are finite,
+// and fractions, which are to be in [0, 1], are below 2^64 in size.
 
 #pragma once
 
