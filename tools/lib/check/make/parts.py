@@ -32,7 +32,7 @@ SUITE = (*(f"{room}/*.[ch]pp" for room in ("src/base", "conformance/library", "c
          "conformance/expected/*.inc", "catalog/*.toml")
 PAGES = ("README.md", "docs/guide/gallery/README.md",
          *(f"docs/{page}.md" for page in (
-             "guide/cellular", "guide/conformance", "guide/languages", "guide/moving", "guide/uniform",
+             "guide/cellular", "guide/conformance", "guide/engines", "guide/languages", "guide/moving", "guide/uniform",
              "measured/default-hash", "measured/gpu-operations", "measured/hashes", "measured/judge",
              "measured/measuring", "measured/silicon", "reference/fractals", "reference/noises")))
 
