@@ -884,22 +884,6 @@ class Command(unittest.TestCase):
                                    (("hn_value2", "--language", "rust", "--name", "mine"), "a module of any name"),
                                    (("hn_value2", "--language", "java", "--name", "a-b"), "such as Terrain, not 'a-b'"),
                                    (("hn_value2", "--language", "hlsl", "--name", "my_"), "single underscores"),
-                                   (("hn_value2", "--language", "osl", "--name", "noise"),
-                                    "--name noise is a word of the language, or a name in the text"),
-                                   (("hn_value2", "--language", "go", "--name", "func"),
-                                    "--name func is a word of the language, or a name in the text"),
-                                   (("hn_value2", "--language", "go", "--name", "math"),
-                                    "--name math is a word of the language, or a name in the text"),
-                                   (("hn_value2", "--language", "csharp", "--name", "Value2"),
-                                    "--name Value2 is a word of the language, or a name in the text"),
-                                   (("hn_value2", "--language", "csharp", "--name", "System"),
-                                    "--name System is a word of the language, or a name in the text"),
-                                   (("hn_value2", "--language", "java", "--name", "Math"),
-                                    "--name Math is a word of the language, or a name in the text"),
-                                   (("hn_circle", "--language", "java", "--name", "Float2"),
-                                    "--name Float2 is a word of the language, or a name in the text"),
-                                   (("hn_value2_place", "--language", "java", "--name", "Place2"),
-                                    "--name Place2 is a word of the language, or a name in the text"),
                                    (("hn_value2", "--language", "java", "--out", "/nowhere/Terrain.java"),
                                     "Terrain.java has to have a public class of its name: add --name Terrain"),
                                    (("hn_value2", "--list"), "or ask for --list"),
@@ -913,6 +897,16 @@ class Command(unittest.TestCase):
             pages.main(["--out", "/dev/null/out"])
         self.assertEqual(stop.exception.code, 2)
         self.assertIn("/dev/null/out", shown.getvalue())
+
+    def test_a_name_that_the_language_or_the_text_has_is_refused(self) -> None:
+        for function, language, name in (
+                ("hn_value2", "osl", "noise"), ("hn_value2", "go", "func"), ("hn_value2", "go", "math"),
+                ("hn_value2", "csharp", "Value2"), ("hn_value2", "csharp", "System"), ("hn_value2", "java", "Math"),
+                ("hn_circle", "java", "Float2"), ("hn_value2_place", "java", "Place2")):
+            with self.subTest(language=language, name=name):
+                status, shown = self.call(function, "--language", language, "--name", name)
+                self.assertEqual(status, 2)
+                self.assertIn(f"--name {name} is a word of the language, or a name in the text", shown)
 
     def test_a_warp_by_another_noise_is_a_loop_over_functions_that_can_be_picked(self) -> None:
         for warp in ("hn_warp2", "hn_warp_progressive2", "hn_warp3", "hn_warp_progressive3_place"):

@@ -683,15 +683,15 @@ def results_of(function: Function, module: Module) -> list[Part]:
 
 @functools.cache
 def _results() -> dict[str, tuple[str, ...]]:
-    """By the function, the catalog's names for the components of a result that is no vector."""
-    return {row.calls: row.gives for row in read_functions() if row.gives[0] in ("value", "first") and not row.returns}
+    """By the function, the names for the components of a result that is no vector: the catalog's, but for distances."""
+    return {row.calls: tuple(DISTANCES.get(name, name) for name in row.gives)
+            for row in read_functions() if row.gives[0] in ("value", "first") and not row.returns}
 
 
 def components(function: Function) -> Sequence[str]:
     """The names of the components of its result: those of a vector are its axes."""
     is_mean_with_slopes = function.name == "hn_mean" and function.types[1:] and "slopes" in function.types[1]
     given = _results().get("hn_fbm_d" if is_mean_with_slopes else function.name, AXES)
-    given = tuple(DISTANCES.get(name, name) for name in given)
     return expanded(given, SIZES[function.type] - 1) if len(given) > 1 and function.type in SIZES else AXES
 
 
