@@ -191,16 +191,16 @@ class Wrong(unittest.TestCase):
             with self.subTest(message=message):
                 self.assertIn(message, self.refused(file, old, new))
 
-    def test_a_parameter_has_a_text_and_ends(self):
-        for function, parameter, is_fixed, ends in (
-                ("hn_fbm2", "gain", False, (0, None)), ("hn_fbm2", "gain", True, (0, 1)),
-                ("hn_fbm2", "lacunarity", False, (None, None)), ("hn_fbm2", "lacunarity", True, (0, 255)),
-                ("hn_warp3", "amplitude", True, (0, 64)), ("hn_eroded3_place", "strength", True, (0, 16)),
-                ("hn_weighted2", "strength", True, (0, 1)), ("hn_cellular2_jitter", "metric", True, (1, 5)),
-                ("hn_fbm2", "seed", True, (None, None))):
+    def test_a_parameter_has_a_text_ends_and_a_default(self):
+        for function, parameter, is_fixed, numbers in (
+                ("hn_fbm2", "gain", False, (0, None, 0.5)), ("hn_fbm2", "gain", True, (0, 1, 0.5)),
+                ("hn_fbm2", "lacunarity", False, (None, None, 2)), ("hn_fbm2", "lacunarity", True, (0, 255, 2)),
+                ("hn_warp3", "amplitude", True, (0, 64, 1)), ("hn_eroded3_place", "strength", True, (0, 16, 1)),
+                ("hn_weighted2", "strength", True, (0, 1, 1)), ("hn_ping_pong2", "strength", True, (0, 64, 2)),
+                ("hn_cellular2_jitter", "metric", True, (1, 5, 1)), ("hn_fbm2", "seed", True, (None, None, 0))):
             with self.subTest((function, parameter), is_fixed=is_fixed):
                 found = parameters.about(function, parameter, is_fixed)
-                self.assertEqual(found[1:], ends)
+                self.assertEqual(found[1:], numbers)
                 self.assertRegex(found.what, r"^\w[^`\"]{8,89}$")
         self.assertIsNone(parameters.about("hn_perlin2", "amplitude", True))
 

@@ -1,4 +1,4 @@
-"""The catalog's texts and ranges of the parameters of functions, for programs that show these to people."""
+"""The catalog's texts, ranges and defaults of the parameters of functions, for programs that show these to people."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ class About(NamedTuple):
     what: str
     least: float | None
     most: float | None
+    default: float | None
 
 
 @cache
@@ -29,15 +30,16 @@ def about(function: str, parameter: str, is_fixed: bool) -> About | None:
     of = _read()
     if parameter == "metric":
         listed = ", ".join(f"{number} {name}" for number, name in enumerate(of.metrics, 1))
-        return About(f"the distance: {listed}", 1, len(of.metrics))
+        return About(f"the distance: {listed}", 1, len(of.metrics), 1)
     name = re.sub(r"\Ahn_|\d.*", "", function)
     for sum_ in of.sums:
         if sum_.name == name and sum_.strength and sum_.strength.name == parameter:
             what = re.split(r"; |, in \[", sum_.strength.about.replace("`", ""))[0]
-            return About(what if len(what) < COLUMNS else what.partition(":")[0], 0, sum_.strength.most)
+            return About(what if len(what) < COLUMNS else what.partition(":")[0], 0,
+                         sum_.strength.most, sum_.strength.default)
     if not (found := of.settings.get(parameter)):
         return None
     least, most = found.fixed if is_fixed else (found.least, found.most)
     if found.is_whole and not all(bound is None or WORDS[0] < bound < WORDS[1] for bound in (least, most)):
         least = most = None
-    return About(found.about, least, most)
+    return About(found.about, least, most, found.default)

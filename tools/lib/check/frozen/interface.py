@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from base.tree import BOUNDS, GLSL, ROOT, glsl_files
-from catalog import asked, model
+from catalog import asked, model, parameters
 from catalog.tables.functions import read_functions
 from catalog.tables.glsl import declarations
 from ship import hlsl_nodes
@@ -25,7 +25,7 @@ from ship.unity import files as unity
 from ship.unreal import files as unreal
 from translate.parsing.syntax import Parameter
 from translate.pick.command import Choice, read_library
-from translate.pick.osl import DEFAULTS
+from translate.pick.osl import default_of
 from translate.pick.scalars import bare
 
 COLUMNS = ("kind", "name", "what")
@@ -74,8 +74,9 @@ def shaders() -> Iterator[Row]:
     for module in (*asked.modules().values(), HASHES):
         yield from (("rust", bare(form), "") for form in of_module(library.forms, *module))
     for form in blender.FORMS:
-        yield from (("blender", f"{blender.shader(form)}.{one.at.text}", f"{one.type} {DEFAULTS.get(one.at.text, 0)}")
-                    for one in library.forms[form].parameters)
+        for one in library.forms[form].parameters:
+            default = default_of(parameters.about(form, one.at.text, is_fixed=True), one.type)
+            yield "blender", f"{blender.shader(form)}.{one.at.text}", f"{one.type} {default}"
         yield from (("blender", f"{blender.shader(form)}.{name.lower()}", f"output {type_}")
                     for name, type_ in blender.outputs(form).items())
 

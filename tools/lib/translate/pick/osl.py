@@ -18,9 +18,6 @@ from translate.pick.values import AXES, PREFIXES, SIZES, Constant
 MASKED = re.compile(r"(\(\w+ >> \d+\)) & (0x[0-9A-F]+)")
 COMPARED = {"<": ("hn_i_less", "{0}, {1}"), ">": ("hn_i_less", "{1}, {0}")}
 UNSIGNED = {"/": "hn_i_quotient", "%": "hn_i_rest"}
-# Defaults of the shader's parameters.
-DEFAULTS = {"octaves": "6", "lacunarity": "2.0", "gain": "0.5", "jitter": "1.0", "metric": "1", "strength": "1.0",
-            "amplitude": "1.0"}
 VECTORS = {f"hn_{prefix}vec{size}": ("float" if scalar == "float" else "int", AXES[:size])
            for scalar, prefix in PREFIXES.items() for size in (2, 3, 4)}
 # A component of what a function returns: the language has it of variables alone.
@@ -229,8 +226,7 @@ def shader(syntax: Osl, name: str, parameters: Sequence[Taken], results: Sequenc
         if len(axes) > 1 and one.name in axes[:3]:
             passed.append(f"p[{axes.index(one.name)}]")
         else:
-            default = DEFAULTS.get(one.name, "0" if one.type != "float" else "0.0")
-            inputs.append(f"{syntax.type(one.type)} {one.name} = {default}{metadata(syntax, name, one)}")
+            inputs.append(declared(syntax, name, one))
             passed.append(one.name)
     before, after = [], []
     outputs = []
@@ -256,19 +252,26 @@ def shader(syntax: Osl, name: str, parameters: Sequence[Taken], results: Sequenc
     if value := next((part for part in results if part.name == returned), None):
         call = f"{returned}{'_n' * (SIZES[value.type] > 1)} = {call}"
     body = "".join(f"  {line}\n" for line in (*before, call, *after))
-    declared = ",\n    ".join([*inputs, *outputs])
-    return [f"shader {syntax.name or f'hashnoise_{bare(name)}'}(\n    {declared}) {{\n{body}}}\n"]
+    taken = ",\n    ".join([*inputs, *outputs])
+    return [f"shader {syntax.name or f'hashnoise_{bare(name)}'}(\n    {taken}) {{\n{body}}}\n"]
 
 
-def metadata(syntax: Osl, function: str, one: Taken) -> str:
-    """The text that a renderer shows of a parameter, and the range of its slider."""
-    if not (about := known.about(function, one.name, syntax.is_fixed)):
-        return ""
+def declared(syntax: Osl, function: str, one: Taken) -> str:
+    """An input with its default, the text that a renderer shows of it, and the range of its slider."""
     scalar = syntax.type(one.type)
-    ends = ", ".join(f"{scalar} {end} = {float(value) if scalar == 'float' else value}"
+    about = known.about(function, one.name, syntax.is_fixed)
+    head = f"{scalar} {one.name} = {default_of(about, scalar)}"
+    if not about:
+        return head
+    ends = ", ".join(f"{scalar} {end} = {float(value) if scalar == 'float' else int(value)}"
                      for end, value in (("min", about.least), ("max", about.most)) if value is not None)
     joined = ",\n           ".join(filter(None, (f'string help = "{about.what}"', ends)))
-    return f"\n        [[ {joined} ]]"
+    return f"{head}\n        [[ {joined} ]]"
+
+
+def default_of(about: known.About | None, type_: str) -> float:
+    value = about.default or 0 if about else 0
+    return float(value) if type_ == "float" else int(value)
 
 
 def without_shader(text: str) -> str:
