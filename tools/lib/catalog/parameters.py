@@ -24,7 +24,6 @@ def _read() -> Catalog:
     return read()
 
 
-@cache
 def about(function: str, parameter: str, is_fixed: bool) -> About | None:
     """Of a function such as hn_warp, or a form such as hn_warp2; None where the catalog lacks the parameter."""
     of = _read()

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import tempfile
 import unittest
+from functools import cache
 from pathlib import Path
 from unittest import mock
 
 from base.tree import INTERFACE, ROOT
+from catalog import parameters
 from check.frozen import interface
 from ship import hlsl_nodes
 from ship.materialx import files as materialx
@@ -19,6 +21,7 @@ REMEDY = ": restore it, or give what is new another name"
 CHANGES = (  # of a file; what is reported
     ("catalog/settings.toml", "default = 6", "default = 5",
      f"default octaves: it was 6, and is 5. {STAYS}{REMEDY}"),
+    ("catalog/settings.toml", "default = 6", "default = 5", "blender billow2.octaves: it was int 6, and is int 5."),
     ("catalog/settings.toml", '["euclidean", "squared"', '["squared", "euclidean"',
      "default metric: it was euclidean, and is squared."),
     # A range stays in both directions: 16 bits of a narrower one are other numbers.
@@ -80,8 +83,9 @@ class Interface(unittest.TestCase):
 
             read = program._read_once  # that is cached
             read = read.__wrapped__ if file.startswith("glsl/") else read
+            catalog = cache(parameters._read.__wrapped__)
             with self.subTest(said), mock.patch.object(Path, "read_text", changed), \
-                    mock.patch.object(program, "_read_once", read):
+                    mock.patch.object(program, "_read_once", read), mock.patch.object(parameters, "_read", catalog):
                 self.assertNotEqual((ROOT / file).read_text(encoding="utf-8"), TEXT_OF(ROOT / file, encoding="utf-8"))
                 self.assertIn(said, "\n".join(interface.changed(self.table, interface.library())))
 
