@@ -104,8 +104,8 @@ Result<MergeResult> merge_runs(std::vector<Run> runs, const std::vector<std::str
                                         name_of(run), run.not_run));
     }
     const std::size_t without = run.whole - std::min(run.whole, run.cases.size());
-    if (without > run.not_run) {
-      run.missing = without - run.not_run;
+    run.missing = without - std::min(without, run.not_run);
+    if (run.missing != 0) {
       merged.gaps.push_back(fmt::format("{}: {} of {} cases are missing; not all of its shards are here", name_of(run),
                                         run.missing, run.whole));
     } else {

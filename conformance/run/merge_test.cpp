@@ -90,6 +90,13 @@ TEST(Merge, AMissingShardIsAGap) {
   ASSERT_TRUE(merged);
   ASSERT_EQ(merged->gaps.size(), 1u);
   EXPECT_NE(merged->gaps[0].find("3 of 10 cases are missing"), std::string::npos) << merged->gaps[0];
+  const auto read = parse_results(results_text(merged->runs));
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_EQ(read->at(0).missing, 3u);
+  const auto whole = merge({read->at(0), shard_run("2/3")});
+  ASSERT_TRUE(whole) << whole.error().text();
+  EXPECT_EQ(whole->gaps.size(), 0u);
+  EXPECT_TRUE(all_as_expected(whole->runs));
 }
 
 TEST(Merge, WhatDoesNotBelongTogetherIsAnError) {

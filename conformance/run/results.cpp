@@ -61,9 +61,9 @@ Json to_json(const Run& run) {
   if (!run.shard.empty()) {
     one["shard"] = run.shard;
     one["whole"] = run.whole;
+    if (run.missing != 0) one["missing"] = run.missing;
   }
   if (run.not_run != 0) one["not_run"] = run.not_run;
-  if (run.missing != 0) one["missing"] = run.missing;
   Json& totals = one["totals"] = Json::object();
   for (const Status status : kStatuses) totals[std::string(name_of(status))] = run.count(status);
   one["as_expected"] = run.as_expected();
@@ -97,6 +97,7 @@ Run run_from(const nlohmann::json& json, std::string& where) {
   if (json.contains("shard")) {
     run.shard = text_at(json, "shard");
     run.whole = whole_number_at(json, "whole");
+    if (json.contains("missing")) run.missing = whole_number_at(json, "missing");
   }
   if (json.contains("not_run")) run.not_run = whole_number_at(json, "not_run");
   for (const nlohmann::json& result : list_at(json, "cases")) {

@@ -39,10 +39,13 @@ TEST(Run, ThatEndedTooEarlyIsNoPass) {
 
 TEST(Run, ThatLacksAShardIsNoPass) {
   hn::Run run = run_of({result("a", Status::pass)});
+  run.shard = "1/4";
+  run.whole = 4;
   run.missing = 3;
   EXPECT_FALSE(run.as_expected());
   EXPECT_FALSE(all_as_expected({run}));
   EXPECT_EQ(nlohmann::json::parse(results_text({run}))["runs"][0]["missing"], 3);
+  EXPECT_EQ(parse_results(results_text({run})).value()[0].missing, 3u);
 }
 
 TEST(Run, InWhichNothingPassedIsNoneThatFailed) {
