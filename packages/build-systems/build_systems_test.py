@@ -255,6 +255,10 @@ class Vcpkg(Way):
         self.call(clone)
         output = self.call([*install, f"--x-install-root={self.folder}/installed", "--binarysource=clear"])
         self.assertNotIn("portfile.cmake: warning", output)
+        manifest = self.game / "hashnoise" / "packages" / "vcpkg" / "hashnoise" / "vcpkg.json"
+        written = manifest.read_text()
+        self.call(["vcpkg", "format-manifest", manifest])
+        self.assertEqual(manifest.read_text(), written)  # the registry's tests want this form
         _, _, installed, shader = blocks("cmake", "CMake")
         self.write("CMakeLists.txt", installed + shader)
         self.write("noise.frag", blocks("glsl", "A shader for Vulkan")[0])
