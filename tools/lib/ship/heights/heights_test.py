@@ -65,11 +65,10 @@ Row = tuple[float, float, int]
 
 @functools.cache
 def rows() -> list[Row]:
-    """Places x and y, which are floats of 32 bits, with a seed, all of one seed together, as Blender takes them.
-    Blender has seeds of 31 bits."""
+    """Places x and y, which are floats of 32 bits, with a seed, all of one seed together, as Blender takes them."""
     of = random.Random(35)
     found = []
-    for seed in [of.randrange(1 << 31) for _ in range(SEEDS)]:
+    for seed in [of.randrange(1 << 32) for _ in range(SEEDS)]:
         for i in range(POINTS):
             span = 2.0 ** (i % 22)
             found.append((*(struct.unpack("f", struct.pack("f", of.uniform(-span, span)))[0] for _ in "xy"), seed))
@@ -173,11 +172,12 @@ class Everywhere(unittest.TestCase):
             places = numpy.array([x, y, [0] * POINTS], numpy.float32)
             of_python += hashnoise.fbm(places[0], places[1], seed=seeds[0], arithmetic="fixed").tobytes()
             settings = {"fractal": "fbm", "octaves": 6, "scale": 1.0, "strength": 1.0}
-            of_blender += in_blender.displaced(places.T, seed=seeds[0], **settings).tobytes()
+            seed = seeds[0] - ((seeds[0] & 1 << 31) << 1)  # Blender's numbers have a sign
+            of_blender += in_blender.displaced(places.T, seed=seed, **settings).tobytes()
         for name, got in (("Python", of_python), ("Blender", of_blender)):
             with self.subTest(name):
                 self.assert_same(words(got))
-        other = in_blender.displaced(places.T, seed=seeds[0] ^ 1, **settings).tobytes()
+        other = in_blender.displaced(places.T, seed=seed ^ 1, **settings).tobytes()
         self.assertNotEqual(difference(self.expected, words(of_blender[:-len(other)] + other)), "")
 
 
