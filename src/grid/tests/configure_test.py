@@ -1,10 +1,11 @@
-"""Tests what CMake makes of HASHNOISE_INSTRUCTION_SETS: python3 configure_test.py CMAKE COMPILER
+"""Tests what CMake makes of HASHNOISE_INSTRUCTION_SETS and of a debug build: python3 configure_test.py CMAKE COMPILER
 
 Nothing is compiled but CMake's own checks of the compiler.
 """
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
@@ -16,12 +17,29 @@ ROOT = Path(__file__).resolve().parents[3]
 CMAKE, COMPILER = sys.argv[1:3]
 
 
+def configure(folder: str, *options: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([CMAKE, "-S", ROOT, "-B", folder, "-G", "Ninja", f"-DCMAKE_CXX_COMPILER={COMPILER}",
+                           "-DHASHNOISE_CONFORMANCE=OFF", *options], capture_output=True, text=True, check=False)
+
+
+class Debug(unittest.TestCase):
+    def test_kernels_have_lines_and_no_variables(self):
+        for build, last in (("Debug", "-g1"), ("RelWithDebInfo", "-g1"), ("Release", None)):
+            with self.subTest(build), tempfile.TemporaryDirectory() as folder:
+                done = configure(folder, f"-DCMAKE_BUILD_TYPE={build}", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                commands = json.loads(Path(folder, "compile_commands.json").read_text(encoding="utf-8"))
+                kernels = [one["command"].split() for one in commands if "-kernels-" in one["command"]]
+                self.assertTrue(kernels)
+                for command in kernels:
+                    given = [None, *(flag for flag in command if flag.startswith("-g") and "gnu" not in flag)]
+                    self.assertEqual(given[-1], last)
+
+
 class InstructionSets(unittest.TestCase):
     def configure(self, sets: str) -> subprocess.CompletedProcess[str]:
         with tempfile.TemporaryDirectory() as folder:
-            return subprocess.run([CMAKE, "-S", ROOT, "-B", folder, "-G", "Ninja", f"-DCMAKE_CXX_COMPILER={COMPILER}",
-                                   "-DHASHNOISE_CONFORMANCE=OFF", f"-DHASHNOISE_INSTRUCTION_SETS={sets}"],
-                                  capture_output=True, text=True, check=False)
+            return configure(folder, f"-DHASHNOISE_INSTRUCTION_SETS={sets}")
 
     def test_native_has_the_lowest_set(self):
         done = self.configure("native")
