@@ -250,11 +250,18 @@ class Vcpkg(Way):
     needs_environment = False
     programs = (*Way.programs, "vcpkg")
 
-    def test_port(self):
+    def installed(self, port: str = "hashnoise") -> Path:
+        """Installs the port by the page's commands, and returns the folder of what it installed."""
         clone, install = commands("vcpkg")
         self.call(clone)
+        install[install.index("hashnoise")] = port
         output = self.call([*install, f"--x-install-root={self.folder}/installed", "--binarysource=clear"])
         self.assertNotIn("portfile.cmake: warning", output)
+        triplet, = (path for path in (self.folder / "installed").iterdir() if path.name != "vcpkg")
+        return triplet
+
+    def test_port(self):
+        triplet = self.installed()
         manifest = self.game / "hashnoise" / "packages" / "vcpkg" / "hashnoise" / "vcpkg.json"
         written = manifest.read_text()
         self.call(["vcpkg", "format-manifest", manifest])
@@ -262,11 +269,18 @@ class Vcpkg(Way):
         _, _, installed, shader = blocks("cmake", "CMake")
         self.write("CMakeLists.txt", installed + shader)
         self.write("noise.frag", blocks("glsl", "A shader for Vulkan")[0])
-        triplet, = (path for path in (self.folder / "installed").iterdir() if path.name != "vcpkg")
         self.call(["cmake", "-S", ".", "-B", "build", f"-DCMAKE_PREFIX_PATH={triplet}"])
         self.call(["cmake", "--build", "build"])
         self.assertEqual(self.differing(self.game / "build" / "game"), {})
         self.assert_spirv(self.game / "build" / "noise.spv")
+
+    def test_grid(self):
+        triplet = self.installed("hashnoise[grid]")
+        for build in ("Release", "Debug"):
+            self.call(["cmake", "-S", ROOT / "conformance" / "testing" / "consumer", "-B", build,
+                       f"-DCMAKE_BUILD_TYPE={build}", f"-DCMAKE_PREFIX_PATH={triplet}"])
+            self.call(["cmake", "--build", build])
+            self.call([self.game / build / "grid"])
 
 
 def library_version() -> str:

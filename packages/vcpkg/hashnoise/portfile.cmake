@@ -10,6 +10,7 @@ endif()
 vcpkg_cmake_configure(SOURCE_PATH "${SOURCE_PATH}" OPTIONS -DHASHNOISE_CONFORMANCE=OFF ${features})
 vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(CONFIG_PATH ${config_dir})
+vcpkg_fixup_pkgconfig()
 file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/debug/include" "${CURRENT_PACKAGES_DIR}/debug/share")
 file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/share/doc")  # LICENSE, which vcpkg has under another name
 vcpkg_install_copyright(FILE_LIST "${SOURCE_PATH}/LICENSE")
