@@ -250,7 +250,7 @@ class Vcpkg(Way):
     needs_environment = False
     programs = (*Way.programs, "vcpkg")
 
-    def installed(self, port: str = "hashnoise") -> Path:
+    def install_port(self, port: str = "hashnoise") -> Path:
         """Installs the port by the page's commands, and returns the folder of what it installed."""
         clone, install = commands("vcpkg")
         self.call(clone)
@@ -261,7 +261,7 @@ class Vcpkg(Way):
         return triplet
 
     def test_port(self):
-        triplet = self.installed()
+        triplet = self.install_port()
         manifest = self.game / "hashnoise" / "packages" / "vcpkg" / "hashnoise" / "vcpkg.json"
         written = manifest.read_text()
         self.call(["vcpkg", "format-manifest", manifest])
@@ -275,7 +275,7 @@ class Vcpkg(Way):
         self.assert_spirv(self.game / "build" / "noise.spv")
 
     def test_grid(self):
-        triplet = self.installed("hashnoise[grid]")
+        triplet = self.install_port("hashnoise[grid]")
         for build in ("Release", "Debug"):
             self.call(["cmake", "-S", ROOT / "conformance" / "testing" / "consumer", "-B", build,
                        f"-DCMAKE_BUILD_TYPE={build}", f"-DCMAKE_PREFIX_PATH={triplet}"])
