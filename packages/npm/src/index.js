@@ -68,12 +68,18 @@ const ELSEWHERE = {
   warpamplitude: "amplitude", repeat: "period", tile: "period", tileable: "period",
   frequency: MULTIPLY, freq: MULTIPLY, zoom: MULTIPLY, scale: DIVIDE, wavelength: DIVIDE,
 };
+// The names of a table, and what sets them.
+const setBy = (setting, rows) => Object.fromEntries(Object.keys(rows).map((name) =>
+  [bareName(name), `${name} is a ${setting}: pass { ${setting}: "${name}" }`]));
+const FRACTALS_THERE = setBy("fractal", FRACTALS);
+const NOISES_THERE = setBy("noise", NOISES);
 // Noises, without the dimensions at their ends: those of closest.hpp.
 const NOISES_ELSEWHERE = {
+  ...FRACTALS_THERE,
   snoise: "simplex", opensimplex: "simplex", opensimplex2s: "simplex_smooth", pnoise: "perlin", cnoise: "perlin",
   worley: "cellular", voronoi: "cellular",
 };
-const FRACTALS_ELSEWHERE = { none: "leave it out" };
+const FRACTALS_ELSEWHERE = { ...NOISES_THERE, none: "leave it out" };
 const LONGEST_WORD = 48; // the module has room for the numbers of one
 const MOST_VALUES = 2 ** 31 - 1; // of an array, in every browser
 const BATCH = 1024; // points, as in twin.cpp
@@ -167,7 +173,7 @@ function oneOf(name, value, names, elsewhere = {}) {
 }
 
 function hintOf(text, names, elsewhere) {
-  const bare = text.replaceAll("_", "");
+  const bare = bareName(text);
   const known = [bare, bare.replace(/[1-4d]+$/, "")].find((one) => Object.hasOwn(elsewhere, one));
   if (known === undefined) return suggestion(text.replace(/^hn_/, ""), names);
   const meant = elsewhere[known];
@@ -191,6 +197,10 @@ function suggestion(word, names) {
     letters.set(new TextEncoder().encode(word + name));
     const slips = twin.slips(word.length, name.length);
     if (slips >= fewest) continue;
+function bareName(name) {
+  return name.toLowerCase().replaceAll("_", "");
+}
+
     fewest = slips;
     meant = name;
   }
@@ -216,7 +226,11 @@ function given(kind, object, names, elsewhere) {
   if (typeof object !== "object" || object === null || Array.isArray(object)) {
     throw new TypeError(`${kind}s have to be an object with some of ${names.join(", ")}, not ${shown(object)}`);
   }
-  for (const name of Object.keys(object)) oneOf(`${kind === "option" ? "an" : "a"} ${kind}`, name, names, elsewhere);
+  for (const [name, value] of Object.entries(object)) {
+    const bare = bareName(name);
+    const meant = elsewhere && typeof value === "string" && ofValue(bareName(value), elsewhere[bare]); // as in `type: "fbm"`
+    oneOf(`${kind === "option" ? "an" : "a"} ${kind}`, name, names, meant ? { ...elsewhere, [bare]: meant } : elsewhere);
+  }
   return Object.fromEntries(Object.entries(object).filter(([, value]) => value !== undefined));
 }
 
@@ -234,6 +248,12 @@ const checkedDimensions = (dimensions) => whole("dimensions", dimensions, 1, 3);
 function namesIn(rows, dimensions) {
   checkedDimensions(dimensions);
   return Object.keys(rows).filter((name) => rows[name].dimensions.includes(dimensions));
+}
+
+/** What sets a value, unless it is set by that. */
+function ofValue(value, by) {
+  if (Object.hasOwn(FRACTALS_THERE, value)) return by !== "fractal" && FRACTALS_THERE[value];
+  return Object.hasOwn(NOISES_THERE, value) && by !== "noise" && NOISES_THERE[value];
 }
 
 const inItsCell = (name, value) => real(name, value, 0, 1);

@@ -218,6 +218,12 @@ test("wrong settings are reported", () => {
     const said = /settings have to be an object with some of noise, fractal, .*metric, not /;
     assert.throws(() => new Field(2, settings), { name: "TypeError", message: said });
   }
+    [2, { noise: "fbm" }, /noise in 2D has to be one of .*, not "fbm" \(fbm is a fractal: pass { fractal: "fbm" }\)$/],
+    [3, { noise: "pingPong" }, /not "pingPong" \(ping_pong is a fractal: pass { fractal: "ping_pong" }\)$/],
+    [2, { fractal: "simplex" }, /fractal in 2D .*, not "simplex" \(simplex is a noise: pass { noise: "simplex" }\)$/],
+    [2, { type: "fbm" }, /a setting has to be .*, not "type" \(fbm is a fractal: pass { fractal: "fbm" }\)$/],
+    [2, { kind: "cellular" }, /not "kind" \(cellular is a noise: pass { noise: "cellular" }\)$/],
+    [2, { noiseType: "fbm" }, /not "noiseType" \(fbm is a fractal: pass { fractal: "fbm" }\)$/],
   for (const names of [Field.noises, Field.fractals]) assert.throws(() => names(4), /dimensions has to be a whole number from 1 to 3/);
   const field = new Field(2, { seed: undefined });
   for (const [call, said] of [
