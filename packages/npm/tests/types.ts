@@ -23,8 +23,10 @@ export const tile = hn_fbm2_place(hn_tile2(uv().mul(8), ivec2(8, 8)), 6, 2, 0.5,
 export const shift = hn_warp2(uv(), 6, 2, 0.5, 1, 7);
 export const tiled = new Field(2, { period: new Int32Array([4, 8]) }).points([new Float64Array(1), [0]]);
 const pairs: [number, number][] = [[0.5, 0.25], [0.75, 0.125]];
-export const named = [field.points({ x: [0, 1], y: new Float32Array(2) }), field.points({ xy: pairs }, { cells: { xy: pairs } }),
-  new Field(3).points({ xyz: new Float32Array(9) })];
+export const named = [
+  field.points({ x: [0, 1], y: new Float32Array(2) }), field.points({ xy: pairs }, { cells: { xy: pairs } }),
+  new Field(3).points({ xyz: new Float32Array(9) }),
+];
 export const part: Float32Array = field.grid([4, 4], { step: 0.1, first: [-4, 4] });
 export const ahead: Promise<void> = init(new WebAssembly.Module(new Uint8Array(8)));
 registerChunks();
