@@ -168,12 +168,15 @@ def _filled(text: str, indent: int = 0) -> str:
 def _types(function: Function, catalog: Catalog) -> str:
     """A function in a stub; one that returns a single value for a point returns a number for numbers."""
     points, *options = _options(function, catalog)
-    of_numbers = [replace(option, type=option.number_type or option.type) for option in options]
+    of_axes = [replace(points, type="None"), *options]
+    of_numbers = [replace(option, type=option.number_type or option.type) for option in of_axes]
     number = [_signature(function, _coordinates(function, "_Number"), of_numbers, "float")]
+    # A default in the code has to be one in an overload, too.
+    nothing = [*(f"{axis}: None = None" for axis in AXES[:function.last]), "/", "*", f"{points.name}: {points.type}"]
     return "".join([
         *(number if function.shape == "value" else []),
-        _signature(function, _coordinates(function, "npt.ArrayLike"), options, "_Values"),
-        _signature(function, ["*", f"{points.name}: {points.type}"], options, "_Values")])
+        _signature(function, _coordinates(function, "npt.ArrayLike"), of_axes, "_Values"),
+        _signature(function, nothing, options, "_Values")])
 
 
 def _coordinates(function: Function, type_: str) -> list[str]:
