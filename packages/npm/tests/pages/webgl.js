@@ -122,7 +122,7 @@ async function ofLand(made) {
   let most = Math.abs(ball.position.y - 1 - height(ball.position.x, ball.position.z));
   for (let z = 0; z < SIDE; ++z) {
     for (let x = 0; x < SIDE; ++x) {
-      const gray = Math.min(Math.max(0.5 + height(x + 0.5 - 32, 32 - (z + 0.5)) / 16, 0), 1);
+      const gray = Math.min(Math.max(0.5 + height(x + 0.5 - 32, 32 - (z + 0.5)) / 8, 0), 1);
       most = Math.max(most, Math.abs(pixels[4 * (SIDE * z + x)] - 255 * gray));
     }
   }
