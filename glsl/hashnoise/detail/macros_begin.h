@@ -869,6 +869,8 @@
 #undef sse41
 #pragma push_macro("start")
 #undef start
+#pragma push_macro("steep")
+#undef steep
 #pragma push_macro("steepening")
 #undef steepening
 #pragma push_macro("step")

@@ -435,6 +435,7 @@
 #pragma pop_macro("sse2")
 #pragma pop_macro("sse41")
 #pragma pop_macro("start")
+#pragma pop_macro("steep")
 #pragma pop_macro("steepening")
 #pragma pop_macro("step")
 #pragma pop_macro("steps")
