@@ -82,4 +82,6 @@ PARTS = (
          ("build/vectors/*.json",), python=(3, 9), by_name=True),
     Part("site", "a site of the pages, with what Sphinx needs from PyPI", "minutes", "ship.website.command", (),
          ("build/site/index.html",), by_name=True),
+    Part("format", "C++, GLSL and Python, formatted", "seconds, and half a minute at first", "check.format.command", (),
+         (), by_name=True),
 )
