@@ -7,8 +7,8 @@ requirements.txt names are installed into build/format-environment at first, so 
 ruff mends imports, blanks and empty lines, and finds mistakes. It does not break lines anew: as `ruff format` lays them
 out, the tree has 14,000 lines more.
 
-Exit status: 0 done, or (--check) nothing to do; 1 (--check) a file is not formatted, or ruff found what it cannot mend;
-2 bad usage, 4 the formatters cannot be had.
+Exit status: 0 done, or (--check) nothing to do; 1 (--check) a file is not formatted, or ruff found what it cannot mend,
+or the formatters cannot be installed; 2 bad usage, 4 PyPI cannot be reached.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from base.pypi import environment
+from base.pypi import SKIPPED, environment
 from base.tree import ROOT
 from base.usage import Parser
 
@@ -71,8 +71,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     for file in options.files:
         if not file.is_file() or file.suffix not in BY_CLANG_FORMAT | PYTHON:
             parser.error(f"{file} is no file of C++, GLSL, HLSL, Metal or Python")
-    if environment(ENVIRONMENT, Path(__file__).with_name("requirements.txt")):
-        return 4
+    if status := environment(ENVIRONMENT, Path(__file__).with_name("requirements.txt")):
+        return 4 if status == SKIPPED else 1
     found = unformatted(options.files or sources(), options.check, ENVIRONMENT / "bin")
     print(*(line.replace(f"{ROOT}/", "") for line in found), sep="\n", end="\n" if found else "")
     if found and options.check:
