@@ -18,6 +18,10 @@ CHANGED = ((".cpp", "int  f( ) {return 1 ;}\n", "int f() { return 1; }\n"),
 
 
 class Format(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        if command.main(["--check", __file__]) == 4:
+            raise unittest.SkipTest("PyPI cannot be reached, so there are no formatters")
 
     def setUp(self):
         self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
