@@ -1,5 +1,5 @@
-// hashnoise in C++: puts away the macros of Arduino, X11 and windows.h that the headers, or the standard headers, have
-// as names. macros_end.h brings them back. SPDX-License-Identifier: MIT
+// hashnoise in C++: puts away what Arduino, X11 and windows.h define of the headers' names. macros_end.h ends it.
+// SPDX-License-Identifier: MIT
 
 #pragma push_macro("None")
 #undef None
