@@ -78,7 +78,7 @@ class Machine:
         self.program("python3", 'case "$*" in *measure*) echo it runs;; esac')
         for path in ("conformance/hn-conform", "src/bake/hn-bake", "bench-cpu-g++/src/bench_cpu/hn-bench-cpu"):
             self.program(root / "build" / path, "echo it runs")
-        self.environment = {**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}",
+        self.environment = {**os.environ, "HOME": "/nowhere", "PATH": f"{self.programs}:{os.environ['PATH']}",
                             "HN_PROGRESS_SECONDS": str(TICK)}
         self.environment.pop("CCACHE_DIR", None)
 
