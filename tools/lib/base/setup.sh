@@ -162,7 +162,7 @@ install_missing() {
   # option apt-get needs no pseudo terminal, which a container may lack.
   local -a apt_get=(sh -c 'exec apt-get "$@" 3>&1' sh -q -o APT::Status-Fd=3 -o Dpkg::Use-Pty=0)
   logged "Asking for the newest packages" "apt-get could not read the list of packages" "${sudo[@]}" "${apt_get[@]}" update
-  logged "Installing ${#missing[@]} packages and what they need" "apt-get could not install these packages: ${missing[*]}" \
+  to_its_end=1 logged "Installing ${#missing[@]} packages and what they need" "apt-get could not install these packages: ${missing[*]}" \
     "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive "${apt_get[@]}" install -y --no-install-recommends "${missing[@]}"
   keep_measured packages each "$(awk -v ms=$(($(milliseconds) - started)) -v count=${#missing[@]} \
     'BEGIN { printf "%.2f", ms / 1000 / count }')"
