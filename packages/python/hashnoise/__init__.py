@@ -53,7 +53,7 @@ A wrong argument raises TypeError or ValueError, with the right ones in the mess
 """
 
 from . import _noises, _sums
-from ._core import version as __version__
+from ._core import version as __version__  # noqa: F401  (it is public, and is no name of import *)
 from ._evaluate import suggestion as _suggestion
 from ._grids import components, fractals, grid, instruction_sets, noises
 from ._noises import *  # noqa: F403
