@@ -44,11 +44,20 @@ def perlin(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | 
            phase: _Number | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
            out: _Values | None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> _Values: ...
+@overload
+def perlin(*, points: npt.ArrayLike, seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None,
+           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+           threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
 def perlin_d(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
              w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, period: _Wholes | None = None,
              phase: _Number | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
              out: _Values | None = None, threads: _Whole | None = None,
              instruction_set: str | None = None) -> _Values: ...
+@overload
+def perlin_d(*, points: npt.ArrayLike, seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None,
+             cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+             threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def value(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
           seed: _Whole = 0, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
@@ -59,10 +68,19 @@ def value(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | N
           w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, period: _Wholes | None = None,
           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
           threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def value(*, points: npt.ArrayLike, seed: _Whole = 0, period: _Wholes | None = None, cell: _Cells | None = None,
+          arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+          instruction_set: str | None = None) -> _Values: ...
+@overload
 def value_d(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
             w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, period: _Wholes | None = None,
             cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
             threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def value_d(*, points: npt.ArrayLike, seed: _Whole = 0, period: _Wholes | None = None, cell: _Cells | None = None,
+            arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+            instruction_set: str | None = None) -> _Values: ...
 @overload
 def value_cubic(x: _Number, y: _Number | None = None, z: _Number | None = None, /, *, seed: _Whole = 0,
                 period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
@@ -71,6 +89,10 @@ def value_cubic(x: _Number, y: _Number | None = None, z: _Number | None = None, 
 @overload
 def value_cubic(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None, /, *,
                 seed: _Whole = 0, period: _Wholes | None = None, cell: _Cells | None = None,
+                arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+                instruction_set: str | None = None) -> _Values: ...
+@overload
+def value_cubic(*, points: npt.ArrayLike, seed: _Whole = 0, period: _Wholes | None = None, cell: _Cells | None = None,
                 arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
                 instruction_set: str | None = None) -> _Values: ...
 @overload
@@ -83,10 +105,19 @@ def simplex(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, 
             seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None, cell: _Cells | None = None,
             arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
             instruction_set: str | None = None) -> _Values: ...
+@overload
+def simplex(*, points: npt.ArrayLike, seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None,
+            cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+            threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
 def simplex_d(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, w: npt.ArrayLike | None = None, /, *,
               seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None, cell: _Cells | None = None,
               arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
               instruction_set: str | None = None) -> _Values: ...
+@overload
+def simplex_d(*, points: npt.ArrayLike, seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None,
+              cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+              threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def simplex_smooth(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: _Whole = 0,
                    period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
@@ -97,19 +128,40 @@ def simplex_smooth(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None =
                    period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
                    out: _Values | None = None, threads: _Whole | None = None,
                    instruction_set: str | None = None) -> _Values: ...
+@overload
+def simplex_smooth(*, points: npt.ArrayLike, seed: _Whole = 0, period: _Wholes | None = None,
+                   cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+                   threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
 def cellular(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
              period: _Wholes | None = None, phase: _Number | None = None, jitter: _Number = 1.0,
              metric: _Metric = "euclidean", cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
              out: _Values | None = None, threads: _Whole | None = None,
              instruction_set: str | None = None) -> _Values: ...
+@overload
+def cellular(*, points: npt.ArrayLike, seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None,
+             jitter: _Number = 1.0, metric: _Metric = "euclidean", cell: _Cells | None = None,
+             arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+             instruction_set: str | None = None) -> _Values: ...
+@overload
 def cellular_three(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
                    period: _Wholes | None = None, jitter: _Number = 1.0, metric: _Metric = "euclidean",
                    cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
                    threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def cellular_three(*, points: npt.ArrayLike, seed: _Whole = 0, period: _Wholes | None = None, jitter: _Number = 1.0,
+                   metric: _Metric = "euclidean", cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+                   out: _Values | None = None, threads: _Whole | None = None,
+                   instruction_set: str | None = None) -> _Values: ...
+@overload
 def cellular_d(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
                period: _Wholes | None = None, jitter: _Number = 1.0, cell: _Cells | None = None,
                arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
                instruction_set: str | None = None) -> _Values: ...
+@overload
+def cellular_d(*, points: npt.ArrayLike, seed: _Whole = 0, period: _Wholes | None = None, jitter: _Number = 1.0,
+               cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+               threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def cellular_smooth(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: _Whole = 0,
                     period: _Wholes | None = None, jitter: _Number = 1.0, cell: _Whole | Sequence[_Whole] | None = None,
@@ -121,6 +173,10 @@ def cellular_smooth(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None 
                     arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
                     instruction_set: str | None = None) -> _Values: ...
 @overload
+def cellular_smooth(*, points: npt.ArrayLike, seed: _Whole = 0, period: _Wholes | None = None, jitter: _Number = 1.0,
+                    cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+                    threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
 def cell_border(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: _Whole = 0, period: _Wholes | None = None,
                 jitter: _Number = 1.0, cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast",
                 out: None = None, threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
@@ -129,21 +185,46 @@ def cell_border(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = No
                 period: _Wholes | None = None, jitter: _Number = 1.0, cell: _Cells | None = None,
                 arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
                 instruction_set: str | None = None) -> _Values: ...
+@overload
+def cell_border(*, points: npt.ArrayLike, seed: _Whole = 0, period: _Wholes | None = None, jitter: _Number = 1.0,
+                cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+                threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
 def curl(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
          period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
          out: _Values | None = None, threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def curl(*, points: npt.ArrayLike, seed: _Whole = 0, period: _Wholes | None = None, cell: _Cells | None = None,
+         arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+         instruction_set: str | None = None) -> _Values: ...
+@overload
 def value_vector(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
                  period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
                  out: _Values | None = None, threads: _Whole | None = None,
                  instruction_set: str | None = None) -> _Values: ...
+@overload
+def value_vector(*, points: npt.ArrayLike, seed: _Whole = 0, period: _Wholes | None = None, cell: _Cells | None = None,
+                 arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+                 instruction_set: str | None = None) -> _Values: ...
+@overload
 def perlin_vector(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
                   period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
                   out: _Values | None = None, threads: _Whole | None = None,
                   instruction_set: str | None = None) -> _Values: ...
+@overload
+def perlin_vector(*, points: npt.ArrayLike, seed: _Whole = 0, period: _Wholes | None = None, cell: _Cells | None = None,
+                  arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+                  instruction_set: str | None = None) -> _Values: ...
+@overload
 def phasor(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
            period: _Wholes | None = None, wave: _Vector | None = None, phase: _Number | None = None,
            cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
            threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def phasor(*, points: npt.ArrayLike, seed: _Whole = 0, period: _Wholes | None = None, wave: _Vector | None = None,
+           phase: _Number | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+           out: _Values | None = None, threads: _Whole | None = None,
+           instruction_set: str | None = None) -> _Values: ...
 @overload
 def random(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
            seed: _Whole = 0, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
@@ -155,6 +236,10 @@ def random(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | 
            cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
            threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
+def random(*, points: npt.ArrayLike, seed: _Whole = 0, period: _Wholes | None = None, cell: _Cells | None = None,
+           arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+           instruction_set: str | None = None) -> _Values: ...
+@overload
 def fbm(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
         seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole | None = None, lacunarity: _Number = 2.0,
         gain: _Number = 0.5, detail: _Number | None = None, footprint: _Number | None = None,
@@ -163,6 +248,11 @@ def fbm(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Numb
 @overload
 def fbm(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
         w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole | None = None,
+        lacunarity: _Number = 2.0, gain: _Number = 0.5, detail: _Number | None = None, footprint: _Number | None = None,
+        period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+        out: _Values | None = None, threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def fbm(*, points: npt.ArrayLike, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole | None = None,
         lacunarity: _Number = 2.0, gain: _Number = 0.5, detail: _Number | None = None, footprint: _Number | None = None,
         period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
         out: _Values | None = None, threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
@@ -179,6 +269,11 @@ def turbulence(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLik
                cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
                threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
+def turbulence(*, points: npt.ArrayLike, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+               lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
+               cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+               threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
 def clouds(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
            seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
            gain: _Number = 0.5, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
@@ -187,6 +282,11 @@ def clouds(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _N
 @overload
 def clouds(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
            w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+           lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
+           arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+           instruction_set: str | None = None) -> _Values: ...
+@overload
+def clouds(*, points: npt.ArrayLike, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
            lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
            arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> _Values: ...
@@ -203,6 +303,11 @@ def billow(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | 
            arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> _Values: ...
 @overload
+def billow(*, points: npt.ArrayLike, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+           lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
+           arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+           instruction_set: str | None = None) -> _Values: ...
+@overload
 def ridged(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
            seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
            gain: _Number = 0.5, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
@@ -211,6 +316,11 @@ def ridged(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _N
 @overload
 def ridged(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
            w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+           lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
+           arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+           instruction_set: str | None = None) -> _Values: ...
+@overload
+def ridged(*, points: npt.ArrayLike, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
            lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
            arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> _Values: ...
@@ -227,6 +337,11 @@ def hybrid(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | 
            arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> _Values: ...
 @overload
+def hybrid(*, points: npt.ArrayLike, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+           lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
+           arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+           instruction_set: str | None = None) -> _Values: ...
+@overload
 def ping_pong(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
               seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
               gain: _Number = 0.5, strength: _Number = 2.0, period: _Wholes | None = None,
@@ -235,6 +350,11 @@ def ping_pong(x: _Number, y: _Number | None = None, z: _Number | None = None, w:
 @overload
 def ping_pong(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
               w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+              lacunarity: _Number = 2.0, gain: _Number = 0.5, strength: _Number = 2.0, period: _Wholes | None = None,
+              cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+              threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def ping_pong(*, points: npt.ArrayLike, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
               lacunarity: _Number = 2.0, gain: _Number = 0.5, strength: _Number = 2.0, period: _Wholes | None = None,
               cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
               threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
@@ -250,10 +370,21 @@ def weighted(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike 
              lacunarity: _Number = 2.0, gain: _Number = 0.5, strength: _Number = 1.0, period: _Wholes | None = None,
              cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
              threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def weighted(*, points: npt.ArrayLike, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+             lacunarity: _Number = 2.0, gain: _Number = 0.5, strength: _Number = 1.0, period: _Wholes | None = None,
+             cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+             threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
 def fbm_d(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
           noise: _Noise = "perlin_d", octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5,
           period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
           out: _Values | None = None, threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def fbm_d(*, points: npt.ArrayLike, seed: _Whole = 0, noise: _Noise = "perlin_d", octaves: _Whole = 6,
+          lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
+          arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+          instruction_set: str | None = None) -> _Values: ...
 @overload
 def eroded(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin_d",
            octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5, strength: _Number = 1.0,
@@ -266,16 +397,34 @@ def eroded(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /
            strength: _Number = 1.0, period: _Wholes | None = None, cell: _Cells | None = None,
            arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> _Values: ...
+@overload
+def eroded(*, points: npt.ArrayLike, seed: _Whole = 0, noise: _Noise = "perlin_d", octaves: _Whole = 6,
+           lacunarity: _Number = 2.0, gain: _Number = 0.5, strength: _Number = 1.0, period: _Wholes | None = None,
+           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+           threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
 def warp(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
          noise: _Noise = "value_vector", octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5,
          amplitude: _Number = 1.0, period: _Wholes | None = None, cell: _Cells | None = None,
          arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
          instruction_set: str | None = None) -> _Values: ...
+@overload
+def warp(*, points: npt.ArrayLike, seed: _Whole = 0, noise: _Noise = "value_vector", octaves: _Whole = 6,
+         lacunarity: _Number = 2.0, gain: _Number = 0.5, amplitude: _Number = 1.0, period: _Wholes | None = None,
+         cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+         threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
 def warp_progressive(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
                      noise: _Noise = "value_vector", octaves: _Whole = 6, lacunarity: _Number = 2.0,
                      gain: _Number = 0.5, amplitude: _Number = 1.0, period: _Wholes | None = None,
                      cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
                      threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def warp_progressive(*, points: npt.ArrayLike, seed: _Whole = 0, noise: _Noise = "value_vector", octaves: _Whole = 6,
+                     lacunarity: _Number = 2.0, gain: _Number = 0.5, amplitude: _Number = 1.0,
+                     period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+                     out: _Values | None = None, threads: _Whole | None = None,
+                     instruction_set: str | None = None) -> _Values: ...
 @overload
 def perlin_worley(x: _Number, y: _Number, z: _Number, /, *, seed: _Whole = 0, octaves: _Whole = 6,
                   lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
@@ -286,6 +435,11 @@ def perlin_worley(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike, /, *, se
                   lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
                   cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
                   threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def perlin_worley(*, points: npt.ArrayLike, seed: _Whole = 0, octaves: _Whole = 6, lacunarity: _Number = 2.0,
+                  gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
+                  arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+                  instruction_set: str | None = None) -> _Values: ...
 # tools/make catalog: end
 
 # tools/make catalog: grid

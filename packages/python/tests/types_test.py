@@ -47,6 +47,8 @@ image = hashnoise.grid("fbm", np.array([64, 48]), step=np.array([0.01, 0.02]), o
 layers = hashnoise.grid("phasor", (9, 9), step=(1, np.float32(0.5)), wave=np.array([1.5, 2]), phase=np.float64(0.5))
 heights = hashnoise.grid("fbm", [64, 48], step=0.01, dtype="uint16", range=[-0.5, np.float64(0.5)],
                          cell=np.array([1, 2]))
+of_points: npt.NDArray[np.float32] = hashnoise.fbm(points=np.stack([x, x, x], -1), seed=3)
+of_points = hashnoise.cellular(points=[[0.5, 0.25]], cell=[[1, 2]], metric="manhattan")
 text: str = "fbm"
 if text in hashnoise.noises(2) + hashnoise.fractals(2):
     image = hashnoise.grid(text, (9, 9), step=0.1)
@@ -58,9 +60,11 @@ WRONG = {
     'hashnoise.perlin(0.5, seed=0.5)': "call-overload",
     'hashnoise.perlin(0.5, seed=np.float32(0.5))': "call-overload",
     'hashnoise.fbm(0.5, gain=np.array([0.5]))': "call-overload",
-    'hashnoise.cellular(0.5, 0.5, metric="taxicab")': "arg-type",
-    'hashnoise.phasor(0.5, 0.5, wave=2.5)': "arg-type",
+    'hashnoise.cellular(0.5, 0.5, metric="taxicab")': "call-overload",
+    'hashnoise.phasor(0.5, 0.5, wave=2.5)': "call-overload",
     'hashnoise.simplex(0.5)': "call-overload",
+    'hashnoise.perlin(0.5, points=[[0.5]])': "call-overload",
+    'hashnoise.grid("perlin", 9, step=1, points=[[0.5]])': "call-overload",
     'hashnoise.grid("perlin", 9)': "call-overload",
     'hashnoise.grid("perlin", 9, step=1, first=0.5)': "call-overload",
     'hashnoise.grid("perlin", 9, step=1, dtype="uint16", range=3)': "call-overload",
@@ -74,7 +78,7 @@ WRONG = {
     'hashnoise.grid("fbm", 9, step=1, noise="perlim")': "call-overload",
     'hashnoise.grid("fbm", 9, step=1, dtype="float64")': "call-overload",
     'hashnoise.grid("fbm", 9, step=1, frequency=4)': "call-overload",
-    'hashnoise.fbm_d(0.5, 0.5, noise="perlin_dd")': "arg-type",
+    'hashnoise.fbm_d(0.5, 0.5, noise="perlin_dd")': "call-overload",
     'hashnoise.components("fmb", 2)': "arg-type",
     'floats: npt.NDArray[np.float32] = hashnoise.grid("fbm", 9, step=1, dtype="uint16")': "assignment",
 }

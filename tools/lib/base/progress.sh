@@ -3,6 +3,7 @@
 #   logged TITLE FAILURE COMMAND...    runs the command with its output in $log; if it fails, shows the end of the log,
 #                                      prints FAILURE and stops with status 4. With expected=SECONDS before it, it also
 #                                      prints an estimate of the time.
+#   in_group COMMAND...                runs the command, and ends it if a signal ends this shell
 #   cost KIND NAME                     the value of a row of tools/costs.csv, or nothing
 #   seconds_here SECONDS [CORES]       how long it takes on this machine what takes so long by the table
 #   duration SECONDS                   as 3:05
@@ -122,10 +123,34 @@ take_time_of_children() {
     "$build/times")
 }
 
+# Runs a command or a function in a process group that a signal to this shell ends, too: else it would run on. It cannot
+# read from a terminal. Where `to_its_end` is set, as for packages that would be left in pieces, the signal waits.
+in_group() {
+  local signal status=0
+  for signal in HUP INT TERM; do trap "end_group $signal" "$signal"; done
+  set -m
+  "$@" </dev/null &
+  set +m
+  wait "$!" || status=$?
+  trap - HUP INT TERM
+  return "$status"
+}
+
+end_group() {
+  trap - HUP INT TERM
+  if [[ -n ${!-} ]]; then
+    [[ -n ${to_its_end-} ]] || kill -"$1" -- "-$!" 2>/dev/null || true
+    wait "$!" 2>/dev/null || true
+  fi
+  kill -"$1" "$BASHPID"
+}
+
+shown() { "${@:2}" 2>&1 | show_progress "$1"; }
+
 logged() {
   local title=$1 failure=$2 expected=${expected-}
   shift 2
-  "$@" 2>&1 | show_progress "$title" && return 0
+  in_group shown "$title" "$@" && return 0
   tail -n 40 "$log" >&2
   echo "$failure; all of the output is in $log." >&2
   exit 4
