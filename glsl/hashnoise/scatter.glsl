@@ -25,7 +25,7 @@ HN_FN hn_ivec3 hn_i_candidate3(hn_uint h) {
 
 // The square of the radius in these units.
 HN_FN hn_uint hn_i_square_of_reach(hn_float radius) {
-  hn_uint reach = uint(min(max(radius, 0.0f), 1.0f) * 32768.0f);
+  hn_uint reach = uint(min(max(0.0f, radius), 1.0f) * 32768.0f);
   return reach * reach;
 }
 
