@@ -66,9 +66,21 @@ read_progress() {
   esac
 }
 
+# How many seconds the step takes that has run for so many milliseconds: by the table as long as none of its parts is
+# done, and from a quarter of them on by what these took. This machine may be busier than when the table was measured.
+forecast() {
+  local gone=$1 all=1 part=0 weight whole
+  if [[ ${at-} =~ ^\[([0-9]+)/([0-9]+)\]$ ]]; then part=$((10#${BASH_REMATCH[1]})) all=$((10#${BASH_REMATCH[2]})); fi
+  weight=$((4 * part < all ? 4 * part : all))
+  whole=$(((all - weight) * expected * 1000))
+  ((!part)) || whole=$((whole + weight * gone * all / part))
+  echo $(((gone + (all - part) * whole / all / all) / 1000))
+}
+
 # The line of the step of that title.
 print_progress() {
-  local text="$1 ${at:+$at }$(duration $((($(milliseconds) - started) / 1000)))${expected:+ of about $(duration "$expected")}"
+  local gone=$(($(milliseconds) - started)) text
+  text="$1 ${at:+$at }$(duration $((gone / 1000)))${expected:+ of about $(duration "$(forecast "$gone")")}"
   if [[ -t 2 ]]; then
     printf '\r%.*s\e[K' "$(($(tput cols 2>/dev/null || echo 80) - 1))" "$text" >&2
   else

@@ -165,6 +165,15 @@ class Setup(unittest.TestCase):
         self.assertRegex(self.machine.run("conform")[1],
                          r"The whole takes about \d+:\d\d minutes here \(packages \d:\d\d, build \d+:\d\d, run \d+:\d\d\)\.")
 
+    def test_the_estimate_follows_what_is_seen(self) -> None:
+        # The table has 85 seconds; the machine takes 573, each part as long.
+        seen = {("", 0): 85, ("[0/100]", 60): 145, ("[1/100]", 5.73): 109, ("[10/100]", 57.3): 309,
+                ("[25/100]", 143.25): 573, ("[080/100]", 458.4): 573, ("[100/100]", 573): 573}
+        lines = "; ".join(f"at='{at}' forecast {round(gone * 1000)}" for at, gone in seen)
+        done = subprocess.run(["bash", "-c", f"source tools/lib/base/setup.sh; expected=85; {lines}"],
+                              cwd=self.machine.root, capture_output=True, text=True, check=True)
+        self.assertEqual([int(line) for line in done.stdout.split()], list(seen.values()))
+
     def test_without_a_table_it_says_what_but_not_how_long(self) -> None:
         self.at_once()
         (self.machine.tools / "costs.csv").unlink()
