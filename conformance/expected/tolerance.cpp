@@ -131,7 +131,7 @@ bool next_is_exact(Position& q, std::size_t axes, double lacunarity) {
 }
 
 bool positions_are_exact(Position q, std::size_t axes, double octaves, double lacunarity) {
-  for (int i = 1; i < octaves; ++i) {
+  for (int i = 1; i < std::min(octaves, 32.0); ++i) {
     if (!next_is_exact(q, axes, lacunarity)) return false;
   }
   return true;

@@ -47,14 +47,14 @@ class Sum:
 
     @property
     def count(self) -> int:
-        return math.ceil(self.octaves) if self.octaves >= 2**-32 else 0
+        return math.ceil(min(self.octaves, 32)) if self.octaves >= 2**-32 else 0
 
     @property
     def weights(self) -> list[float]:
         """gain^i; the last one is smaller with a detail."""
         powers = [self.gain**i for i in range(self.count)]
         if self.count > 1:
-            powers[-1] *= self.octaves - (self.count - 1)
+            powers[-1] *= min(self.octaves, 32) - (self.count - 1)
         return powers
 
     @property

@@ -148,7 +148,7 @@ class LargestNumbers(unittest.TestCase):
         """The largest slope along each axis: octaves that all point the way in which their Jacobians do. The lengths of
         their
         gradients are the rise, divided by the sum of the Jacobians."""
-        count, ends = sums.fixed_count_of(options), list(itertools.product((-1, 1), repeat=n))
+        count, ends = sums.count_of(options), list(itertools.product((-1, 1), repeat=n))
         found = list(itertools.islice(jacobians.fixed_jacobians_of(n, options, periods), count))
         place = [(0, 0)] * n
         growth = sum((options.gain * options.lacunarity)**i for i in range(count))

@@ -114,7 +114,7 @@ double detail_total(const OctaveArguments& arguments) {
   double total = 0.0;
   const int count = count_of(arguments);
   for (int i = 0; i < count; ++i) {
-    const double part = i > 0 && i == count - 1 ? arguments.octaves - i : 1.0;
+    const double part = i > 0 && i == count - 1 ? std::min(arguments.octaves, 32.0) - i : 1.0;
     total += std::pow(arguments.gain, i) * part;
   }
   return total;
