@@ -25,6 +25,7 @@ SHIFT_MAX = {1: 11 / 32, 2: 19 / 32, 3: 23 / 32, 4: 27 / 32}  # the largest comp
 ROTATIONS = (math.hypot(25, 20) / 32, max(math.hypot(29, 13) / 32, 1.0), math.hypot(25, 20) / 32)
 WHOLE = 2.0**-24  # the unit of whole positions
 
+
 @dataclass(frozen=True)
 class Sum:
     """An octave sum and its arguments, in the range that the contract takes them in: a period has made the lacunarity a

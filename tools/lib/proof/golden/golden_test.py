@@ -29,7 +29,7 @@ from proof.golden import command as golden
 from proof.golden.files import Digest, GoldenFile, Sample, Values, golden_files, line
 from proof.golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of, to_f32
 from proof.golden.rows import CLAMPED
-from proof.oracle import curl, feature_points, jacobians, gradients, kernels, noises, rotation, sums, words
+from proof.oracle import curl, feature_points, gradients, jacobians, kernels, noises, rotation, sums, words
 from proof.oracle.functions import evaluator, knobs_of, values_of
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import signed
@@ -147,11 +147,11 @@ class GoldenContents(unittest.TestCase):
     def test_infinities_have_rows_where_they_have_values(self) -> None:
         for id, file in FILES.items():
             function, inputs = file.function, Golden(id, file.values[-1].name, finite=False).inputs
-            for column, words in zip(function.inputs, zip(*inputs)):
+            for column, values in zip(function.inputs, zip(*inputs)):
                 has = column.name in {*CLAMPED, "radius"} and function.form not in SPREADS and (
                     column.name, function.bound) != ("footprint", gullies_rows.BOUND)
                 if column.type == "f32":
-                    found = {word for word in words if word & 0x7F800000 == 0x7F800000}
+                    found = {word for word in values if word & 0x7F800000 == 0x7F800000}
                     self.assertEqual(found, {0xFF800000, 0x7F800000} if has else set(), (id, column.name))
 
     def test_only_fixed_arithmetic_has_further_inputs(self) -> None:
@@ -251,7 +251,7 @@ class GoldenContents(unittest.TestCase):
     def test_a_function_that_the_oracle_does_not_have(self) -> None:
         function = FUNCTIONS["noise2d.perlin"]
         for change, message in (({"bound": "merlin"}, r"noise2d\.perlin: .*write .*/oracle/noises/merlin\.py"),
-                                ({"family": "octave_sum"}, "the oracle has no noise2d\.perlin")):
+                                ({"family": "octave_sum"}, r"the oracle has no noise2d\.perlin")):
             file = GoldenFile(replace(function, **change), [setting for setting in SETTINGS if setting.name == "lattice"])
             with self.assertRaisesRegex(CatalogError, message):
                 file.text()

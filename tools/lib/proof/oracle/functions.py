@@ -9,10 +9,10 @@ from dataclasses import replace
 from catalog.tables.configurations import Configuration
 from catalog.tables.functions import NOISES, OCTAVE_SUMS, Function
 from proof.oracle import (
-    jacobians,
     gradients,
     gullies,
     integers,
+    jacobians,
     noises,
     numbers,
     perlin_worley,

@@ -11,9 +11,9 @@ from unittest import mock
 
 from proof.golden.generator import Generator, generator_of
 from proof.oracle import jacobians, noises, sums
-from proof.oracle.jacobians import Plane, Space
 from proof.oracle.gradients import Knobs, Real
 from proof.oracle.integers import NOISE_UNIT, signed
+from proof.oracle.jacobians import Plane, Space
 from proof.oracle.noises import Noise
 from proof.oracle.sums import Options, in_cell
 from proof.oracle.words import MASK, SEED_STEP
