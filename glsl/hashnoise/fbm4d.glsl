@@ -15,35 +15,43 @@
 // Fractals over hn_perlin. Over another noise, or over your own, write the same loop (octaves4d.glsl).
 // tools/make catalog: loops
 HN_FN hn_float hn_i_fbm(hn_octaves4 o) {
-  do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add(o, hn_perlin(o.place, o.seed));
+  while (hn_next(o));
   return hn_mean(o);
 }
 HN_FN hn_float hn_i_turbulence(hn_octaves4 o) {
-  do hn_add_turbulence(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add_turbulence(o, hn_perlin(o.place, o.seed));
+  while (hn_next(o));
   return hn_mean(o);
 }
 HN_FN hn_float hn_i_clouds(hn_octaves4 o) {
-  do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add(o, hn_perlin(o.place, o.seed));
+  while (hn_next(o));
   return hn_density(o);
 }
 HN_FN hn_float hn_i_billow(hn_octaves4 o) {
-  do o.sum = hn_i_add_bounded_size(o.sum, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do o.sum = hn_i_add_bounded_size(o.sum, hn_perlin(o.place, o.seed));
+  while (hn_next(o));
   return hn_i_value(hn_i_billows(hn_i_mean(o.sum)));
 }
 HN_FN hn_float hn_i_ridged(hn_octaves4 o) {
-  do hn_add_ridged(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add_ridged(o, hn_perlin(o.place, o.seed));
+  while (hn_next(o));
   return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
 }
 HN_FN hn_float hn_i_hybrid(hn_octaves4 o) {
-  do hn_add_hybrid(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add_hybrid(o, hn_perlin(o.place, o.seed));
+  while (hn_next(o));
   return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
 }
 HN_FN hn_float hn_i_ping_pong(hn_octaves4 o, hn_float strength) {
-  do hn_add_ping_pong(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
+  do hn_add_ping_pong(o, hn_perlin(o.place, o.seed), strength);
+  while (hn_next(o));
   return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
 }
 HN_FN hn_float hn_i_weighted(hn_octaves4 o, hn_float strength) {
-  do hn_add_weighted(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
+  do hn_add_weighted(o, hn_perlin(o.place, o.seed), strength);
+  while (hn_next(o));
   return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
 }
 // tools/make catalog: end
@@ -102,13 +110,14 @@ HN_FN hn_float hn_fbm(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_float g
 //   cost        1 noise per octave; octaves that have faded out cost none
 HN_FN hn_float hn_fbm(hn_vec4 p, hn_float detail, hn_float lacunarity, hn_float gain, hn_uint seed) {
   hn_octaves4 o = hn_octaves(p, detail, lacunarity, gain, seed);
-  do hn_add_detail(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add_detail(o, hn_perlin(o.place, o.seed));
+  while (hn_next(o));
   return hn_mean(o);
 }
-HN_FN hn_float hn_fbm(hn_vec4 p, hn_float footprint, hn_int octaves, hn_float lacunarity, hn_float gain,
-                      hn_uint seed) {
+HN_FN hn_float hn_fbm(hn_vec4 p, hn_float footprint, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   hn_octaves4 o = hn_octaves(p, footprint, octaves, lacunarity, gain, seed);
-  do hn_add_footprint(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add_footprint(o, hn_perlin(o.place, o.seed));
+  while (hn_next(o));
   return hn_mean(o);
 }
 

@@ -72,9 +72,8 @@ HN_FN hn_vec3 hn_i_next(hn_vec3 q, hn_float lacunarity) {
   HN_I_PRECISE hn_float turned = b * q.x + a * q.y;
   hn_float c = hn_i_times(lacunarity, 29.0f / 32.0f);
   hn_float d = hn_i_times(lacunarity, 13.0f / 32.0f);
-  HN_I_PRECISE hn_vec3 next =
-      vec3(a * q.x - b * q.y + 11.0f / 32.0f, 29.0f / 32.0f * turned - d * q.z + 19.0f / 32.0f,
-           13.0f / 32.0f * turned + c * q.z + 23.0f / 32.0f);
+  HN_I_PRECISE hn_vec3 next = vec3(a * q.x - b * q.y + 11.0f / 32.0f, 29.0f / 32.0f * turned - d * q.z + 19.0f / 32.0f,
+                                   13.0f / 32.0f * turned + c * q.z + 23.0f / 32.0f);
   return next;
 }
 #endif

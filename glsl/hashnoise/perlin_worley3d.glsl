@@ -31,7 +31,8 @@ HN_FN hn_float hn_i_either(hn_float a, hn_float b) {
 
 HN_FN hn_float hn_i_perlin_worley(hn_octaves3 wisps, hn_octaves3 billows) {
   hn_octaves3 o = billows;
-  do hn_add(o, hn_i_billow_at(hn_cellular(o.place, o.seed).x)); while (hn_next(o));
+  do hn_add(o, hn_i_billow_at(hn_cellular(o.place, o.seed).x));
+  while (hn_next(o));
   return hn_i_value(hn_i_either(hn_i_bounded_octave(hn_i_fbm(wisps)), hn_i_bounded_octave(hn_mean(o))));
 }
 

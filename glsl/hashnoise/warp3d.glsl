@@ -85,12 +85,14 @@ HN_FN hn_vec3 hn_mean(hn_octaves3 o, hn_shifts3 s) {
 
 HN_FN hn_vec3 hn_i_warp(hn_octaves3 o, hn_float amplitude) {
   hn_shifts3 s = hn_shifts(o, amplitude);
-  do hn_add(o, s, hn_value_vector(o.place, o.seed)); while (hn_next(o));
+  do hn_add(o, s, hn_value_vector(o.place, o.seed));
+  while (hn_next(o));
   return hn_mean(o, s);
 }
 HN_FN hn_vec3 hn_i_warp_progressive(hn_octaves3 o, hn_float amplitude) {
   hn_shifts3 s = hn_shifts(o, amplitude);
-  do hn_add_progressive(o, s, hn_value_vector(o.place, o.seed)); while (hn_next(o));
+  do hn_add_progressive(o, s, hn_value_vector(o.place, o.seed));
+  while (hn_next(o));
   return hn_mean(o, s);
 }
 
