@@ -179,9 +179,10 @@ OctaveArguments octave_arguments(const Function& function, std::span<const std::
   const bool whole = function.takes_cell() || tiled;  // it starts from a place
   if (whole) lacunarity = std::clamp(lacunarity, 0.0, 255.0);
   if (tiled) lacunarity = std::floor(lacunarity);  // a tile stays a tile
-  const auto octaves = function.takes_detail()
+  const double asked = function.takes_detail()
                            ? input("detail")
                            : static_cast<std::int32_t>(inputs[static_cast<std::size_t>(function.input("octaves"))]);
+  const double octaves = std::min(asked, 32.0);
   // A whole number times a whole lacunarity stays whole. A rotation that rounds down is counted, however little it is.
   const bool exact =
       whole ? start.exact && tiled
