@@ -1,6 +1,12 @@
 // Which instructions this processor has. Each function is for one set of instructions that kernels are compiled for.
-// CMake runs the same questions to find what HASHNOISE_INSTRUCTION_SETS=native means (native.cpp).
+// CMake asks the same questions (native.cpp): which architecture this compiles for, and what
+// HASHNOISE_INSTRUCTION_SETS=native means.
 #pragma once
+
+#if (defined(HASHNOISE_X86) && !defined(__x86_64__)) || (defined(HASHNOISE_NEON) && !defined(__aarch64__)) || \
+    (defined(HASHNOISE_X87) && !defined(__i386__))
+#error this is another architecture
+#endif
 
 namespace hashnoise::processor {
 
