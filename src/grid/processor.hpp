@@ -1,6 +1,5 @@
 // Which instructions this processor has. Each function is for one set of instructions that kernels are compiled for.
-// CMake asks the same questions (native.cpp): which architecture this compiles for, and what
-// HASHNOISE_INSTRUCTION_SETS=native means.
+// CMake compiles them to find the architecture, and runs them for HASHNOISE_INSTRUCTION_SETS=native (native.cpp).
 #pragma once
 
 #if (defined(HASHNOISE_X86) && !defined(__x86_64__)) || (defined(HASHNOISE_NEON) && !defined(__aarch64__)) || \

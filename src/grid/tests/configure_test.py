@@ -93,7 +93,7 @@ class InstructionSets(unittest.TestCase):
         self.assertRegex(done.stdout, f"hashnoise::grid has kernels for {lowest}(, avx2|, avx512)?\n")
 
     def test_who_compiles_all_sets_is_told_how_long_that_takes(self):
-        # What the compiler compiles for counts, and not CMake's word for the processor, which is "x86" for Emscripten.
+        # The compiler decides, and not CMake's word for the processor, which is "x86" for Emscripten.
         done = self.configure("all", f"-DCMAKE_SYSTEM_NAME={os.uname().sysname}",
                               "-DCMAKE_SYSTEM_PROCESSOR=x86")
         self.assertEqual(done.returncode, 0, done.stderr)
