@@ -44,9 +44,9 @@ readonly bake_packages=("${program_packages[@]}" libopenexr-dev)
 readonly npm_packages=(clang g++ libc++-dev-wasm32 libfmt-dev lld python3 wasi-libc)
 # Of the tests of examples/, which build raylib.
 readonly example_packages=(git libxcursor-dev libxi-dev libxinerama-dev libxrandr-dev vulkan-validationlayers x11-utils)
-# The packages behind python3-venv compile for ARM, and run the results; abigail-tools compare
-# binary interfaces; Clang compiles hashnoise::grid with libc++, too. The last are compilers of the languages that
-# tools/pick writes. Node.js is not among them: tools/lib/base/node gets one that is new enough.
+# The packages behind python3-venv compile for ARM, and run the results; abigail-tools compare binary interfaces; Clang
+# compiles hashnoise::grid with libc++, too. The last are compilers of the languages that tools/pick writes. Node.js is
+# not among them: tools/lib/base/node gets one that is new enough.
 readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" "${example_packages[@]}" ccache libopenexr-dev
   libc++-dev libclang-rt-dev libgtest-dev python3 python3-dev python3-jinja2 python3-numpy python3-pip python3-scipy
   python3-venv g++-aarch64-linux-gnu qemu-user abigail-tools
