@@ -7,7 +7,7 @@ options, such as -R rust, tools/test alone is run, with these. FOLDER-packages k
 and where CCACHE_DIR or build/ccache has what the same compiler made, it is used.
 
 Exit status: 0 the commands pass and skip what CONTRIBUTING.md names, 1 not, 77 this is not root on a Debian, or
-debootstrap is missing.
+debootstrap or git's folder is missing.
 """
 
 from __future__ import annotations
@@ -122,7 +122,7 @@ class BareMachine(unittest.TestCase):
 if __name__ == "__main__":
     BareMachine.top = Path(sys.argv.pop(1)).resolve()
     BareMachine.options = sys.argv[1:]
-    if os.geteuid() or not Path("/etc/debian_version").exists() or not shutil.which("debootstrap"):
-        print("skipped: this takes root on a Debian, and debootstrap: apt-get install debootstrap")
+    if os.geteuid() or not all(map(os.path.exists, ("/etc/debian_version", ROOT / ".git"))) or not shutil.which("debootstrap"):
+        print("skipped: this takes root on a Debian, a clone, and debootstrap: apt-get install debootstrap")
         sys.exit(SKIPPED)
     unittest.main(argv=sys.argv[:1], verbosity=2)

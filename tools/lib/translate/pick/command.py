@@ -254,10 +254,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("names", nargs="*", metavar="FUNCTION", help="such as hn_perlin2")
     parser.add_argument("--language", choices=(*LANGUAGES, *ALIASES, *SYNTAXES, TSL, VERILOG), default="glsl",
                         help="glsl (the default, and glsl-es is the same) is for 3.30 and later, GLSL ES 3.00 and WebGL2, "
-                        "and with precise for 4.00 and ES 3.20; hlsl is for the shader models 5 and 6; precise is for"
-                        " glsl, hlsl and the languages of the CPU; rust needs core alone; csharp is a static class; c"
-                        " is a header of C99; typescript and javascript are modules; java is for 17 and later; go for"
-                        " 1.18 and later; osl is a shader of the first function, too; tsl is a module of nodes for "
+                        "and with precise for 4.00 and ES 3.20; glsl-desktop is without highp, which naga refuses; "
+                        "hlsl is for the shader models 5 and 6; precise is for glsl, hlsl and the languages of the CPU; "
+                        "rust needs core alone; csharp is a static class; c is a header of C99; typescript and "
+                        "javascript are modules; java is for 17 and later; go for 1.18 and later; osl is a shader of "
+                        "the first function, too; tsl is a module of nodes for "
                         "three.js; verilog is a pipeline for each function, of integers")
     add_options(parser, ARITHMETICS, None, "default: fast, and of verilog fixed")
     parser.add_argument("--noise", metavar="FORM", help="what sums are over, in place of hn_perlin: such as "

@@ -31,6 +31,7 @@ class Godot(Language):
 # driver gives it that of the scope, where float(100000) is infinite. And in a loop SwiftShader, on which browsers draw
 # without a GPU, compiles twice as long for each branch, so that there may be no thirty.
 GLSL = Language(qualifier="highp ", scope="precision highp float;", names_choices=True)
+DESKTOP = replace(GLSL, qualifier="", scope="")  # naga refuses `highp` before a parameter
 NO_PRECISE_IN_METAL = ("Metal's language has no `precise`, and its compiler computes by fast math unless an option "
                        "turns it off: take --arithmetic fixed, whose bits are the same everywhere")
 HLSL = Language(fills=False, is_included=True, names=HLSL_NAMES, library={"HN_I_FXC": "1"})
@@ -43,7 +44,7 @@ METAL = Metal(opening="#include <metal_stdlib>\nusing namespace metal;\n\n", is_
 # Its operators are used as the text of the library uses them, which Godot has compiled: of two vectors.
 GODOT = Godot(splats=False, names_choices=True, no_precise="Godot's language has no `precise`: take --arithmetic "
               "fixed, whose bits are the same everywhere")
-LANGUAGES = {"glsl": GLSL, "hlsl": HLSL, "slang": SLANG, "metal": METAL, "godot": GODOT,
+LANGUAGES = {"glsl": GLSL, "glsl-desktop": DESKTOP, "hlsl": HLSL, "slang": SLANG, "metal": METAL, "godot": GODOT,
              "wgsl": Wgsl(passed="&{}", no_precise=NO_PRECISE, joins=False)}
 # For tests: over include/hashnoise/glsl.hpp, which has no operators of a number and a vector, and with its structs.
 CPP = Language(float_suffix="f", function="inline ", out="{}&", inout="{}&", splats=False, fills=False, structs=False,

@@ -180,7 +180,8 @@ int run(std::FILE* read, std::FILE* written) {{
             (folder / "main.cpp").write_text("#include <metal_stdlib>\n#include <cstdio>\n#include <vector>\n" + runs
                                              + self.MAIN.format(calls=calls), encoding="ascii")
             (folder / "inputs").write_bytes(b"".join(case.inputs for case in cases))
-            ran(folder, "clang++", "-std=c++14", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off", "-I.", "main.cpp")
+            ran(folder, "clang++", "-std=c++14", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off", "-I.",
+                "-fsanitize=shift,signed-integer-overflow", "-fno-sanitize-recover=all", "main.cpp")
             ran(folder, "./a.out")
             got = (folder / "outputs").read_bytes()
         found = []

@@ -137,13 +137,17 @@ def exact(value: Fraction) -> Constant | None:
     return Constant("float", f"{text}f") if is_float and len(text) < 14 and "e" not in text else None
 
 
+def _number(constant: Constant) -> Fraction:
+    return Fraction(str(constant.value).rstrip("fF"))
+
+
 def _folded(sign: str, left: Constant, right: Constant) -> Constant | None:
-    one, other = (Fraction(str(operand.value).rstrip("fF")) for operand in (left, right))
+    one, other = map(_number, (left, right))
     if sign not in FLOATS or sign == "/" and not other or exact(one) is None or exact(other) is None:
         return None
     value = FLOATS[sign](one, other)
-    if not value:  # 0 has a sign, which is that of +0 where numbers that are not 0 make it
-        return NOTHING if sign in "+-" and one else None
+    if not value:  # 0 has a sign: here that of +0, unless a 0 or a minus makes another
+        return NOTHING if one and sign in "+-" or sign in "*/" and "-" not in left.value + right.value else None
     return exact(value)
 
 
@@ -206,8 +210,11 @@ def binary(sign: str, left: Node, right: Node) -> Node:
 
 def builtin(name: str, type_: str, arguments: tuple[Node, ...]) -> Node:
     if name in ("min", "max") and all(isinstance(argument, Constant) for argument in arguments):
-        return (min if name == "min" else max)(
-            arguments, key=lambda one: Fraction(str(one.value).rstrip("fF")) if one.type == "float" else one.value)
+        return (min if name == "min" else max)(arguments, key=_number)
+    first = arguments[0]
+    if name == "floatBitsToUint" and isinstance(first, Constant) and exact(_number(first)):
+        word, = struct.unpack("I", struct.pack("f", float(first.value.rstrip("fF"))))
+        return Constant("uint", word, f"0x{word:X}u")
     return operation("builtin", name, type_, arguments)
 
 
@@ -241,14 +248,22 @@ def member(of: Node, axis: str) -> Node:
     return operation("member", axis, scalar_of(of.type), (of,))
 
 
+def _known(type_: str, constant: Constant) -> Constant | None:
+    """A constant as another type, where that is one number in all languages. naga 22 refuses i32(1048576.0)."""
+    number = _number(constant)
+    if type_ == "float":
+        return exact(number)
+    least, bits = (-1 << 31, 31) if type_ == "int" else (0, 32)
+    fits = constant.type != "float" or exact(number) and least <= int(number) < 1 << bits
+    return _wrapped(type_, int(number)) if fits else None
+
+
 def converted(type_: str, node: Node) -> Node:
     """A scalar as another type."""
     if node.type == type_:
         return node
-    if isinstance(node, Constant) and node.type != "float" and type_ in ("int", "uint"):
-        return _wrapped(type_, node.value)
-    if isinstance(node, Constant) and node.type == "int" and type_ == "float" and abs(node.value) < 1 << 24:
-        return Constant("float", f"{node.value}.0f")
+    if isinstance(node, Constant) and type_ != "bool" and (known := _known(type_, node)):
+        return known
     if (isinstance(node, Operation) and node.kind == "construct" and {node.type, type_} == {"int", "uint"}
             and node.arguments[0].type == type_):
         return node.arguments[0]  # there and back: the bits stay
