@@ -21,7 +21,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from base.pypi import SKIPPED, environment
-from base.tree import ROOT
+from base.tree import ROOT, files
 from base.usage import Parser
 
 ENVIRONMENT = ROOT / "build" / "format-environment"
@@ -29,16 +29,7 @@ BY_CLANG_FORMAT = {".comp", ".cpp", ".frag", ".glsl", ".h", ".hlsl", ".hpp", ".m
 PYTHON = {".py", ".pyi"}
 
 
-def sources(top: Path = ROOT) -> list[Path]:
-    """The files by clang-format and by ruff, without folders of builds and hidden ones."""
-    found = []
-    for folder, folders, files in os.walk(top):
-        folders[:] = sorted(name for name in folders if not name.startswith((".", "build")) and name != "node_modules")
-        found += [Path(folder, name) for name in sorted(files) if Path(name).suffix in BY_CLANG_FORMAT | PYTHON]
-    return found
-
-
-def unformatted(files: Sequence[Path], check: bool, bin: Path) -> list[str]:
+def unformatted(sources: Sequence[Path], check: bool, bin: Path) -> list[str]:
     """The changes that the formatters would make, in words, and what they could not mend."""
     def by_clang_format(file: Path) -> str:
         text = file.read_bytes()
@@ -49,13 +40,12 @@ def unformatted(files: Sequence[Path], check: bool, bin: Path) -> list[str]:
         if not check:
             file.write_bytes(made)
             return ""
-        line = next(at for at, pair in enumerate(zip(text.splitlines(), [*made.splitlines(), None]), 1)
-                    if pair[0] != pair[1])
+        line = next((at for at, pair in enumerate(zip(text.splitlines(), made.splitlines()), 1) if pair[0] != pair[1]), 1)
         return f"{file}:{line}: clang-format changes it"
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        found = list(filter(None, pool.map(by_clang_format, [file for file in files if file.suffix in BY_CLANG_FORMAT])))
-    if python := [file for file in files if file.suffix in PYTHON]:
+        found = list(filter(None, pool.map(by_clang_format, [file for file in sources if file.suffix in BY_CLANG_FORMAT])))
+    if python := [file for file in sources if file.suffix in PYTHON]:
         done = subprocess.run([bin / "ruff", "check", "--quiet", "--no-cache", "--output-format=concise",
                                f"--config={ROOT / 'pyproject.toml'}", *(() if check else ("--fix",)), *python],
                               capture_output=True, text=True, check=False)
@@ -73,7 +63,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             parser.error(f"{file} is no file of C++, GLSL, HLSL, Metal or Python")
     if status := environment(ENVIRONMENT, Path(__file__).with_name("requirements.txt")):
         return 4 if status == SKIPPED else 1
-    found = unformatted(options.files or sources(), options.check, ENVIRONMENT / "bin")
+    found = unformatted(options.files or [ROOT / name for name in files()], options.check, ENVIRONMENT / "bin")
     print(*(line.replace(f"{ROOT}/", "") for line in found), sep="\n", end="\n" if found else "")
     if found and options.check:
         print("tools/make format formats them.")

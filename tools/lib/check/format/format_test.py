@@ -50,13 +50,6 @@ class Format(unittest.TestCase):
         self.assertEqual(status, 1)
         self.assertIn("undefined-name", printed)
 
-    def test_the_sources_are_those_of_the_tree(self):
-        for name in ("a/b.glsl", "build/c.cpp", ".hidden/d.py", "a/node_modules/e.py", "a/f.txt", "g.py"):
-            (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
-            (self.folder / name).touch()
-        self.assertEqual([path.relative_to(self.folder).as_posix() for path in command.sources(self.folder)],
-                         ["g.py", "a/b.glsl"])
-
 
 if __name__ == "__main__":
     unittest.main()
