@@ -48,7 +48,7 @@ readonly example_packages=(git libxcursor-dev libxi-dev libxinerama-dev libxrand
 # binary interfaces.
 readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" "${example_packages[@]}" ccache libopenexr-dev
   libclang-rt-dev libgtest-dev python3 python3-dev python3-jinja2 python3-numpy python3-pip python3-scipy python3-venv g++-aarch64-linux-gnu
-  qemu-user mono-mcs mono-runtime abigail-tools)
+  qemu-user mono-mcs mono-runtime abigail-tools spirv-cross)
 # Compilers of the languages that tools/pick writes, as PROGRAM:PACKAGE. A machine may have the program from elsewhere,
 # so the package is missing only where the program is. Node.js is not among them: tools/lib/base/node gets one that is
 # new enough.

@@ -123,8 +123,8 @@ class Constants(unittest.TestCase):
 
         for type_, given, expected in (
                 ("int", "1048576.0f", 1048576), ("int", "-1.75f", -1), ("int", "-2147483648.0", -2**31),
-                ("int", "2147483648.0", None), ("int", "16777217.0", None), ("uint", "4294967040.0", 4294967040), ("uint", "4294967296.0", None),
-                ("uint", "-0.5", 0), ("uint", "-1.0", None), ("int", 2**32 - 1, -1), ("uint", -1, 2**32 - 1),
+                ("int", "2147483648.0", None), ("int", "16777217.0", None), ("uint", "4294967040.0", 4294967040),
+                ("uint", "4294967296.0", None), ("uint", "-0.5", 0), ("uint", "-1.0", None), ("int", 2**32 - 1, -1), ("uint", -1, 2**32 - 1),
                 ("float", 16777216, "16777216.0f"), ("float", 16777217, None), ("float", -3, "-3.0f")):
             made = values.construct(type_, (constant(given),))
             with self.subTest(type_=type_, given=given):

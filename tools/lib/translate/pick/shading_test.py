@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from unittest import mock
 
-from base.thorough import THOROUGH, in_thorough_runs
+from base.thorough import THOROUGH
 from base.tree import GLSL
 from translate.pick import command, printer
 from translate.pick.evaluate import Module
@@ -122,13 +122,6 @@ class Wgsl(unittest.TestCase):
         one, other = self.runner.run(cases, POINTS)
         self.assertEqual(one, other)
         self.assertNotEqual(one, back)
-
-    @in_thorough_runs
-    def test_every_function_compiles(self) -> None:
-        for arithmetic in ("fast", "fixed"):
-            for name in module(arithmetic).forms:
-                with self.subTest(name=name, arithmetic=arithmetic):
-                    self.runner.device.compile(text("wgsl", arithmetic, name))
 
     def test_functions_compile_together(self) -> None:
         """Pairs of a family, and all in one text: by default some."""
