@@ -29,6 +29,7 @@ sys.path.insert(0, str(EXAMPLES.parent / "tools" / "lib"))
 from base import chromium, twin  # noqa: E402
 from base.png import read_png  # noqa: E402
 from base.tree import ROOT  # noqa: E402
+from base.versions import take_newest  # noqa: E402
 from golden import Picture  # noqa: E402
 from screen import Absent, Screen  # noqa: E402
 
@@ -398,4 +399,5 @@ def main(arguments: list[str]) -> int:
 
 
 if __name__ == "__main__":
+    take_newest("cargo")
     sys.exit(main(sys.argv[1:]))

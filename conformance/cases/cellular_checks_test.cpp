@@ -44,9 +44,9 @@ TEST_F(CellularChecks, AnotherMetricAndAnotherJitterAreCaughtByTheSearch) {
       {"noise3d.cellular_three_cell_full.lattice.fixed.fragment.gl330.search", "detail/feature_points3d.glsl",
        "metric == HN_METRIC_CHEBYSHEV) return", "metric == HN_METRIC_CHEBYSHEV || metric == 6) return"},
       {"noise3d.cellular_smooth_full.lattice.fast.fragment.gl330.search", "detail/feature_points.glsl",
-       "max(jitter, 0.0f), 1.0f)", "max(jitter, 0.0f), 1.5f)"},
+       "max(0.0f, jitter), 1.0f)", "max(0.0f, jitter), 1.5f)"},
       {"noise2d.cellular_d_full.lattice.fixed.fragment.gl330.search", "detail/feature_points.glsl",
-       "min(max(jitter, 0.0f), 1.0f)", "min(max(jitter, 0.01f), 1.0f)"}};
+       "min(max(0.0f, jitter), 1.0f)", "min(max(0.01f, jitter), 1.0f)"}};
   expect_all_caught(kFaults);
 }
 

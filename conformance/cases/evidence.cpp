@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "cases/bugs/bugs.hpp"
 #include "cases/evidence_pictures.hpp"
 #include "cases/evidence_shader.hpp"
 #include "cases/value_checks.hpp"
@@ -31,6 +32,56 @@ struct Reference {
 };
 
 double number(std::uint32_t word) { return static_cast<double>(std::bit_cast<float>(word)); }
+
+std::string renderer_of(const ContextInfo& info) {
+  return fmt::format("{}, {}, GLSL {} ({})", info.renderer, info.gl_version, info.glsl_version, info.vendor);
+}
+
+using Colour = Result<std::array<std::uint8_t, 4>>;
+
+bool is_red(const Colour& colour) { return colour && (*colour)[0] > (*colour)[1]; }
+
+// A shader, and the colour in which it draws here.
+struct Drawn {
+  std::string shader;
+  Colour colour;
+};
+
+Result<Drawn> drawn(const Session& session, const Evaluation& evaluation, const ShaderFacts& facts,
+                    const ReferenceCompiler* compiler) {
+  HN_TRY(auto shader, stand_alone_shader(session.sources, evaluation, facts, compiler));
+  const auto draw = [&]() -> Colour {
+    HN_TRY(const auto vertex, expand(session.sources, evaluation.profile, vertex_shader()));
+    const Context& context = *session.evaluator->context();
+    HN_TRY(const auto program, Program::build(context, vertex, {shader, {"the shader"}}));
+    return draw_pixel(context, program);
+  };
+  Colour colour = draw();
+  return Drawn{std::move(shader), std::move(colour)};
+}
+
+// The brief form of the shader that stands alone, if it shows the fault as the whole text does.
+template <typename Shows>
+Result<Drawn> shortest(const Session& session, const Evaluation& evaluation, const ShaderFacts& facts, Shows shows) {
+  auto brief = drawn(session, evaluation, facts, &session.reference);
+  return brief && shows(brief->colour) ? std::move(brief) : drawn(session, evaluation, facts, nullptr);
+}
+
+// The shader, if it shows the fault.
+void keep_shader(Evidence& evidence, const Session& session, const Evaluation& evaluation, const ShaderFacts& facts) {
+  auto shader = shortest(session, evaluation, facts, is_red);
+  if (!shader) return;
+  if (!shader->colour) {
+    evidence.note += fmt::format("The shader could not be drawn here: {}.", shader->colour.error().message);
+  } else if (is_red(shader->colour)) {
+    evidence.note += "The shader is red on this driver.";
+  } else {
+    evidence.note +=
+        "A shader of this point alone is green on this driver: the fault needs the surroundings of the case.";
+    return;
+  }
+  evidence.shader = std::move(shader->shader);
+}
 
 class Examiner {
  public:
@@ -150,7 +201,7 @@ class Examiner {
 
   ShaderFacts facts_of(std::size_t i, const Reference& right) const {
     return {.id = id_,
-            .renderer = fmt::format("{}, {}", session_.info().renderer, session_.info().gl_version),
+            .renderer = renderer_of(session_.info()),
             .inputs = point(window_, i),
             .got = got_.empty() ? std::span<const std::uint32_t>{} : result(got_, i),
             .expected = right.words,
@@ -167,36 +218,18 @@ class Examiner {
           "stage or shape of the shader, and no shader of one point shows it.";
       return;
     }
-    auto shader = stand_alone_shader(session_.sources, evaluation_, facts_of(i, right));
-    if (!shader) return;
-    const auto colour = draw(*shader);
-    if (!colour) {
-      evidence.note += fmt::format("The shader could not be drawn here: {}.", colour.error().message);
-    } else if ((*colour)[0] > (*colour)[1]) {
-      evidence.note += "The shader is red on this driver.";
-    } else {
-      evidence.note +=
-          "A shader of this point alone is green on this driver: the fault needs the surroundings of the case.";
-      return;
-    }
-    evidence.shader = std::move(*shader);
-  }
-
-  Result<std::array<std::uint8_t, 4>> draw(const std::string& shader) const {
-    HN_TRY(const auto vertex, expand(session_.sources, evaluation_.profile, vertex_shader()));
-    const Context& context = *session_.evaluator->context();
-    HN_TRY(const auto program, Program::build(context, vertex, {shader, {"the shader"}}));
-    return draw_pixel(context, program);
+    keep_shader(evidence, session_, evaluation_, facts_of(i, right));
   }
 
   // The driver refuses the shader, or fails to draw with it.
   std::optional<Evidence> without_values(const Outcome& why) const {
     if (why.status != Status::fail || !session_.evaluator->context()) return std::nullopt;
     constexpr std::size_t kAt = kMiddle * kPictureSide + kMiddle;
-    auto shader = stand_alone_shader(session_.sources, evaluation_, facts_of(kAt, right_at(kAt)));
+    auto shader = shortest(session_, evaluation_, facts_of(kAt, right_at(kAt)),
+                           [](const Colour& colour) { return !colour.has_value(); });
     if (!shader) return std::nullopt;
     Evidence evidence;
-    evidence.shader = std::move(*shader);
+    evidence.shader = std::move(shader->shader);
     evidence.note = fmt::format("There are no values to show: {}.", why.message.substr(0, why.message.find('\n')));
     return evidence;
   }
@@ -210,12 +243,36 @@ class Examiner {
   Words reference_;
 };
 
+// Of a known bug: at its first point that is wrong.
+std::optional<Evidence> evidence_of(Session& session, const Case& test, const BugKind& kind, const Outcome& outcome) {
+  if (!session.evaluator->context() || outcome.examples.empty()) return std::nullopt;
+  const Bug& bug = *kind.bug;
+  const Mismatch& wrong = outcome.examples.front();
+  const BugPoint& point = bug.points.at(wrong.point);
+  const Evaluation evaluation = evaluation_of(bug, *kind.profile);
+  ShaderFacts facts{.id = test.id,
+                    .renderer = renderer_of(session.info()),
+                    .inputs = wrong.words,
+                    .got = {},
+                    .expected = {},
+                    .allowed = {},
+                    .every_bit = bug.allowed == 0.0};
+  std::ranges::copy(point.expected, facts.expected.begin());
+  facts.allowed.fill(bug.allowed);
+  const auto got = evaluate(session, evaluation, wrong.words);
+  if (got) facts.got = *got;
+  Evidence evidence;
+  keep_shader(evidence, session, evaluation, facts);
+  return evidence;
+}
+
 }  // namespace
 
 std::optional<Evidence> make_evidence(Session& session, const Case& test, const Outcome& outcome) {
-  if (!test.evaluation() || outcome.status != Status::fail) return std::nullopt;
+  if (outcome.status != Status::fail) return std::nullopt;
   try {
-    return Examiner(session, test, outcome).run();
+    if (const auto* bug = std::get_if<BugKind>(test.kind.get())) return evidence_of(session, test, *bug, outcome);
+    return test.evaluation() ? Examiner(session, test, outcome).run() : std::nullopt;
   } catch (const std::exception&) {
     return std::nullopt;  // the case has its verdict
   }
@@ -254,12 +311,14 @@ Result<std::array<std::uint8_t, 4>> draw_pixel(const Context& context, const Pro
 
 bool EvidenceBudget::take(const CaseName& name) {
   auto& of_function = by_function_[name.function];
-  if (all_ >= kMostPerDriver || of_function.size() >= kMostPerFunction) return false;
+  // Known bugs come last, have no pictures, and explain what comes before them.
+  const bool is_bug = name.function.starts_with("bugs.");
+  if ((all_ >= kMostPerDriver && !is_bug) || of_function.size() >= kMostPerFunction) return false;
   // A fault in one version of the language is mostly in the others, too.
   CaseName in_any_version = name;
   in_any_version.profile.clear();
   if (!of_function.insert(in_any_version.id()).second) return false;
-  ++all_;
+  all_ += is_bug ? 0 : 1;
   return true;
 }
 

@@ -13,8 +13,8 @@
 
 namespace hn {
 
-// Evidence for a case that failed, if it is about values. Nothing where evidence is impossible, or
-// where making it throws.
+// Evidence for a case that failed, if it is about values: of a known bug a shader without pictures. Nothing where
+// evidence is impossible, or where making it throws.
 std::optional<Evidence> make_evidence(Session& session, const Case& test, const Outcome& outcome);
 
 // The colour that a program gives the first pixel of a target of 8 bits per channel: red, green, blue, alpha.

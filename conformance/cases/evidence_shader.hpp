@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/result.hpp"
+#include "gpu/reference_compiler.hpp"
 #include "library/shaders.hpp"
 #include "library/source.hpp"
 
@@ -23,9 +24,10 @@ struct ShaderFacts {
 
 // A fragment shader, complete, without textures or attributes: green where the function has the expected value,
 // else red. The point is hidden from the compiler behind a uniform that nobody needs to set, so that it
-// evaluates the function on the device. Comments state what it is.
-Result<std::string> stand_alone_shader(const SourceSet& sources, const Evaluation& evaluation,
-                                       const ShaderFacts& facts);
+// evaluates the function on the device. Comments state what it is. With a compiler it is brief: macros are expanded,
+// and what main does not call is left out.
+Result<std::string> stand_alone_shader(const SourceSet& sources, const Evaluation& evaluation, const ShaderFacts& facts,
+                                       const ReferenceCompiler* compiler = nullptr);
 
 // Lines without comments, #line directives and what is left empty.
 std::string without_comments(std::string_view glsl);

@@ -1,11 +1,14 @@
 #include "cases/evidence.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 
 #include "cases/evidence_pictures.hpp"
 #include "cases/evidence_shader.hpp"
+#include "fault/faults.hpp"
 #include "gpu/osmesa_fixture.hpp"
 
 namespace hn {
@@ -64,6 +67,10 @@ TEST_F(EvidenceOf, AWrongConstantIsRedAndTheRightOneGreen) {
       EXPECT_EQ(outcome_.status, Status::fail);
       EXPECT_EQ(colour(found->shader, profile), "red") << found->note << found->shader;
       EXPECT_EQ(colour(replaced(found->shader, kWrong, kRight), profile), "green");
+      for (const char* left_out : {"#if", "#define", "#line", "hn_i_hash(uint k) {\n", "hn_simplex", "hn_value("}) {
+        EXPECT_EQ(found->shader.find(left_out), std::string::npos) << left_out;
+      }
+      EXPECT_LT(std::ranges::count(found->shader, '\n'), function.starts_with("fbm") ? 400 : 200) << found->shader;
       EXPECT_NE(found->note.find("The shader is red on this driver"), std::string::npos) << found->note;
     }
   }
@@ -81,6 +88,27 @@ TEST_F(EvidenceOf, TheShaderSaysWhatItIs) {
   }
   EXPECT_EQ(found->shader.find("#line"), std::string::npos);
   EXPECT_EQ(found->shader.find("#include"), std::string::npos);
+}
+
+// Drivers define names that glslang does not.
+TEST_F(EvidenceOf, TheWholeTextIsShownWhereTheBriefOneIsRight) {
+  const std::string either =
+      fmt::format("\n#ifdef GL_MESA_shader_integer_functions\n{}\n#else\n{}\n#endif\n", kWrong, kRight);
+  const auto found =
+      evidence(changed("detail/word.glsl", kRight, either), "hash.lattice2.lattice.exact.fragment.gl330.golden");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(colour(found->shader, "gl330"), "red") << found->note << found->shader;
+  EXPECT_NE(found->shader.find("#if"), std::string::npos);
+}
+
+TEST_F(EvidenceOf, AKnownBugIsShownWithItsRule) {
+  SourceSet sources = SourceSet::embedded();
+  ASSERT_TRUE(inject_into(sources, "abs_int"));
+  const auto found = evidence(sources, "bugs.abs_of_int.any.exact.fragment.gl330.defined");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(colour(found->shader, "gl330"), "red") << found->note << found->shader;
+  EXPECT_NE(found->shader.find("// rule      GLSL 4.60 section 8.3: abs is x"), std::string::npos) << found->shader;
+  EXPECT_LT(std::ranges::count(found->shader, '\n'), 40) << found->shader;
 }
 
 TEST_F(EvidenceOf, ThePicturesShowTheDifference) {
@@ -151,6 +179,7 @@ TEST(EvidenceBudget, IsForEachFunctionAndForAll) {
     taken += budget.take({"f." + std::to_string(i), "x", "fast", Stage::fragment, "gl330", "twin"}) ? 1 : 0;
   }
   EXPECT_EQ(taken, 38);
+  EXPECT_TRUE(budget.take({"bugs.x", "any", "exact", Stage::fragment, "gl330", "defined"})) << "it explains the others";
 }
 
 TEST(Window, HasThePointInTheMiddle) {

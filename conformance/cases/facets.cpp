@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/strings.hpp"
+#include "cases/bugs/bugs.hpp"
 #include "expected/verdict.hpp"
 #include "library/functions.hpp"
 
@@ -64,6 +65,13 @@ std::string language_of(std::string_view profile) {
   return profile.starts_with("es") ? "in GLSL ES" : "in desktop GLSL";
 }
 
+// The rule behind a known bug; nothing if there is no such bug.
+std::string_view rule_of_bug(std::string_view id) {
+  const auto bugs = all_bugs();
+  const auto bug = std::ranges::find(bugs, id, [](const Bug& b) { return b.function.id; });
+  return bug == bugs.end() ? std::string_view{} : bug->specification;
+}
+
 }  // namespace
 
 Facets facets_of(std::string_view id) {
@@ -87,6 +95,19 @@ Facets facets_of(std::string_view id) {
   // These two hold values against what is right. The others look for something special, and name what they found.
   if (parts[6] != "golden" && parts[6] != "twin") facets[10] = fmt::format("of the check {}", parts[6]);
   return facets;
+}
+
+std::string rule_of(std::string_view id) {
+  if (const auto rule = rule_of_bug(function_of(id)); !rule.empty()) return std::string(rule);
+  const auto parts = split(id, '.');
+  if (parts.size() != 7 || parts[5].starts_with("hlsl") || parts[5] == "wgsl") return {};
+  std::string rule = "GLSL 4.60 section 4.7.1: +, - and * round correctly, and a * b + c once or twice";
+  if (parts[3] == "precise") rule = rule_of_bug("bugs.contracted_despite_precise");
+  if (parts[3] == "exact" || parts[3] == "fixed") {
+    rule = fmt::format("{}; section 5.9: &, |, ^ and shifts act on each of these bits",
+                       rule_of_bug("bugs.words_wrap_at_32_bits"));
+  }
+  return rule;
 }
 
 }  // namespace hn

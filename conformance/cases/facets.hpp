@@ -16,4 +16,7 @@ inline constexpr std::size_t kFacets = 11;
 using Facets = std::array<std::string, kFacets>;
 Facets facets_of(std::string_view id);
 
+// The rule of GLSL that a case with wrong values shows to be broken, and where it stands; nothing for other languages.
+std::string rule_of(std::string_view id);
+
 }  // namespace hn

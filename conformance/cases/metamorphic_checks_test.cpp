@@ -204,7 +204,7 @@ TEST_F(Periods, AWholeDetailThatIsNoNumberOfOctavesIsCaught) {
                                      {"fbm.fbm3_detail.lattice.precise.fragment.gl400.whole_detail",
                                       "detail/octave.glsl", "float(octaves - 1));", "float(octaves - 1) + 0.00001f);"},
                                      {"fbm.fbm3_detail.lattice.fixed.fragment.gl330.whole_detail", "detail/octave.glsl",
-                                      "HN_I_MOST_DETAIL 32.0f", "HN_I_MOST_DETAIL 31.0f"}};
+                                      "detail), 32.0f", "detail), 31.0f"}};
   for (const Replacement& fault : kFaults) expect_replaced_caught(fault);
 }
 

@@ -3,13 +3,13 @@
 
 import csv
 import json
+import os
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
 PROGRAM = ""
@@ -131,13 +131,13 @@ class BenchCli(unittest.TestCase):
         older = self.write("older.glsl", "#version 120\n" + VALUE_NOISE.replace("floor(p)", "flor(p)"))
         self.have_run()
         before = (self.out / "bench.csv").read_text()
-        start = time.monotonic()
-        # The whole library would take minutes. Other tests run beside this one.
+        start = sum(os.times()[2:4])
+        # The whole library would take minutes of processor time.
         done = self.call("bench", "--out", self.out, "--against", f"good={good}:value_noise(p)", "--against",
                          f"broken={broken}:value_noise(p)", "--against", f"older={older}:value_noise(p)", "--against",
                          f"vector={good}:vec2(p)", "--against", f"whole={good}:int(p.x)", "--against",
                          f"absent={good}:simplex(p)")
-        self.assertLess(time.monotonic() - start, 60)
+        self.assertLess(sum(os.times()[2:4]) - start, 60)
         self.assertEqual(done.returncode, 2, done.stderr)
         for part in (f"broken={broken}:value_noise(p)", f"{broken}:4", f"{older}:5", f"{good}:vec2(p)",
                      f"{good}:int(p.x)", "simplex", "the expression of absent:1"):
@@ -174,10 +174,10 @@ class BenchCli(unittest.TestCase):
             (["--frobnicate"], "frobnicate"),
         ):
             with self.subTest(arguments=arguments):
-                start = time.monotonic()
+                start = sum(os.times()[2:4])
                 # The whole library: nothing of it may have been measured before the message.
                 done = self.call("bench", *arguments, *([] if "--out" in arguments else ["--out", self.out]))
-                self.assertLess(time.monotonic() - start, 60)
+                self.assertLess(sum(os.times()[2:4]) - start, 60)
                 self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
                 for part in expected:
                     self.assertIn(part, done.stderr + done.stdout)

@@ -66,7 +66,8 @@ void run_driver_cases(const Suite& suite, std::unique_ptr<Evaluator> evaluator, 
       const char* const what = session.evaluator->context() ? "the context was lost" : "the device was lost";
       result.outcome = outcome_with(Status::crash, {what, {}});
     }
-    const bool examined = result.outcome.status == Status::fail && test.evaluation() && budget.take(test.name);
+    const bool has_values = test.evaluation() != nullptr || test.is<BugKind>();
+    const bool examined = result.outcome.status == Status::fail && has_values && budget.take(test.name);
     nlohmann::ordered_json line = {{"result", to_json(result)}};
     if (examined) line["examined"] = true;
     report(line);

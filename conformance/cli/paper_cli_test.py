@@ -3,12 +3,12 @@
 PATH-OF-HN-CONFORM"""
 
 import copy
+import os
 import pathlib
 import shutil
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
 sys.dont_write_bytecode = True
@@ -137,9 +137,9 @@ class Broken(unittest.TestCase):
 class Usage(unittest.TestCase):
     def call(self, *arguments):
         """Mistakes are reported before anything is measured."""
-        start = time.monotonic()
+        start = sum(os.times()[2:4])
         done = subprocess.run([PROGRAM, "paper", *map(str, arguments)], capture_output=True, text=True, check=False)
-        self.assertLess(time.monotonic() - start, 10.0)  # a run takes about a minute
+        self.assertLess(sum(os.times()[2:4]) - start, 10.0)  # of the processor; a run takes about a minute
         return done
 
     def setUp(self):

@@ -166,8 +166,8 @@ class Run(unittest.TestCase):
         self.assertEqual(set(whole), {"osmesa", "glslang"})
         for driver, run in whole.items():
             for case in [*run["cases"], *merged[driver]["cases"]]:
-                for time in ("seconds", "processor_seconds"):
-                    case.pop(time, None)
+                for measured in ("seconds", "processor_seconds"):
+                    case.pop(measured, None)
             self.assertEqual(merged[driver]["cases"], run["cases"])
         done = subprocess.run([*merge, *shards, shards[0]], capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 2)

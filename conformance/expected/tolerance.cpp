@@ -215,8 +215,9 @@ double octave_sum_tolerance(const Function& function, Gradient gradient, std::sp
   if (function.is_gullies()) return gullies_output_tolerance(function, inputs, output);
   const OctaveArguments arguments = octave_arguments(function, inputs);
   if (function.bound == kPerlinWorley) return perlin_worley_tolerance(arguments);
-  return function.is_slope(output) ? octave_slope_tolerance(function.axes, arguments)
-                                   : octave_tolerance(octave_sum_of(function), function.axes, arguments, gradient);
+  const OctaveSum kind = octave_sum_of(function);
+  return function.is_slope(output) ? octave_slope_tolerance(kind, function.axes, arguments)
+                                   : octave_tolerance(kind, function.axes, arguments, gradient);
 }
 
 // Of uniform values and of distributions of sums.
@@ -225,7 +226,9 @@ double distribution_tolerance(const Function& function, std::span<const std::uin
   const double reach = std::clamp(float_input(inputs, function.input("reach")), 0.0625, 3.0);
   if (name == "value") return kUniformBounds.value;
   if (name == "slope") return kUniformBounds.slope / reach;
-  return name == "reach" ? kUniformBounds.reach * reach : kUniformBounds.coefficient;
+  if (name == "reach") return kUniformBounds.reach * reach;
+  if (name == "a" || name == "b" || name == "c") return kUniformBounds.coefficient;
+  throw std::logic_error(fmt::format("{}: nothing is proven of its {}", function.id, name));
 }
 
 }  // namespace
@@ -262,8 +265,12 @@ const NoiseBounds& bounds_of(const Function& function, const Configuration& conf
 
 double error_of(const Function& function, const Configuration& configuration, std::size_t output) {
   const NoiseBounds& bounds = bounds_of(function, configuration, output);
-  if (configuration.arithmetic == Arithmetic::fixed) return bounds.fixed_error;
-  return function.starts_from_integers() ? bounds.cell_error : bounds.error;
+  switch (configuration.arithmetic) {
+    case Arithmetic::fixed: return bounds.fixed_error;
+    case Arithmetic::fast:
+    case Arithmetic::precise: return function.starts_from_integers() ? bounds.cell_error : bounds.error;
+  }
+  throw std::logic_error(fmt::format("nothing is proven of {}", configuration.name));
 }
 
 namespace {
@@ -313,10 +320,11 @@ double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& argumen
   return octave_tolerance(facts.rule, arguments, bounds, float_slope_bounds(facts.noise, axes));
 }
 
-double octave_slope_tolerance(int axes, const OctaveArguments& arguments) {
-  const std::string_view noise = noise_of(OctaveSum::fbm_d);
-  return octave_slope_tolerance(arguments, float_bounds(noise_bounds(noise, axes, Gradient::octahedral)),
-                                float_slope_bounds(noise, axes));
+double octave_slope_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments) {
+  const OctaveSumFacts& facts = facts_of(kind);
+  return octave_slope_tolerance(facts.rule, arguments,
+                                float_bounds(noise_bounds(facts.noise, axes, Gradient::octahedral)),
+                                float_slope_bounds(facts.noise, axes));
 }
 
 //   billow = 1 - 2*distance;  P and B are means of octaves, at most 1;  value = 1 - (1 - P)*(1 - B)*0.25

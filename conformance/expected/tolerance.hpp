@@ -53,8 +53,8 @@ inline std::string_view noise_of(OctaveSum sum) { return facts_of(sum).noise; }
 // Over the noise that the GLSL function sums, or over another, if it is a sum of values (sums/bounds.hpp).
 double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments,
                         Gradient gradient = Gradient::octahedral, std::string_view noise = {});
-// The same of a component of the derivative of an fBm.
-double octave_slope_tolerance(int axes, const OctaveArguments& arguments);
+// The same of a component of the derivative of the sum.
+double octave_slope_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments);
 
 // The same of hn_perlin_worley.
 double perlin_worley_tolerance(OctaveArguments arguments);

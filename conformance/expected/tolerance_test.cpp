@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <limits>
+#include <stdexcept>
 
 #include "library/configurations.hpp"
 
@@ -14,11 +15,12 @@ namespace {
 // Tests of tools/lib/proof/bounds hold these against sums that are computed with adverse roundings.
 
 TEST(OctaveTolerance, OfSlopesAndShiftsHasEdges) {
-  EXPECT_EQ(octave_slope_tolerance(2, {1.0, 0, 2.0, 0.5, false}), 0.0);
+  EXPECT_EQ(octave_slope_tolerance(OctaveSum::fbm_d, 2, {1.0, 0, 2.0, 0.5, false}), 0.0);
   EXPECT_EQ(octave_tolerance(OctaveSum::warp, 3, {1.0, 0, 2.0, 0.5, false}), 0.0);
-  EXPECT_EQ(octave_slope_tolerance(2, {1.0, 20, 2.0, 1e20, false}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(octave_slope_tolerance(OctaveSum::fbm_d, 2, {1.0, 20, 2.0, 1e20, false}), std::numeric_limits<double>::infinity());
   EXPECT_EQ(octave_tolerance(OctaveSum::warp_progressive, 2, {1.0, 8, 1e20, 1.0, false}),
             std::numeric_limits<double>::infinity());
+  EXPECT_THROW(octave_slope_tolerance(OctaveSum::fbm, 2, {1.0, 1, 2.0, 0.5, false}), std::logic_error);
   // Nothing is further from a component of a shift than twice the amplitude, but for its rounding.
   OctaveArguments large{1.0, 5, 2.0, 1.0, false};
   large.amplitude = 100.0;

@@ -5,6 +5,7 @@
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 
+#include "base/strings.hpp"
 #include "gpu/spirv.hpp"
 
 namespace hn {
@@ -39,9 +40,10 @@ void set_environment(glslang::TShader& shader, const Profile& profile, EShLangua
   if (!profile.in_glsl()) shader.setEntryPoint("main");
 }
 
-// Compiles and links; the SPIR-V where the profile has it, else nothing.
+// Compiles and links; the SPIR-V where the profile has it, else nothing. Writes the tree of the program, if there is a
+// place for it.
 Result<std::vector<std::uint32_t>> compile(const ShaderText& source, const Profile& profile, Stage stage,
-                                           Warnings warnings) {
+                                           Warnings warnings, std::string* tree = nullptr) {
   const EShLanguage language = language_of(stage);
   const EShMessages rules = rules_of(profile);
   glslang::TShader shader(language);
@@ -56,7 +58,10 @@ Result<std::vector<std::uint32_t>> compile(const ShaderText& source, const Profi
   }
   glslang::TProgram program;
   program.addShader(&shader);
-  if (!program.link(rules)) return fail("glslang does not link it", source.translate(program.getInfoLog()));
+  if (!program.link(tree == nullptr ? rules : static_cast<EShMessages>(rules | EShMsgAST))) {
+    return fail("glslang does not link it", source.translate(program.getInfoLog()));
+  }
+  if (tree != nullptr) *tree = program.getInfoDebugLog();
   std::vector<std::uint32_t> words;
   if (profile.spirv) glslang::GlslangToSpv(*program.getIntermediate(language), words);
   return words;
@@ -100,6 +105,19 @@ Result<ShaderText> ReferenceCompiler::preprocessed(const ShaderText& source, con
     return result;
   }
   return fail("glslang does not preprocess it", source.translate(shader.getInfoLog()));
+}
+
+Result<std::set<std::size_t>> ReferenceCompiler::lines_of_called(const ShaderText& source, const Profile& profile,
+                                                                 Stage stage) const {
+  std::string tree;
+  HN_DO(compile(source, profile, stage, Warnings::let_pass, &tree));
+  // "0:12  Function Definition: f(i1; ( global float)". A linked program has no others.
+  std::set<std::size_t> lines;
+  for (const std::string_view line : split(tree, '\n')) {
+    if (!line.starts_with("0:") || line.find("Function Definition: ") == line.npos) continue;
+    lines.insert(std::stoul(std::string(line.substr(2))));
+  }
+  return lines;
 }
 
 }  // namespace hn

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,9 @@ class ReferenceCompiler {
 
   // The shader without macros and conditions, for compilers whose preprocessors lack something.
   Result<ShaderText> preprocessed(const ShaderText& shader, const Profile& profile, Stage stage) const;
+
+  // A line of each function that main calls, or that these call: of the overloads only those. The shader has no #line.
+  Result<std::set<std::size_t>> lines_of_called(const ShaderText& shader, const Profile& profile, Stage stage) const;
 };
 
 }  // namespace hn

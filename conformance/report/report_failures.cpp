@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text.hpp"
+#include "cases/facets.hpp"
 #include "library/shaders.hpp"
 #include "report/report_page.hpp"
 #include "run/failures.hpp"
@@ -58,9 +59,26 @@ Json evidence_of(const Evidence& evidence) {
                 {"difference", evidence.difference},
                 {"factor", fmt::format("{:.3g}", evidence.factor)}};
   }
-  return {{"note", cleaned(evidence.note)},
-          {"pictures", std::move(pictures)},
-          {"shader", evidence.shader.empty() ? Json(false) : Json({{"text", clean_text(evidence.shader)}})}};
+  return {{"note", cleaned(evidence.note)}, {"pictures", std::move(pictures)}};
+}
+
+// One text for those who write the driver: a shader that stands alone begins with all of it.
+std::string report_of(const Run& run, const CaseResult& result, bool with_shader) {
+  if (with_shader && !result.evidence->shader.empty()) return result.evidence->shader;
+  const ContextInfo& info = run.info;
+  std::string text = fmt::format("{}\nfails on {}, {}{} ({}).\n\n", result.id, info.renderer, info.gl_version,
+                                 info.glsl_version.empty() ? "" : ", GLSL " + info.glsl_version, info.vendor);
+  const Outcome& outcome = result.outcome;
+  const std::string rule = outcome.mismatches == 0 ? "" : rule_of(result.id);
+  if (!rule.empty()) text += fmt::format("rule      {}\n", rule);
+  for (const Mismatch& wrong : outcome.examples) {
+    text += fmt::format("at        {}\ngot       {}\nexpected  {}\n", wrong.inputs, wrong.got, wrong.expected);
+    if (&wrong - outcome.examples.data() + 1 == kMostExamples) break;
+  }
+  if (outcome.samples != 0) text += fmt::format("\n{}.\n", measure_of(outcome));
+  if (outcome.examples.empty()) text += fmt::format("{}\n", shortened(outcome.message, kMostOfMessage));
+  return text + fmt::format("\nTo see it: hn-conform run --driver {} --filter {}, of {}.\n", run.driver, result.id,
+                            library_text(run.library));
 }
 
 std::size_t bytes_of(const Evidence& evidence) {
@@ -74,7 +92,7 @@ struct PageBudget {
   std::size_t open = 0;
 };
 
-Json page_case(const CaseResult& result, PageBudget& shown) {
+Json page_case(const Run& run, const CaseResult& result, PageBudget& shown) {
   const Outcome& outcome = result.outcome;
   Json evidence = false;
   std::string left_out;
@@ -94,11 +112,13 @@ Json page_case(const CaseResult& result, PageBudget& shown) {
           {"message", examples.empty() ? Json({{"text", cleaned(outcome.message)}}) : Json(false)},
           {"has_examples", !examples.empty()},
           {"examples", examples},
+          {"report", clean_text(report_of(run, result, evidence.is_object()))},
+          {"has_shader", evidence.is_object() && !result.evidence->shader.empty()},
           {"evidence", std::move(evidence)},
           {"left_out", left_out}};
 }
 
-Json page_group(const FailureGroup& group, PageBudget& shown) {
+Json page_group(const Run& run, const FailureGroup& group, PageBudget& shown) {
   std::vector<const CaseResult*> failed = group.cases;
   std::stable_sort(failed.begin(), failed.end(), [](const CaseResult* a, const CaseResult* b) {
     return a->evidence.has_value() > b->evidence.has_value();
@@ -109,7 +129,7 @@ Json page_group(const FailureGroup& group, PageBudget& shown) {
   for (const CaseResult* result : failed) {
     if (cases.size() >= most || shown.cases >= kMostCases) break;
     ++shown.cases;
-    cases.push_back(page_case(*result, shown));
+    cases.push_back(page_case(run, *result, shown));
   }
   const std::size_t left = failed.size() - cases.size();
   const std::string count = group.of_function()
@@ -129,7 +149,7 @@ Json page_run(const Run& run, const Failures& failures, PageBudget& shown) {
   for (const FailureGroup& group : failures.groups) {
     if (group.status != Status::fail) continue;  // page_breakdowns has it
     if (groups.size() < kMostGroups) {
-      groups.push_back(page_group(group, shown));
+      groups.push_back(page_group(run, group, shown));
     } else {
       ++left;
     }

@@ -62,6 +62,8 @@ class Texts {
     return entry->second;
   }
 
+  const std::string& operator[](std::size_t number) const { return texts_[number]; }
+
   std::string listed(const Values& values) const {
     std::vector<std::string_view> list;
     for (const std::size_t value : values) list.push_back(texts_[value]);
@@ -146,7 +148,7 @@ std::string success_of(const Rows& rows, std::string_view which, std::string_vie
   return good == 1 ? fmt::format("the {} passes", one) : fmt::format("all {} {} pass", good, which);
 }
 
-// It counts all cases that ran, so that it is true whatever the other lines are.
+// It counts all others, so that it is true whatever the other lines are.
 std::string sentence_of(const Trait& trait, const Rows& others, const Texts& texts) {
   Rows apart;
   for (const Row* row : others) {
@@ -168,6 +170,22 @@ std::string sentence_of(const Trait& trait, const Rows& others, const Texts& tex
   return fmt::format("Every failing case is {}; {}.", texts.listed(trait.values), success_of(apart, which, one));
 }
 
+// The places in Facets of what the layers are known by.
+constexpr std::size_t kKind = 0;
+constexpr std::size_t kDimension = 1;
+constexpr std::size_t kCheck = 10;
+
+// Each layer is made of those before it. Files as a whole and settings are in none.
+enum class Layer { driver, hashes, gradients, noises, sums };
+
+std::optional<Layer> layer_of(std::string_view kind) {
+  if (kind == "of what drivers are known to get wrong") return Layer::driver;
+  if (kind == "of hashes") return Layer::hashes;
+  if (kind == "of gradients" || kind == "of positions") return Layer::gradients;
+  if (kind == "of octave sums") return Layer::sums;
+  return kind.ends_with(" noise") ? std::optional(Layer::noises) : std::nullopt;
+}
+
 std::string first_line(std::string_view text) { return std::string(text.substr(0, text.find('\n'))); }
 
 class Sorter {
@@ -182,20 +200,29 @@ class Sorter {
       rows_.push_back(row);
     }
     for (const Row& row : rows_) {
-      (row.end == End::failed ? failed_ : others_).push_back(&row);
-      by_function_[function_of(row.result->id)].push_back(&row);
+      if (row.end == End::failed) failed_.push_back(&row);
+      ++ran_[function_of(row.result->id)];
+    }
+    const Values failing_checks = values_in(failed_, kCheck);
+    for (const Row& row : rows_) {
+      const std::size_t check = row.values[kCheck];
+      if (row.end != End::failed && (check == 0 || failing_checks.contains(check))) others_.push_back(&row);
     }
   }
 
   Failures sorted() const {
     Failures failures{.failed = failed_.size(), .ran = rows_.size(), .common = {}, .groups = {}};
     const std::vector<Trait> traits = traits_of(failed_, others_, kSeparatedOfAll);
+    const Rows lowest = lowest_layer();
+    if (auto sentence = beginning(lowest); !sentence.empty()) failures.common.push_back(std::move(sentence));
     for (const Trait& trait : traits) failures.common.push_back(sentence_of(trait, others_, texts_));
     for (const Rows& rows : grouped()) failures.groups.push_back(group_of(rows, traits));
+    std::stable_partition(failures.groups.begin(), failures.groups.end(), [&](const FailureGroup& group) {
+      return std::ranges::any_of(lowest, [&](const Row* row) { return function_of(row->result->id) == group.title; });
+    });
     // A single group shows the common trait of its cases itself.
-    if (failed_.size() > 1 && traits.empty() && (others_.empty() || failures.groups.size() > 1)) {
-      failures.common.emplace_back(others_.empty() ? "Every case that ran fails."
-                                                   : "The names of the failing cases have nothing in common.");
+    if (failed_.size() > 1 && failures.common.empty() && (others_.empty() || failures.groups.size() > 1)) {
+      failures.common.push_back(nothing_in_common());
     }
     return failures;
   }
@@ -203,6 +230,54 @@ class Sorter {
  private:
   static bool has_values(const CaseResult& result) {
     return result.outcome.status == Status::fail && result.outcome.mismatches != 0;
+  }
+
+  std::string nothing_in_common() const {
+    if (!others_.empty()) return "The names of the failing cases have nothing in common.";
+    const std::size_t passed = rows_.size() - failed_.size();
+    if (passed == 0) return "Every case that ran fails.";
+    return fmt::format("Every case that compares with right values fails; the {} that {} not.",
+                       passed == 1 ? "one" : std::to_string(passed), passed == 1 ? "passes does" : "pass do");
+  }
+
+  std::optional<Layer> layer_in(const Row& row) const { return layer_of(texts_[row.values[kKind]]); }
+
+  // The cases with wrong values in the lowest layer that has any.
+  Rows lowest_layer() const {
+    Rows lowest;
+    for (const Row* row : failed_) {
+      const auto layer = layer_in(*row);
+      if (!layer || !has_values(*row->result) || (*layer != Layer::driver && row->values[kCheck] != 0)) continue;
+      if (!lowest.empty() && layer < layer_in(*lowest.front())) lowest.clear();
+      if (lowest.empty() || layer == layer_in(*lowest.front())) lowest.push_back(row);
+    }
+    return lowest;
+  }
+
+  // Where to begin; nothing unless most of the other failures are of what is made of this layer.
+  std::string beginning(const Rows& lowest) const {
+    if (lowest.empty()) return {};
+    const auto layer = layer_in(*lowest.front());
+    Rows others = failed_;
+    std::erase_if(others, [&](const Row* row) { return layer_in(*row) == layer; });
+    const Values dimensions = values_in(lowest, kDimension);
+    const bool of_any = layer == Layer::driver || dimensions.contains(0);
+    const auto above = std::ranges::count_if(others, [&](const Row* row) {
+      return layer_in(*row) && (of_any || dimensions.contains(row->values[kDimension]));
+    });
+    if (2 * above <= std::ssize(others)) return {};
+    std::vector<std::string_view> names;
+    for (const Row* row : lowest) {
+      const auto name = function_of(row->result->id);
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    }
+    const auto shown = std::span(names).first(std::min(names.size(), kMostNamed));
+    const std::string more =
+        shown.size() < names.size() ? fmt::format(" and {} more", names.size() - shown.size()) : "";
+    const bool of_driver = layer == Layer::driver;
+    return fmt::format("Begin with {}{}, {}: {} of {} other failures {}.", fmt::join(shown, ", "), more,
+                       of_driver ? "a few lines without the library" : "the lowest layer that fails", above,
+                       others.size(), of_driver ? "may follow" : "are of what is made of it");
   }
 
   std::vector<Rows> grouped() const {
@@ -227,11 +302,10 @@ class Sorter {
     // Held against those that have what all that failed has: the rest is printed already.
     Rows others;
     if (has_values(first)) {
-      const Rows& of_function = by_function_.at(function_of(first.id));
       group.title = function_of(first.id);
-      group.ran = of_function.size();
-      std::copy_if(of_function.begin(), of_function.end(), std::back_inserter(others),
-                   [](const Row* row) { return row->end != End::failed; });
+      group.ran = ran_.at(group.title);
+      std::ranges::copy_if(others_, std::back_inserter(others),
+                           [&](const Row* row) { return function_of(row->result->id) == group.title; });
     } else {
       group.title = first_line(first.outcome.message);
       others = others_;
@@ -250,7 +324,7 @@ class Sorter {
   std::vector<Row> rows_;
   Rows failed_;
   Rows others_;
-  std::map<std::string_view, Rows> by_function_;
+  std::map<std::string_view, std::size_t> ran_;  // by function
 };
 
 }  // namespace

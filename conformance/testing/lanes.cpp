@@ -1,6 +1,7 @@
 // Prints digests of what the functions of the library are at random points, with the scalar twin or, if LANES is
 // defined, with several points at a time. The two print the same. (lanes_test.py compiles it with both.) With
 // --faulty-lane a lane takes the value of another.
+#include <bit>
 #include <cstdio>
 
 static bool faulty_lane = false;

@@ -6,6 +6,8 @@ const kMostCommon = 2;
 const kMostNamed = 3;
 const kSeparatedOfAll = 20;
 const kToldOfGroup = 4;
+// The places of facets.
+const [kKind, kDimension, kCheck] = [0, 1, 10];
 
 export function functionOf(id) {
   return id.split(".").slice(0, 2).join(".");
@@ -83,6 +85,45 @@ function sentenceOf(trait, others) {
   return `Every failing case is ${listed(trait.values)}; ${successOf(apart, which, one)}.`;
 }
 
+// The number of the layer, from below, or -1 for files as a whole and for settings.
+function layerOf({ facets }) {
+  const layers = [["of what drivers are known to get wrong"], ["of hashes"], ["of gradients", "of positions"], [],
+                  ["of octave sums"]];
+  return facets[kKind].endsWith(" noise") ? 3 : layers.findIndex((kinds) => kinds.includes(facets[kKind]));
+}
+
+// The cases with wrong values in the lowest layer that has any.
+function lowestLayer(failed) {
+  const held = failed.filter((row) => hasValues(row.result) && layerOf(row) >= 0 &&
+                                      (layerOf(row) === 0 || row.facets[kCheck] === ""));
+  const lowest = Math.min(...held.map(layerOf));
+  return held.filter((row) => layerOf(row) === lowest);
+}
+
+// Where to begin; nothing unless most of the other failures are of what is made of this layer.
+function beginning(lowest, failed) {
+  if (!lowest.length) return [];
+  const layer = layerOf(lowest[0]);
+  const others = failed.filter((row) => layerOf(row) !== layer);
+  const dimensions = valuesIn(lowest, kDimension);
+  const ofAny = layer === 0 || dimensions.has("");
+  const above = others.filter((row) => layerOf(row) >= 0 && (ofAny || dimensions.has(row.facets[kDimension]))).length;
+  if (2 * above <= others.length) return [];
+  const names = [...new Set(lowest.map(({ result }) => functionOf(result.id)))];
+  const more = names.length > kMostNamed ? ` and ${names.length - kMostNamed} more` : "";
+  const [why, how] = layer === 0 ? ["a few lines without the library", "may follow"]
+                                 : ["the lowest layer that fails", "are of what is made of it"];
+  return [`Begin with ${names.slice(0, kMostNamed).join(", ")}${more}, ${why}: ` +
+          `${above} of ${others.length} other failures ${how}.`];
+}
+
+function nothingInCommon(passed, others) {
+  if (others.length) return "The names of the failing cases have nothing in common.";
+  if (!passed) return "Every case that ran fails.";
+  return "Every case that compares with right values fails; " +
+         `the ${passed === 1 ? "one that passes does" : `${passed} that pass do`} not.`;
+}
+
 function hasValues(result) {
   return result.status === "fail" && result.mismatches !== 0;
 }
@@ -97,16 +138,17 @@ function grouped(failed) {
   return [...groups.values()];
 }
 
-function groupOf(rows, ran, traits) {
+function groupOf(rows, ran, held, traits) {
   const [first] = rows.map(({ result }) => result);
   const ofFunction = hasValues(first);
   const name = functionOf(first.id);
-  const related = ofFunction ? ran.filter(({ result }) => functionOf(result.id) === name) : ran;
-  const others = related.filter((row) => !isBad(row.result) && traits.every((trait) => has(trait, row)));
+  const related = (all) => (ofFunction ? all.filter(({ result }) => functionOf(result.id) === name) : all);
+  const others = related(held).filter((row) => traits.every((trait) => has(trait, row)));
   const only = traitsOf(rows, others, kToldOfGroup)
                  .map(({ byAbsence, values }) => `${byAbsence ? "never" : "only"} ${listed(values)}`);
   const cases = (count) => (count === 1 ? "case" : "cases");
-  const what = ofFunction ? `${rows.length} of ${related.length} ${cases(related.length)} of ${name}`
+  const all = related(ran).length;
+  const what = ofFunction ? `${rows.length} of ${all} ${cases(all)} of ${name}`
                           : `${rows.length} ${cases(rows.length)}: ${first.message.split("\n")[0]}`;
   return { status: first.status, ofFunction, text: only.length ? `${what} (${only.join(", ")})` : what,
            results: rows.map(({ result }) => result) };
@@ -117,13 +159,18 @@ export function failuresOf(results, facets) {
   const ran = results.filter(({ status }) => status !== "unsupported")
                 .map((result) => ({ result, facets: facets.get(result.id) }));
   const failed = ran.filter(({ result }) => isBad(result));
-  const others = ran.filter(({ result }) => !isBad(result));
+  const failingChecks = valuesIn(failed, kCheck).add("");
+  const others = ran.filter((row) => !isBad(row.result) && failingChecks.has(row.facets[kCheck]));
   const traits = traitsOf(failed, others, kSeparatedOfAll);
-  const common = traits.map((trait) => sentenceOf(trait, others));
-  const groups = grouped(failed).map((rows) => groupOf(rows, ran, traits));
+  const lowest = lowestLayer(failed);
+  const common = [...beginning(lowest, failed), ...traits.map((trait) => sentenceOf(trait, others))];
+  const isLow = (rows) => rows.some((row) => lowest.includes(row));
+  const all = grouped(failed);
+  const groups = [...all.filter(isLow), ...all.filter((rows) => !isLow(rows))]
+                   .map((rows) => groupOf(rows, ran, others, traits));
   // A single group shows the common trait of its cases itself.
-  if (failed.length > 1 && traits.length === 0 && (!others.length || groups.length > 1)) {
-    common.push(others.length ? "The names of the failing cases have nothing in common." : "Every case that ran fails.");
+  if (failed.length > 1 && !common.length && (!others.length || groups.length > 1)) {
+    common.push(nothingInCommon(ran.length - failed.length, others));
   }
   return { failed: failed.length, ran: ran.length, common, groups };
 }

@@ -53,8 +53,8 @@ HN_FN hn_vec2 hn_cellular_phase(hn_place2 place, hn_float phase, hn_float jitter
                            best.w);
   return hn_i_two_distances(best, HN_METRIC_EUCLIDEAN);
 }
-HN_FN hn_vec2 hn_cellular_phase(hn_vec2 p, hn_float phase, hn_float jitter, hn_uint seed,
-                                HN_I_OUT(hn_ivec2) nearest, HN_I_OUT(hn_vec2) offset) {
+HN_FN hn_vec2 hn_cellular_phase(hn_vec2 p, hn_float phase, hn_float jitter, hn_uint seed, HN_I_OUT(hn_ivec2) nearest,
+                                HN_I_OUT(hn_vec2) offset) {
   return hn_cellular_phase(hn_place(p), phase, jitter, seed, nearest, offset);
 }
 

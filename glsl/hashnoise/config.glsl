@@ -59,8 +59,10 @@
 #endif
 #define HN_I_OUT(type) type&
 #define HN_I_INOUT(type) type&
+// clang-format off
 #define HN_I_NEW(type, name) type name{}  // without the braces -Weffc++ warns
 #define HN_I_MADE(type) type() : cell(), fraction(), rest(), period(), tiled() {}
+// clang-format on
 #define HN_I_HAS_PRECISE 1
 #endif
 #else

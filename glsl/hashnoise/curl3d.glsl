@@ -17,8 +17,8 @@ HN_FN hn_float hn_i_float_to_curl(hn_float d) { return d; }
 
 #else
 
-// Multiplies two derivatives, each in units of 2^-19. The product is in units of 2^-20. The product of their low 9 bits, which
-// is below one unit, is dropped.
+// Multiplies two derivatives, each in units of 2^-19. The product is in units of 2^-20. The product of their low 9
+// bits, which is below one unit, is dropped.
 HN_FN hn_int hn_i_slope_product(hn_int a, hn_int b) {
   return (a >> 9) * (b >> 9) + (((a >> 9) * (b & 511) + (a & 511) * (b >> 9)) >> 9);
 }
@@ -53,10 +53,10 @@ HN_FN hn_place3 hn_i_between_points(hn_place3 place) {
   hn_place3 moved = place;
   hn_uvec3 cell = uvec3(place.cell);
   if (place.tiled) cell = hn_i_wrap(place.cell, place.period);
-  moved.cell = ivec3(uvec3(hn_i_moved_cell(cell.x, place.fraction.x, 2), cell.y,
-                           hn_i_moved_cell(cell.z, place.fraction.z, 1)));
-  moved.fraction = hn_i_vector(hn_i_moved_fraction(place.fraction.x, 2), place.fraction.y,
-                               hn_i_moved_fraction(place.fraction.z, 1));
+  moved.cell =
+      ivec3(uvec3(hn_i_moved_cell(cell.x, place.fraction.x, 2), cell.y, hn_i_moved_cell(cell.z, place.fraction.z, 1)));
+  moved.fraction =
+      hn_i_vector(hn_i_moved_fraction(place.fraction.x, 2), place.fraction.y, hn_i_moved_fraction(place.fraction.z, 1));
   return moved;
 }
 

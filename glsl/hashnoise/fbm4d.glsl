@@ -15,35 +15,43 @@
 // Fractals over hn_perlin. Over another noise, or over your own, write the same loop (octaves4d.glsl).
 // tools/make catalog: loops
 HN_FN hn_float hn_i_fbm(hn_octaves4 o) {
-  do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add(o, hn_perlin(o.place, o.seed));
+  while (hn_next(o));
   return hn_mean(o);
 }
 HN_FN hn_float hn_i_turbulence(hn_octaves4 o) {
-  do hn_add_turbulence(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add_turbulence(o, hn_perlin(o.place, o.seed));
+  while (hn_next(o));
   return hn_mean(o);
 }
 HN_FN hn_float hn_i_clouds(hn_octaves4 o) {
-  do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add(o, hn_perlin(o.place, o.seed));
+  while (hn_next(o));
   return hn_density(o);
 }
 HN_FN hn_float hn_i_billow(hn_octaves4 o) {
-  do o.sum = hn_i_add_bounded_size(o.sum, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do o.sum = hn_i_add_bounded_size(o.sum, hn_perlin(o.place, o.seed));
+  while (hn_next(o));
   return hn_i_value(hn_i_billows(hn_i_mean(o.sum)));
 }
 HN_FN hn_float hn_i_ridged(hn_octaves4 o) {
-  do hn_add_ridged(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add_ridged(o, hn_perlin(o.place, o.seed));
+  while (hn_next(o));
   return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
 }
 HN_FN hn_float hn_i_hybrid(hn_octaves4 o) {
-  do hn_add_hybrid(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add_hybrid(o, hn_perlin(o.place, o.seed));
+  while (hn_next(o));
   return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
 }
 HN_FN hn_float hn_i_ping_pong(hn_octaves4 o, hn_float strength) {
-  do hn_add_ping_pong(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
+  do hn_add_ping_pong(o, hn_perlin(o.place, o.seed), strength);
+  while (hn_next(o));
   return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
 }
 HN_FN hn_float hn_i_weighted(hn_octaves4 o, hn_float strength) {
-  do hn_add_weighted(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
+  do hn_add_weighted(o, hn_perlin(o.place, o.seed), strength);
+  while (hn_next(o));
   return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
 }
 // tools/make catalog: end
@@ -61,7 +69,7 @@ HN_FN hn_float hn_i_weighted(hn_octaves4 o, hn_float strength) {
 //               more: larger floats have no fraction
 //   place       in place of p, in cells of the first octave: hn_place(cell, f) far from the origin, or
 //               hn_tile(p, period) (place.glsl). The period of a tile times lacunarity^octaves is below 2^31
-//   octaves     how many, usually 4 to 8; with fewer than 1 the sum is 0
+//   octaves     how many, usually 4 to 8; more than 32 count as 32, and with fewer than 1 the sum is 0
 //   lacunarity  ratio of frequencies from octave to octave, usually 2. In a tile it is a whole number from 1 to 255;
 //               others are rounded down
 //   gain        ratio of amplitudes (persistence), usually 0.5; not negative, and the sum of its powers below 2^126
@@ -75,8 +83,8 @@ HN_FN hn_float hn_i_weighted(hn_octaves4 o, hn_float strength) {
 //               fractal repeats after the period, and no sooner. Octaves are not rotated there, since they would not
 //               fit: a tile shows the axes more than other fractals do
 //   cost        1 noise per octave
-//   HN_FIXED    takes a gain above 1 as 1, a lacunarity outside [0, 255] as 0 or 255, and more than 32 octaves as 32.
-//               The error does not grow with |p|
+//   HN_FIXED    takes a gain above 1 as 1, and a lacunarity outside [0, 255] as 0 or 255. The error does not grow
+//               with |p|
 //   source      Musgrave, in "Texturing and Modeling: A Procedural Approach"
 HN_FN hn_float hn_fbm(hn_place4 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_fbm(hn_octaves(place, octaves, lacunarity, gain, seed));
@@ -91,7 +99,8 @@ HN_FN hn_float hn_fbm(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_float g
 // The same without detail that a pixel cannot show: hn_fbm(p, detail, lacunarity, gain, seed) with a float, and
 // hn_fbm(p, footprint, octaves, lacunarity, gain, seed).
 //   detail      octaves, as a float: 3.5 is three octaves and half of the fourth. So octaves from the second on come
-//               and go without a jump. Up to 1 it is the whole first octave, and below 2^-32 none
+//               and go without a jump. Up to 1 it is the whole first octave, below 2^-32 none, and
+//               above 32 it counts as 32
 //   footprint   the size of a pixel at p, in cells of the first octave: in a fragment shader max(length(dFdx(p)),
 //               length(dFdy(p))). An octave fades out as a pixel grows from 1/2 to 3/2 of its cells, which comes
 //               nearest to the mean over the pixel. The others keep their contrast
@@ -101,13 +110,14 @@ HN_FN hn_float hn_fbm(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_float g
 //   cost        1 noise per octave; octaves that have faded out cost none
 HN_FN hn_float hn_fbm(hn_vec4 p, hn_float detail, hn_float lacunarity, hn_float gain, hn_uint seed) {
   hn_octaves4 o = hn_octaves(p, detail, lacunarity, gain, seed);
-  do hn_add_detail(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add_detail(o, hn_perlin(o.place, o.seed));
+  while (hn_next(o));
   return hn_mean(o);
 }
-HN_FN hn_float hn_fbm(hn_vec4 p, hn_float footprint, hn_int octaves, hn_float lacunarity, hn_float gain,
-                      hn_uint seed) {
+HN_FN hn_float hn_fbm(hn_vec4 p, hn_float footprint, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   hn_octaves4 o = hn_octaves(p, footprint, octaves, lacunarity, gain, seed);
-  do hn_add_footprint(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add_footprint(o, hn_perlin(o.place, o.seed));
+  while (hn_next(o));
   return hn_mean(o);
 }
 

@@ -45,7 +45,8 @@ HN_FN hn_slopes2 hn_slopes(hn_octaves2 o) {
   return s;
 }
 HN_FN void hn_add(HN_I_INOUT(hn_octaves2) o, HN_I_INOUT(hn_slopes2) s, hn_vec3 n) {
-  hn_i_num2 g = hn_i_transposed_times(s.jacobian, hn_i_vector(hn_i_octave_slope(n.y), hn_i_octave_slope(n.z)));
+  hn_i_num2 g = hn_i_vector(hn_i_octave_slope(n.y), hn_i_octave_slope(n.z));
+  g = hn_i_transposed_times(s.jacobian, g);
   o.sum = hn_i_add_noise(o.sum, n.x);
   s.x = hn_i_wide_plus(s.x, g.x);
   s.y = hn_i_wide_plus(s.y, g.y);
@@ -53,8 +54,8 @@ HN_FN void hn_add(HN_I_INOUT(hn_octaves2) o, HN_I_INOUT(hn_slopes2) s, hn_vec3 n
 }
 HN_FN void hn_add_eroded(HN_I_INOUT(hn_octaves2) o, HN_I_INOUT(hn_slopes2) s, hn_vec3 n, hn_float strength) {
   hn_i_num2 e = hn_i_vector(hn_i_summed_slope(s.x, n.y), hn_i_summed_slope(s.y, n.z));
-  HN_I_PRECISE hn_i_square_of_slope square = hn_i_squared_slope(e.x) + hn_i_squared_slope(e.y);
-  hn_i_num left = hn_i_erosion_weight(square, hn_i_setting(strength, 16.0f));
+  HN_I_PRECISE hn_i_square_of_slope steep = hn_i_squared_slope(e.x) + hn_i_squared_slope(e.y);
+  hn_i_num left = hn_i_erosion_weight(steep, hn_i_setting(strength, 16.0f));
   o.sum = hn_i_add_octave(o.sum, hn_i_octave(n.x), hn_i_weight_times(o.sum.weight, left));
   e = hn_i_next_slope(e, o.place.tiled);
   s.x = e.x;
@@ -75,12 +76,14 @@ HN_FN hn_vec3 hn_mean(hn_octaves2 o, hn_slopes2 s) {
 
 HN_FN hn_vec3 hn_i_fbm_d(hn_octaves2 o) {
   hn_slopes2 s = hn_slopes(o);
-  do hn_add(o, s, hn_perlin_d(o.place, o.seed)); while (hn_next(o));
+  do hn_add(o, s, hn_perlin_d(o.place, o.seed));
+  while (hn_next(o));
   return hn_mean(o, s);
 }
 HN_FN hn_float hn_i_eroded(hn_octaves2 o, hn_float strength) {
   hn_slopes2 s = hn_slopes(o);
-  do hn_add_eroded(o, s, hn_perlin_d(o.place, o.seed), strength); while (hn_next(o));
+  do hn_add_eroded(o, s, hn_perlin_d(o.place, o.seed), strength);
+  while (hn_next(o));
   return hn_mean(o);
 }
 

@@ -17,7 +17,7 @@
 
 #if HN_ARITHMETIC == HN_FIXED
 
-HN_FN hn_int hn_i_eroding_slope(hn_float x) { return int(min(max(x, -8.0f), 8.0f) * 65536.0f); }
+HN_FN hn_int hn_i_eroding_slope(hn_float x) { return int(min(max(-8.0f, x), 8.0f) * 65536.0f); }
 HN_FN hn_int hn_i_eroded_slope(hn_int e, hn_int d) { return min(max(hn_i_wide_plus(e, d), -524288), 524288); }
 HN_FN hn_int hn_i_slope_of_waves(hn_float d) { return int(d * 65536.0f); }
 
@@ -28,7 +28,7 @@ HN_FN hn_float hn_i_added_slope(hn_int a, hn_int b) { return hn_i_float(a - b) *
 
 #else
 
-HN_FN hn_float hn_i_eroding_slope(hn_float x) { return min(max(hn_i_to_num(x), -8.0f), 8.0f); }
+HN_FN hn_float hn_i_eroding_slope(hn_float x) { return min(max(-8.0f, hn_i_to_num(x)), 8.0f); }
 HN_FN hn_float hn_i_eroded_slope(hn_float e, hn_float d) { return hn_i_eroding_slope(hn_i_plus(e, d)); }
 HN_FN hn_float hn_i_slope_of_waves(hn_float d) { return d; }
 HN_FN hn_float hn_i_steepness(hn_float r) { return hn_i_quotient(r, hn_i_plus(r, 0.125f)); }
@@ -84,7 +84,7 @@ HN_FN hn_vec3 hn_i_gullies(hn_octaves2 octaves, hn_vec2 slope, hn_float depth) {
 //               pixel grows from 1/4 to 3/4 of its cells
 //   slope       the derivatives of the height along x and y, per cell of p; numbers outside [-8, 8] count as the nearer
 //               end
-//   octaves     how many, usually 4 to 8; with fewer than 1 the result is 0
+//   octaves     how many, usually 4 to 8; more than 32 count as 32, and with fewer than 1 the result is 0
 //   lacunarity  ratio of frequencies, usually 2: a whole number from 1 to 255; others are rounded down
 //   gain        ratio of depths, usually 0.5; not negative
 //   depth       of the first octave, half from ridge to floor on steep ground: usually 0.05 to 0.2; numbers outside
@@ -97,7 +97,7 @@ HN_FN hn_vec3 hn_i_gullies(hn_octaves2 octaves, hn_vec2 slope, hn_float depth) {
 //               HN_FIXED has the same bits everywhere
 //   period      2^31 cells per axis, or that of the tile
 //   cost        hn_phasor_d, a square root and three divisions per octave
-//   HN_FIXED    takes a gain above 1 as 1, and more than 32 octaves as 32
+//   HN_FIXED    takes a gain above 1 as 1
 //   source      docs/reference/contract.md, section 24; waves across the slope as gullies: Tricard et al., "Procedural
 //               phasor noise", 2019, for the waves
 HN_FN hn_vec3 hn_gullies(hn_place2 place, hn_float footprint, hn_vec2 slope, hn_int octaves, hn_float lacunarity,

@@ -72,9 +72,8 @@ HN_FN hn_vec3 hn_i_next(hn_vec3 q, hn_float lacunarity) {
   HN_I_PRECISE hn_float turned = b * q.x + a * q.y;
   hn_float c = hn_i_times(lacunarity, 29.0f / 32.0f);
   hn_float d = hn_i_times(lacunarity, 13.0f / 32.0f);
-  HN_I_PRECISE hn_vec3 next =
-      vec3(a * q.x - b * q.y + 11.0f / 32.0f, 29.0f / 32.0f * turned - d * q.z + 19.0f / 32.0f,
-           13.0f / 32.0f * turned + c * q.z + 23.0f / 32.0f);
+  HN_I_PRECISE hn_vec3 next = vec3(a * q.x - b * q.y + 11.0f / 32.0f, 29.0f / 32.0f * turned - d * q.z + 19.0f / 32.0f,
+                                   13.0f / 32.0f * turned + c * q.z + 23.0f / 32.0f);
   return next;
 }
 #endif
@@ -111,7 +110,7 @@ HN_FN void hn_i_advance(HN_I_INOUT(hn_octaves3) o) {
 //               more: larger floats have no fraction
 //   place       in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl).
 //               The period of a tile times lacunarity^octaves is below 2^31
-//   octaves     how many, usually 4 to 8; with fewer than 1 the mean is 0
+//   octaves     how many, usually 4 to 8; more than 32 count as 32, and with fewer than 1 the mean is 0
 //   lacunarity  ratio of frequencies from octave to octave, usually 2. In a tile it is a whole number from 1 to 255;
 //               others are rounded down
 //   gain        ratio of amplitudes (persistence), usually 0.5; not negative
@@ -121,10 +120,10 @@ HN_FN void hn_i_advance(HN_I_INOUT(hn_octaves3) o) {
 //   error       at a position it grows with |p| * lacunarity^octaves, since a float rounds the positions; at a place it
 //               does not
 //   cost        none: hn_next places each octave
-//   HN_FIXED    takes a gain above 1 as 1, a lacunarity outside [0, 255] as 0 or 255, and more than 32 octaves as 32
+//   HN_FIXED    takes a gain above 1 as 1, and a lacunarity outside [0, 255] as 0 or 255
 //   source      docs/reference/contract.md, section 7
 HN_FN hn_octaves3 hn_octaves(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  hn_float ratio = hn_i_lacunarity(min(max(lacunarity, 0.0f), 255.0f), place.tiled);
+  hn_float ratio = hn_i_lacunarity(min(max(0.0f, lacunarity), 255.0f), place.tiled);
   hn_octaves3 o = hn_i_octaves(place, octaves, ratio, gain, seed);
   hn_i_update_place(o);
   return o;
@@ -146,7 +145,8 @@ HN_FN hn_octaves3 hn_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_
 // The octaves that a pixel can show: with a fractional number of octaves, for hn_add_detail, or with a footprint, for
 // hn_add_footprint.
 //   detail      octaves, as a float: 3.5 is three octaves and half of the fourth. So octaves from the second on come
-//               and go without a jump. Up to 1 it is the whole first octave, and below 2^-32 none
+//               and go without a jump. Up to 1 it is the whole first octave, below 2^-32 none, and
+//               above 32 it counts as 32
 //   footprint   the size of a pixel at p, in cells of the first octave: in a fragment shader max(length(dFdx(p)),
 //               length(dFdy(p))). An octave fades out as a pixel grows from 1/2 to 3/2 of its cells, which comes
 //               nearest to the mean over the pixel. The others keep their contrast

@@ -16,8 +16,8 @@ HN_FN hn_i_num hn_i_perlin_phase(hn_i_box3 box, hn_i_num3 f, hn_i_num2 rotation,
   hn_uvec4 a = hn_i_corners(box, false, seed);
   hn_uvec4 b = hn_i_corners(box, true, seed);
   hn_i_num3 t = hn_i_fade(f);
-  return hn_i_scaled(
-      hn_i_mixed(rotation, hn_i_cell_of_ramps(a, b, f, t, false), hn_i_cell_of_ramps(a, b, f, t, true)), 879);
+  return hn_i_scaled(hn_i_mixed(rotation, hn_i_cell_of_ramps(a, b, f, t, false), hn_i_cell_of_ramps(a, b, f, t, true)),
+                     879);
 }
 
 // The noise and its derivatives.
@@ -26,8 +26,8 @@ HN_FN hn_vec4 hn_i_perlin_phase_d(hn_i_box3 box, hn_i_num3 f, hn_i_num2 rotation
   hn_uvec4 b = hn_i_corners(box, true, seed);
   hn_i_num3 t = hn_i_fade(f);
   hn_i_num3 s = hn_i_d_fade(f);
-  return hn_i_scaled_d(
-      hn_i_mixed(rotation, hn_i_perlin_d(a, b, f, t, s, false), hn_i_perlin_d(a, b, f, t, s, true)), 879);
+  return hn_i_scaled_d(hn_i_mixed(rotation, hn_i_perlin_d(a, b, f, t, s, false), hn_i_perlin_d(a, b, f, t, s, true)),
+                       879);
 }
 
 // Perlin noise in space whose gradients rotate with a phase: the field changes in place, and loops after one turn. Each

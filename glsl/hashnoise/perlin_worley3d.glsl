@@ -31,7 +31,8 @@ HN_FN hn_float hn_i_either(hn_float a, hn_float b) {
 
 HN_FN hn_float hn_i_perlin_worley(hn_octaves3 wisps, hn_octaves3 billows) {
   hn_octaves3 o = billows;
-  do hn_add(o, hn_i_billow_at(hn_cellular(o.place, o.seed).x)); while (hn_next(o));
+  do hn_add(o, hn_i_billow_at(hn_cellular(o.place, o.seed).x));
+  while (hn_next(o));
   return hn_i_value(hn_i_either(hn_i_bounded_octave(hn_i_fbm(wisps)), hn_i_bounded_octave(hn_mean(o))));
 }
 
@@ -43,8 +44,8 @@ HN_FN hn_float hn_i_perlin_worley(hn_octaves3 wisps, hn_octaves3 billows) {
 //               more: larger floats have no fraction
 //   place       in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl).
 //               The period of a tile times lacunarity^octaves is below 2^31
-//   octaves     how many of Perlin noise, usually 4 to 8; the first three have billows, too. With fewer than 1 the
-//               result is 3/4
+//   octaves     how many of Perlin noise, usually 4 to 8; the first three have billows, too. More than 32 count as
+//               32, and with fewer than 1 the result is 3/4
 //   lacunarity  ratio of frequencies from octave to octave, usually 2. In a tile it is a whole number from 1 to 255;
 //               others are rounded down
 //   gain        ratio of amplitudes (persistence), usually 0.5; not negative
@@ -54,7 +55,7 @@ HN_FN hn_float hn_i_perlin_worley(hn_octaves3 wisps, hn_octaves3 billows) {
 //   error       docs/measured/accuracy.md
 //   period      2^32 cells per axis, or that of the tile
 //   cost        hn_fbm, and three times hn_cellular in space, which is most of it
-//   HN_FIXED    takes a gain above 1 as 1, and more than 32 octaves as 32
+//   HN_FIXED    takes a gain above 1 as 1
 //   source      Schneider and Vos, "The Real-time Volumetric Cloudscapes of Horizon: Zero Dawn", 2015;
 //               docs/reference/contract.md, section 25
 HN_FN hn_float hn_perlin_worley(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {

@@ -210,9 +210,7 @@ HN_FN hn_place4 hn_tile(hn_vec4 p, hn_ivec4 period) { return hn_tile(hn_place(p)
 //   returns  its cell and its fraction in one float along each axis
 //   error    that of a float, far out
 //   source   as of hn_place
-HN_FN hn_float hn_position(hn_place1 place) {
-  return hn_i_position_of(place.cell, place.fraction, place.rest);
-}
+HN_FN hn_float hn_position(hn_place1 place) { return hn_i_position_of(place.cell, place.fraction, place.rest); }
 HN_FN hn_vec3 hn_position(hn_place3 place) {
   return vec3(hn_i_position_of(place.cell.x, place.fraction.x, place.rest.x),
               hn_i_position_of(place.cell.y, place.fraction.y, place.rest.y),

@@ -25,7 +25,7 @@ HN_FN hn_ivec3 hn_i_candidate3(hn_uint h) {
 
 // The square of the radius in these units.
 HN_FN hn_uint hn_i_square_of_reach(hn_float radius) {
-  hn_uint reach = uint(min(max(radius, 0.0f), 1.0f) * 32768.0f);
+  hn_uint reach = uint(min(max(0.0f, radius), 1.0f) * 32768.0f);
   return reach * reach;
 }
 
@@ -92,8 +92,8 @@ HN_FN hn_uint hn_scattered(hn_place2 place, hn_float radius, hn_uint seed) {
       hn_uint x = hn_i_triple_at(hn_i_coordinates_x(block), i);
       hn_uint rival = hn_i_lattice(uvec2(x, y), s);
       hn_ivec2 other = hn_i_candidate2(rival);
-      hn_uint square = hn_i_square_below_cell(other.x - own.x + i * 32768) +
-                       hn_i_square_below_cell(other.y - own.y + j * 32768);
+      hn_uint square =
+          hn_i_square_below_cell(other.x - own.x + i * 32768) + hn_i_square_below_cell(other.y - own.y + j * 32768);
       if ((i | j) != 0) nearest = hn_i_nearest_rival(nearest, h, rival, square);
     }
   }

@@ -8,8 +8,8 @@
 
 // The share of a point in the noise and in its derivatives. The gradient may be rotated by a sixth of a turn.
 HN_FN hn_i_num4 hn_i_weighted_ramp_d(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num t, bool turned) {
-  return hn_i_weighted_ramp_d(hn_i_ramp_of(h, x, y, z, turned), hn_i_direction3(h, turned), x, y, z,
-                              hn_i_weight4(t), hn_i_d_weight4(t, 2));
+  return hn_i_weighted_ramp_d(hn_i_ramp_of(h, x, y, z, turned), hn_i_direction3(h, turned), x, y, z, hn_i_weight4(t),
+                              hn_i_d_weight4(t, 2));
 }
 
 // The noise and its derivatives before they are scaled.

@@ -15,8 +15,7 @@ HN_FN hn_i_num hn_i_simplex_phase(hn_i_block3 block, hn_i_num3 f, hn_i_num2 rota
   hn_i_num4 z;
   hn_i_num4 t;
   hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
-  return hn_i_scaled(hn_i_mixed(rotation, hn_i_simplex(h, x, y, z, t, false), hn_i_simplex(h, x, y, z, t, true)),
-                     4902);
+  return hn_i_scaled(hn_i_mixed(rotation, hn_i_simplex(h, x, y, z, t, false), hn_i_simplex(h, x, y, z, t, true)), 4902);
 }
 
 // The noise and its derivatives.

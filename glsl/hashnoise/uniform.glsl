@@ -90,9 +90,9 @@ HN_FN hn_vec4 hn_distribution(hn_int kind) {
 #define HN_I_VALUE_TWO (2 * HN_I_UNITS_VALUE)
 
 HN_FN hn_int hn_i_as_value(hn_float x, hn_float least, hn_float most) {
-  return int(min(max(x, least), most) * HN_I_FLOAT_UNITS_VALUE);
+  return int(min(max(least, x), most) * HN_I_FLOAT_UNITS_VALUE);
 }
-HN_FN hn_int hn_i_as_reach(hn_float x) { return int(min(max(x, 0.0625f), 3.0f) * HN_I_FLOAT_UNITS_WEIGHT); }
+HN_FN hn_int hn_i_as_reach(hn_float x) { return int(min(max(0.0625f, x), 3.0f) * HN_I_FLOAT_UNITS_WEIGHT); }
 HN_FN hn_float hn_i_half_value(hn_int n) { return hn_i_float(n) * (0.5f / HN_I_FLOAT_UNITS_VALUE); }
 HN_FN hn_float hn_i_of_units(hn_int n) { return hn_i_float(n) * (1.0f / HN_I_FLOAT_UNITS_WEIGHT); }
 
@@ -108,8 +108,8 @@ HN_FN hn_int hn_i_root_of_ratio(hn_int ratio) { return int(hn_i_root(uint(min(ra
 #define HN_I_VALUE_ONE 1.0f
 #define HN_I_VALUE_TWO 2.0f
 
-HN_FN hn_float hn_i_as_value(hn_float x, hn_float least, hn_float most) { return min(max(x, least), most); }
-HN_FN hn_float hn_i_as_reach(hn_float x) { return min(max(x, 0.0625f), 3.0f); }
+HN_FN hn_float hn_i_as_value(hn_float x, hn_float least, hn_float most) { return min(max(least, x), most); }
+HN_FN hn_float hn_i_as_reach(hn_float x) { return min(max(0.0625f, x), 3.0f); }
 HN_FN hn_float hn_i_half_value(hn_float n) { return hn_i_flushed(hn_i_times(n, 0.5f)); }
 HN_FN hn_float hn_i_of_units(hn_float n) { return hn_i_flushed(n); }
 HN_FN hn_float hn_i_parts(hn_float x, hn_int n) { return hn_i_times(x, hn_i_float(n) * (1.0f / 1024.0f)); }
@@ -222,8 +222,8 @@ HN_FN hn_vec4 hn_distribution_fbm(hn_vec4 distribution, hn_float detail, hn_floa
   hn_i_num a = hn_i_setting(distribution.y, 1.0f);
   hn_i_num b = max(a, hn_i_setting(distribution.z, 1.0f));
   hn_i_num c = max(b, hn_i_setting(distribution.w, 1.0f));
-  hn_float octaves = min(max(detail, 1.0f), 32.0f);
-  hn_int count = min(hn_i_whole_octaves(octaves), 32);  // of a NaN, too
+  hn_float octaves = min(max(1.0f, detail), 32.0f);
+  hn_int count = hn_i_whole_octaves(octaves);
   hn_i_num ratio = hn_i_setting(gain, 1.0f);
 
   // The sums of the weights, and of their powers.

@@ -24,8 +24,8 @@
 //   source   Perlin, "Improving noise", 2002, for the interpolant
 HN_FN hn_float hn_value(hn_place3 place, hn_uint seed) {
   hn_i_box3 box = hn_i_box(place);
-  return hn_i_value(hn_i_value_noise(hn_i_corners(box, false, seed), hn_i_corners(box, true, seed),
-                                     hn_i_fade(place.fraction)));
+  return hn_i_value(
+      hn_i_value_noise(hn_i_corners(box, false, seed), hn_i_corners(box, true, seed), hn_i_fade(place.fraction)));
 }
 HN_FN hn_float hn_value(hn_vec3 p, hn_uint seed) { return hn_value(hn_place(p), seed); }
 HN_FN hn_float hn_value(hn_vec3 p) { return hn_value(p, 0u); }

@@ -85,12 +85,14 @@ HN_FN hn_vec3 hn_mean(hn_octaves3 o, hn_shifts3 s) {
 
 HN_FN hn_vec3 hn_i_warp(hn_octaves3 o, hn_float amplitude) {
   hn_shifts3 s = hn_shifts(o, amplitude);
-  do hn_add(o, s, hn_value_vector(o.place, o.seed)); while (hn_next(o));
+  do hn_add(o, s, hn_value_vector(o.place, o.seed));
+  while (hn_next(o));
   return hn_mean(o, s);
 }
 HN_FN hn_vec3 hn_i_warp_progressive(hn_octaves3 o, hn_float amplitude) {
   hn_shifts3 s = hn_shifts(o, amplitude);
-  do hn_add_progressive(o, s, hn_value_vector(o.place, o.seed)); while (hn_next(o));
+  do hn_add_progressive(o, s, hn_value_vector(o.place, o.seed));
+  while (hn_next(o));
   return hn_mean(o, s);
 }
 
@@ -104,7 +106,7 @@ HN_FN hn_vec3 hn_i_warp_progressive(hn_octaves3 o, hn_float amplitude) {
 //               more: larger floats have no fraction
 //   place       in place of p, in cells of the first octave: hn_place(cell, f) far from the origin, or
 //               hn_tile(p, period) (place.glsl)
-//   octaves     how many, usually 4 to 8; with fewer than 1 the displacement is 0
+//   octaves     how many, usually 4 to 8; more than 32 count as 32, and with fewer than 1 the displacement is 0
 //   lacunarity  ratio of frequencies from octave to octave, usually 2. In a tile it is a whole number from 1 to 255;
 //               others are rounded down
 //   gain        ratio of amplitudes (persistence), usually 0.5; not negative

@@ -17,7 +17,6 @@
 // clang-format off
 #include "../../glsl/hashnoise/detail/macros_begin.h"
 // clang-format on
-#include <bit>
 #include <cmath>
 #include <concepts>
 #include <cstdint>
@@ -67,13 +66,14 @@ HN_I_INLINE constexpr To convert(From value) {
   return static_cast<To>(value);
 }
 
-// There is no branch and no comparison of floats, so that compilers can vectorize it.
+// There is no branch and no comparison of floats, so that compilers can vectorize it. Compilers have the built-in for
+// longer than all libraries have std::bit_cast.
 template <>
 HN_I_INLINE constexpr int convert<int, float>(float value) {
-  const uint bits = std::bit_cast<uint>(value);
+  const uint bits = __builtin_bit_cast(uint, value);
   const uint magnitude = bits & 0x7FFFFFFFu;
   const bool fits = magnitude < 0x4F000000u;  // 2^31
-  const int whole = static_cast<int>(std::bit_cast<float>(fits ? bits : 0u));
+  const int whole = static_cast<int>(__builtin_bit_cast(float, fits ? bits : 0u));
   const uint nearest = magnitude > 0x7F800000u ? 0u : 0x7FFFFFFFu + (bits >> 31u);
   return fits ? whole : static_cast<int>(nearest);
 }
@@ -335,9 +335,9 @@ HN_I_INLINE constexpr Vector3<T> abs(Vector3<T> v) {
   return {abs(v.x), abs(v.y), abs(v.z)};
 }
 template <std::same_as<uint> T, detail::Never... None>
-HN_I_INLINE constexpr float uintBitsToFloat(T bits, None...) { return std::bit_cast<float>(bits); }
+HN_I_INLINE constexpr float uintBitsToFloat(T bits, None...) { return __builtin_bit_cast(float, bits); }
 template <std::same_as<float> T, detail::Never... None>
-HN_I_INLINE constexpr uint floatBitsToUint(T value, None...) { return std::bit_cast<uint>(value); }
+HN_I_INLINE constexpr uint floatBitsToUint(T value, None...) { return __builtin_bit_cast(uint, value); }
 template <typename T>
 HN_I_INLINE constexpr auto uintBitsToFloat(Vector3<T> v) {
   return Vector3<decltype(uintBitsToFloat(v.x))>(uintBitsToFloat(v.x), uintBitsToFloat(v.y), uintBitsToFloat(v.z));

@@ -11,10 +11,13 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <type_traits>
+#include <vector>
 
 namespace hashnoise::inline HN_I_LIBRARY {
 
@@ -54,7 +57,8 @@ struct CellGrid {
   PerAxis<int, D> first{};
 };
 
-// Points at positions, in cells: an array of coordinates for each axis, all of the same length.
+// Points at positions, in cells: an array of coordinates for each axis, all of the same length. Columns makes these of
+// points that lie one behind the other.
 template <int D>
 struct Points {
   PerAxis<std::span<const float>, D> p{};
@@ -73,6 +77,64 @@ struct Range {
   float least = std::numeric_limits<float>::infinity();
   float greatest = -std::numeric_limits<float>::infinity();
   friend bool operator==(const Range&, const Range&) = default;
+};
+
+}  // namespace hashnoise
+
+namespace hashnoise::inline HN_I_NAMESPACE {
+
+namespace detail {
+
+// Of a struct with [] or with x, y, z and w; of others nothing.
+template <typename Point>
+constexpr auto coordinate(const Point& point, [[maybe_unused]] std::size_t axis) {
+  if constexpr (requires { point[axis]; }) {
+    return point[axis];
+  } else if constexpr (requires { point.w; }) {
+    return axis == 0 ? point.x : axis == 1 ? point.y : axis == 2 ? point.z : point.w;
+  } else if constexpr (requires { point.z; }) {
+    return axis == 0 ? point.x : axis == 1 ? point.y : point.z;
+  } else if constexpr (requires { point.y; }) {
+    return axis == 0 ? point.x : point.y;
+  }
+}
+
+// D numbers, and no pointer to any.
+template <typename Point, int D>
+concept PointOf = (D > 1) && std::is_class_v<Point> && std::is_trivially_copyable_v<Point> &&
+                  !requires(const Point& point) { point.subspan(0); } && requires(const Point& point) {
+                    requires std::floating_point<decltype(coordinate(point, 0))>;
+                    requires sizeof(Point) == sizeof(coordinate(point, 0)) * static_cast<std::size_t>(D);
+                  };
+
+}  // namespace detail
+
+// The arrays of Points, copied from points of D coordinates that lie one behind the other, in a std::vector or another
+// container: std::array<float, 3>, hashnoise::vec3, or a struct of another library that has [] or x, y and z. Bare
+// floats, and structs of more or fewer numbers, do not compile.
+//
+//   field.fill(hashnoise::Columns<3>(vertices).points(), heights);
+template <int D>
+class Columns {
+ public:
+  template <typename Container>
+    requires detail::PointOf<typename Container::value_type, D>
+  explicit Columns(const Container& points) {
+    for (std::size_t axis = 0; axis < columns_.size(); ++axis) {
+      columns_[axis].reserve(points.size());
+      for (const auto& point : points) columns_[axis].push_back(static_cast<float>(detail::coordinate(point, axis)));
+    }
+  }
+
+  // Valid as long as this is.
+  Points<D> points() const {
+    Points<D> all;
+    for (std::size_t axis = 0; axis < columns_.size(); ++axis) all.p[axis] = columns_[axis];
+    return all;
+  }
+
+ private:
+  PerAxis<std::vector<float>, D> columns_;
 };
 
 }  // namespace hashnoise

@@ -161,6 +161,8 @@ Result<std::string> picture_of(const BakeOptions& options, const std::vector<std
                                                                      height_of_slice(options), report.atlas)});
   }
   if constexpr (std::is_same_v<T, float>) {
+    // Programs that look for red look for blue, too.
+    if (channels.size() == 2) channels.push_back({"B", std::vector<T>(channels.front().values.size())});
     return exr(channels, report.width, report.height, texts);
   } else {
     return png_16(channels, report.width, report.height, texts);

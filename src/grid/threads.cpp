@@ -6,14 +6,30 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace hashnoise::inline HN_I_LIBRARY {
+
+namespace {
+
+// libc++ had std::jthread late.
+struct Joined {
+  std::vector<std::thread> threads;
+  ~Joined() {
+    for (std::thread& thread : threads) thread.join();
+  }
+};
+
+}  // namespace
 
 Executor threads(int count) {
   if (count < 0) {
     throw std::invalid_argument("threads: count is " + std::to_string(count) + ", and has to be 0 or more");
   }
   if (count == 0) count = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
+  count = 1;  // a thread cannot start, and without exceptions that would end the program
+#endif
   return [count](int tasks, const std::function<void(int)>& task) {
     std::atomic<int> next{0};
     std::mutex mutex;
@@ -28,8 +44,8 @@ Executor threads(int count) {
       }
     };
     {
-      std::vector<std::jthread> others;
-      for (int i = 1; i < std::min(count, tasks); ++i) others.emplace_back(work);
+      Joined others;
+      for (int i = 1; i < std::min(count, tasks); ++i) others.threads.emplace_back(work);
       work();
     }
     if (failure) std::rethrow_exception(failure);

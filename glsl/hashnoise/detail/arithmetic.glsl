@@ -18,7 +18,6 @@
 //   hn_i_cell(p)               the cell of a position; p is a float or a vector, and so is f in the next two
 //   hn_i_fraction(p)           the fraction in that cell
 //   hn_i_to_num(f)             the same from a fraction that the caller passes
-//   hn_i_whole_cell(p)         in HN_FIXED, p cut off towards 0, as an int
 //   hn_i_plus(a, b), hn_i_minus(a, b); floats only: hn_i_times(a, b), hn_i_times_plus(a, b, c): a b + c
 //   hn_i_minus_one(f)          f - 1: the offset from the far corner
 //   hn_i_dot(g, x, y, ...)     a gradient times an offset
@@ -202,19 +201,24 @@ HN_FN hn_ivec2 hn_i_vector(hn_int x, hn_int y) { return ivec2(x, y); }
 HN_FN hn_ivec3 hn_i_vector(hn_int x, hn_int y, hn_int z) { return ivec3(x, y, z); }
 HN_FN hn_ivec4 hn_i_vector(hn_int x, hn_int y, hn_int z, hn_int w) { return ivec4(x, y, z, w); }
 
+// The position, or the nearest that has a cell: converting a float that does not fit an int is undefined. 2147483520 is
+// the largest float below 2^31. In this order, here and wherever a float is limited, a NaN becomes the least number.
+HN_FN hn_float hn_i_in_cells(hn_float p) { return min(max(-2147483648.0f, p), 2147483520.0f); }
+
 // Every step up to the integers is exact in floats, so rounding, contraction and flushed subnormal numbers cannot
 // change it. p - floor(p) would not be exact: for a small negative p it has too many bits. So the whole part is cut off
-// towards 0, and the rest, in (-1, 1), may be negative.
-HN_FN hn_int hn_i_rest(hn_float p) { return int((p - trunc(p)) * HN_I_FLOAT_UNITS_FRACTION); }
+// towards 0, and the rest, in (-1, 1), may be negative. An infinity has the rest of the last cell, which is 0.
+HN_FN hn_float hn_i_beside_cell(hn_float p) {
+  hn_float q = hn_i_in_cells(p);
+  return q - trunc(q);
+}
+HN_FN hn_int hn_i_rest(hn_float p) { return int(hn_i_beside_cell(p) * HN_I_FLOAT_UNITS_FRACTION); }
 
-// Converting a float that does not fit an int is undefined. 2147483520 is the largest float below 2^31.
-HN_FN hn_int hn_i_whole_cell(hn_float p) { return int(min(max(trunc(p), -2147483648.0f), 2147483520.0f)); }
-
-HN_FN hn_int hn_i_cell(hn_float p) { return hn_i_whole_cell(p) + (hn_i_rest(p) >> 20); }
+HN_FN hn_int hn_i_cell(hn_float p) { return int(trunc(hn_i_in_cells(p))) + (hn_i_rest(p) >> 20); }
 
 HN_FN hn_int hn_i_fraction(hn_float p) { return hn_i_rest(p) & (HN_I_UNITS_FRACTION - 1); }
 
-HN_FN hn_int hn_i_to_num(hn_float f) { return int(min(max(f, 0.0f), 1.0f) * HN_I_FLOAT_UNITS_FRACTION); }
+HN_FN hn_int hn_i_to_num(hn_float f) { return int(min(max(0.0f, f), 1.0f) * HN_I_FLOAT_UNITS_FRACTION); }
 
 HN_FN hn_int hn_i_plus(hn_int a, hn_int b) { return a + b; }
 HN_FN hn_int hn_i_minus(hn_int a, hn_int b) { return a - b; }

@@ -11,10 +11,10 @@
 // rest of a position has its sign, as the result of hn_i_rest has.
 #if HN_ARITHMETIC == HN_FIXED
 HN_FN hn_int hn_i_rest_of_fraction(hn_float f) {
-  return int(min(max(f, 0.0f), 1.0f) * HN_I_FLOAT_UNITS_POSITION) - hn_i_to_num(f) * 16;
+  return int(min(max(0.0f, f), 1.0f) * HN_I_FLOAT_UNITS_POSITION) - hn_i_to_num(f) * 16;
 }
 HN_FN hn_int hn_i_rest_of_position(hn_float p) {
-  return int((p - trunc(p)) * HN_I_FLOAT_UNITS_POSITION) - hn_i_rest(p) * 16;
+  return int(hn_i_beside_cell(p) * HN_I_FLOAT_UNITS_POSITION) - hn_i_rest(p) * 16;
 }
 #define HN_I_REST(rest) rest
 #else

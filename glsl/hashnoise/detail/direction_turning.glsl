@@ -7,11 +7,11 @@
 #include "arithmetic.glsl"
 #include "sine.glsl"
 
-// On the plane all gradients rotate alike. In space each rotates in a plane across a diagonal of the cube: it is another
-// edge after each sixth of a turn, and the sum of the fourth powers of its components stays, so structures prefer no
-// direction more than without a phase. (In the plane of its two axes it would be one of them after an eighth.) Noise is
-// a sum over gradients. So it is that of the gradients g times a weight, and that of the gradients e, rotated by a
-// quarter or in space by a sixth, times another weight.
+// On the plane all gradients rotate alike. In space each rotates in a plane across a diagonal of the cube: it is
+// another edge after each sixth of a turn, and the sum of the fourth powers of its components stays, so structures
+// prefer no direction more than without a phase. (In the plane of its two axes it would be one of them after an
+// eighth.) Noise is a sum over gradients. So it is that of the gradients g times a weight, and that of the gradients e,
+// rotated by a quarter or in space by a sixth, times another weight.
 //
 //   hn_i_rotation(phase)       the weights on the plane: the cosine and the sine of a phase in turns; in HN_FIXED in
 //                              units of 2^-18

@@ -99,7 +99,7 @@ HN_FN hn_int hn_i_z_of(hn_int code) { return (code >> 4) - 1; }
 
 #define HN_I_NO_OFFSET 0.0f
 
-HN_FN hn_float hn_i_jitter(hn_float jitter) { return hn_i_to_num(min(max(jitter, 0.0f), 1.0f)); }
+HN_FN hn_float hn_i_jitter(hn_float jitter) { return hn_i_to_num(min(max(0.0f, jitter), 1.0f)); }
 HN_FN hn_float hn_i_from_centre(hn_float f) { return hn_i_times_plus(f, 2.0f, -1.0f); }
 HN_FN hn_float hn_i_offset_from_cell(hn_float d, hn_int n) { return hn_i_minus(d, hn_i_float(n) * 2.0f); }
 HN_FN hn_vec3 hn_i_triple(hn_float a, hn_float b, hn_float c) { return vec3(a, b, c); }
@@ -161,7 +161,7 @@ HN_FN hn_float hn_i_smooth_distance(hn_float weights) {
 
 #define HN_I_NO_OFFSET 0
 
-HN_FN hn_int hn_i_jitter(hn_float jitter) { return int(min(max(jitter, 0.0f), 1.0f) * HN_I_FLOAT_UNITS_FRACTION); }
+HN_FN hn_int hn_i_jitter(hn_float jitter) { return int(min(max(0.0f, jitter), 1.0f) * HN_I_FLOAT_UNITS_FRACTION); }
 HN_FN hn_int hn_i_from_centre(hn_int f) { return f - HN_I_UNITS_FRACTION / 2; }
 HN_FN hn_int hn_i_offset_from_cell(hn_int d, hn_int n) { return d - n * HN_I_UNITS_FRACTION; }
 

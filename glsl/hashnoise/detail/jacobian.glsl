@@ -44,7 +44,7 @@ HN_FN hn_int hn_i_growth(hn_int gain, hn_float lacunarity) {
 
 // The result is in units of 2^-19. The derivatives of all noises of the library stay below 128, and those that fit
 // hn_add below 9.
-HN_FN hn_int hn_i_octave_slope(hn_float g) { return int(min(max(g, -128.0f), 128.0f) * HN_I_FLOAT_UNITS_SLOPE); }
+HN_FN hn_int hn_i_octave_slope(hn_float g) { return int(min(max(-128.0f, g), 128.0f) * HN_I_FLOAT_UNITS_SLOPE); }
 
 // A float has 24 bits, and the others are dropped, towards 0.
 HN_FN hn_int hn_i_coarse(hn_int n) {
@@ -92,7 +92,7 @@ HN_FN hn_float hn_i_rotated_by(hn_float a, hn_float b, hn_int along, hn_int acro
 HN_FN hn_float hn_i_growth(hn_float gain, hn_float lacunarity) { return hn_i_times(gain, lacunarity); }
 HN_FN hn_float hn_i_octave_slope(hn_float g) { return g; }
 HN_FN hn_float hn_i_coarse(hn_float n) { return n; }
-HN_FN hn_float hn_i_summed_slope(hn_float slope, hn_float g) { return min(max(hn_i_plus(slope, g), -8.0f), 8.0f); }
+HN_FN hn_float hn_i_summed_slope(hn_float slope, hn_float g) { return min(max(-8.0f, hn_i_plus(slope, g)), 8.0f); }
 HN_FN hn_float hn_i_squared_slope(hn_float slope) { return hn_i_times(slope, slope); }
 
 HN_FN hn_float hn_i_erosion_weight(hn_float square, hn_float strength) {

@@ -41,12 +41,10 @@ struct hn_i_octave_sum {
 
 #define HN_I_WEIGHT_ONE HN_I_UNITS_WEIGHT
 #define HN_I_NO_WEIGHT 0
-#define HN_I_MOST_DETAIL 32.0f
 
 // A setting in [0, most], in the units of weights.
-HN_FN hn_int hn_i_setting(hn_float x, hn_float most) { return int(min(max(x, 0.0f), most) * HN_I_FLOAT_UNITS_WEIGHT); }
+HN_FN hn_int hn_i_setting(hn_float x, hn_float most) { return int(min(max(0.0f, x), most) * HN_I_FLOAT_UNITS_WEIGHT); }
 HN_FN hn_int hn_i_gain(hn_float gain) { return hn_i_setting(gain, 1.0f); }
-HN_FN hn_int hn_i_octaves(hn_int octaves) { return min(octaves, 32); }
 
 // The product of two numbers in [0, 1].
 HN_FN hn_int hn_i_weight_times(hn_int a, hn_int b) { return ((a >> 9) * b + (((a & 511) * b) >> 9)) >> 9; }
@@ -57,8 +55,8 @@ HN_FN hn_int hn_i_summed(hn_int sum, hn_int n, hn_int weight) {
 }
 
 // The noise of an octave as it is, and in [-1, 1]. (That of HN_GRADIENT_SINE reaches 3/2 in space.)
-HN_FN hn_int hn_i_octave(hn_float n) { return int(min(max(n, -1.5f), 1.5f) * HN_I_FLOAT_UNITS_VALUE); }
-HN_FN hn_int hn_i_bounded_octave(hn_float n) { return int(min(max(n, -1.0f), 1.0f) * HN_I_FLOAT_UNITS_VALUE); }
+HN_FN hn_int hn_i_octave(hn_float n) { return int(min(max(-1.5f, n), 1.5f) * HN_I_FLOAT_UNITS_VALUE); }
+HN_FN hn_int hn_i_bounded_octave(hn_float n) { return int(min(max(-1.0f, n), 1.0f) * HN_I_FLOAT_UNITS_VALUE); }
 
 // hn_i_ridge is 1 - abs(n), in the units of weights, and hn_i_weight_to_value converts these to the units of values.
 HN_FN hn_int hn_i_ridge(hn_int n) { return (HN_I_UNITS_VALUE - hn_i_size(n)) >> 3; }
@@ -166,16 +164,14 @@ HN_FN hn_float hn_i_smooth(hn_float t) {
 
 #define HN_I_WEIGHT_ONE 1.0f
 #define HN_I_NO_WEIGHT 0.0f
-#define HN_I_MOST_DETAIL 1048576.0f
 
-HN_FN hn_float hn_i_setting(hn_float x, hn_float most) { return min(max(x, 0.0f), most); }
+HN_FN hn_float hn_i_setting(hn_float x, hn_float most) { return min(max(0.0f, x), most); }
 HN_FN hn_float hn_i_gain(hn_float gain) { return gain; }
-HN_FN hn_int hn_i_octaves(hn_int octaves) { return octaves; }
 HN_FN hn_float hn_i_weight_times(hn_float a, hn_float b) { return hn_i_times(a, b); }
 HN_FN hn_float hn_i_summed(hn_float sum, hn_float n, hn_float weight) { return hn_i_times_plus(weight, n, sum); }
 
 HN_FN hn_float hn_i_octave(hn_float n) { return n; }
-HN_FN hn_float hn_i_bounded_octave(hn_float n) { return min(max(n, -1.0f), 1.0f); }
+HN_FN hn_float hn_i_bounded_octave(hn_float n) { return min(max(-1.0f, n), 1.0f); }
 HN_FN hn_float hn_i_ridge(hn_float n) { return hn_i_minus(1.0f, abs(n)); }
 HN_FN hn_float hn_i_weight_to_value(hn_float weight) { return weight; }
 HN_FN hn_float hn_i_height(hn_float n) { return hn_i_times_plus(0.5f, n, 0.5f); }
@@ -202,7 +198,7 @@ HN_FN hn_float hn_i_mean(hn_float sum, hn_float total) { return hn_i_quotient(su
 
 // A sky of an fBm: it is clear below -1/8 and dense above 3/8, with a smooth step between.
 HN_FN hn_float hn_i_density(hn_float mean) {
-  return hn_i_smooth(min(max(hn_i_times_plus(2.0f, mean, 0.25f), 0.0f), 1.0f));
+  return hn_i_smooth(min(max(0.0f, hn_i_times_plus(2.0f, mean, 0.25f)), 1.0f));
 }
 
 HN_FN hn_float hn_i_billows(hn_float mean) { return min(hn_i_times_plus(2.0f, mean, -1.0f), 1.0f); }
@@ -230,7 +226,7 @@ HN_FN hn_ivec2 hn_i_whole(hn_int cell, hn_int fraction, hn_int rest) {
 HN_FN hn_int hn_i_whole_fraction(hn_ivec2 x) { return x.y >> 4; }
 #else
 HN_FN hn_ivec2 hn_i_whole(hn_int cell, hn_float fraction, hn_int rest) {
-  return ivec2(cell, int(min(max(fraction, 0.0f), 1.0f) * HN_I_FLOAT_UNITS_POSITION) + rest);
+  return ivec2(cell, int(min(max(0.0f, fraction), 1.0f) * HN_I_FLOAT_UNITS_POSITION) + rest);
 }
 HN_FN hn_float hn_i_whole_fraction(hn_ivec2 x) {
   return HN_I_NOT_WHOLE(hn_i_float(x.y) * (1.0f / HN_I_FLOAT_UNITS_POSITION));
@@ -249,10 +245,10 @@ HN_FN hn_uint hn_i_multiply_high(hn_uint a, hn_uint b) {
 
 // hn_i_ratio converts a lacunarity to units of 2^-23; the result is below 2^31. hn_i_lacunarity rounds the lacunarity
 // of a tile down, so that the next octave fits the tile, too.
-HN_FN hn_uint hn_i_ratio(hn_float lacunarity) { return uint(min(max(lacunarity, 0.0f), 255.0f) * 8388608.0f); }
+HN_FN hn_uint hn_i_ratio(hn_float lacunarity) { return uint(min(max(0.0f, lacunarity), 255.0f) * 8388608.0f); }
 HN_FN hn_float hn_i_lacunarity(hn_float lacunarity, bool tiled) {
   hn_float ratio = lacunarity;
-  if (tiled) ratio = floor(min(max(lacunarity, 0.0f), 255.0f));
+  if (tiled) ratio = floor(min(max(0.0f, lacunarity), 255.0f));
   return ratio;
 }
 
@@ -291,7 +287,7 @@ HN_FN hn_int hn_i_next_period(hn_int period, hn_float lacunarity) { return int(u
 // leaves: all of it up to half a cell, and nothing from one and a half on. hn_i_next_footprint converts it to cells of
 // the next octave.
 HN_FN hn_int hn_i_footprint(hn_float footprint) {
-  return int(min(max(footprint, 0.0f), 2.0f) * HN_I_FLOAT_UNITS_POSITION);
+  return int(min(max(0.0f, footprint), 2.0f) * HN_I_FLOAT_UNITS_POSITION);
 }
 HN_FN hn_int hn_i_resolved_part(hn_int footprint) {
   return min(max(3 * HN_I_UNITS_WEIGHT / 2 - (footprint >> 6), 0), HN_I_WEIGHT_ONE);
@@ -305,7 +301,7 @@ HN_FN hn_int hn_i_next_footprint(hn_int footprint, hn_float lacunarity) {
 #else
 
 HN_FN hn_float hn_i_footprint(hn_float footprint) { return footprint; }
-HN_FN hn_float hn_i_resolved_part(hn_float footprint) { return min(max(hn_i_minus(1.5f, footprint), 0.0f), 1.0f); }
+HN_FN hn_float hn_i_resolved_part(hn_float footprint) { return min(max(0.0f, hn_i_minus(1.5f, footprint)), 1.0f); }
 HN_FN hn_float hn_i_next_footprint(hn_float footprint, hn_float lacunarity) {
   return hn_i_times(footprint, max(lacunarity, 1.0f));
 }
@@ -315,21 +311,24 @@ HN_FN hn_float hn_i_next_footprint(hn_float footprint, hn_float lacunarity) {
 // ---------------------------------------------------------------------------------------------------------------------
 // The steps of sums.
 
-// Keeps a mean in [-1, 1]. Where all octaves are at an end, roundings of floats could take their mean beyond it.
+// hn_i_bounded keeps a mean in [-1, 1]: where all octaves are at an end, roundings of floats could take it beyond.
+// hn_i_finite returns 0 in place of what is no number, because the positions or the weights of octaves overflowed.
 #if HN_ARITHMETIC == HN_FIXED
 HN_FN hn_int hn_i_bounded(hn_int mean) { return mean; }
+HN_FN hn_int hn_i_finite(hn_int mean) { return mean; }
 #else
-HN_FN hn_float hn_i_bounded(hn_float mean) { return min(max(mean, -1.0f), 1.0f); }
+HN_FN hn_float hn_i_bounded(hn_float mean) { return min(max(-1.0f, mean), 1.0f); }
+HN_FN hn_float hn_i_finite(hn_float mean) { return hn_i_select(abs(mean) < 1.0e38f, mean, 0.0f); }
 #endif
 
 // A detail is a number of octaves that need not be whole. hn_i_whole_octaves returns how many octaves it takes, and
 // hn_i_last_part which part of the last one counts. The first counts as a whole. A detail below 2^-32 takes none, since
 // drivers may flush a subnormal number.
 HN_FN hn_int hn_i_whole_octaves(hn_float detail) {
-  return hn_i_select(detail < 1.0f / 4294967296.0f, 0, -int(floor(-min(max(detail, 0.0f), HN_I_MOST_DETAIL))));
+  return hn_i_select(detail < 1.0f / 4294967296.0f, 0, -int(floor(-min(max(0.0f, detail), 32.0f))));
 }
 HN_FN hn_i_num hn_i_last_part(hn_float detail, hn_int octaves) {
-  hn_float part = hn_i_minus(min(detail, HN_I_MOST_DETAIL), hn_i_float(octaves - 1));
+  hn_float part = hn_i_minus(min(detail, 32.0f), hn_i_float(octaves - 1));
   return hn_i_setting(hn_i_select(octaves < 2, 1.0f, part), 1.0f);
 }
 
@@ -341,7 +340,7 @@ HN_FN hn_i_octave_sum hn_i_empty_sum(hn_int octaves, hn_float gain) {
   s.gain = hn_i_gain(gain);
   s.part = HN_I_WEIGHT_ONE;
   s.footprint = HN_I_NO_WEIGHT;
-  s.octaves = hn_i_octaves(octaves);
+  s.octaves = min(octaves, 32);  // no number that a user chooses hangs a GPU
   s.at = 0;
   return s;
 }
@@ -405,7 +404,7 @@ HN_FN hn_i_octave_sum hn_i_add_resolved(hn_i_octave_sum s, hn_float n, hn_float 
 // loop adds an octave before it checks whether there is any.
 HN_FN hn_i_num hn_i_total(hn_i_octave_sum s) { return hn_i_total(s.octaves, s.gain, s.part); }
 HN_FN hn_i_num hn_i_mean(hn_i_octave_sum s, hn_i_num sum, hn_i_num total) {
-  return hn_i_select(s.octaves < 1, HN_I_NO_WEIGHT, hn_i_mean(sum, total));
+  return hn_i_select(s.octaves < 1, HN_I_NO_WEIGHT, hn_i_finite(hn_i_mean(sum, total)));
 }
 HN_FN hn_i_num hn_i_mean(hn_i_octave_sum s) { return hn_i_mean(s, s.value, hn_i_total(s)); }
 

@@ -26,7 +26,7 @@
 
 #if HN_ARITHMETIC != HN_FIXED
 
-HN_FN hn_float hn_i_waves(hn_float k) { return min(max(k, -16.0f), 16.0f); }
+HN_FN hn_float hn_i_waves(hn_float k) { return min(max(-16.0f, k), 16.0f); }
 HN_FN hn_uint hn_i_waves_from(hn_vec2 k, hn_float x, hn_float y) {
   HN_I_PRECISE hn_float turns = (k.x * x + k.y * y) * 0.5f;
   return hn_i_angle(turns);
@@ -54,7 +54,7 @@ HN_FN hn_float hn_i_wave_slope(hn_float d) { return hn_i_derivative(d); }
 
 #else
 
-HN_FN hn_int hn_i_waves(hn_float k) { return int(min(max(k, -16.0f), 16.0f) * 65536.0f); }
+HN_FN hn_int hn_i_waves(hn_float k) { return int(min(max(-16.0f, k), 16.0f) * 65536.0f); }
 
 // k d / 2^4, and half of that. k d has up to 42 bits. The low 32 count behind the shift. Each product takes half the
 // bits of the offset, and so stays below 2^31.

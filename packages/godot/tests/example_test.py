@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import json
 import re
-import struct
+import subprocess
 import tempfile
 import unittest
 from pathlib import Path
@@ -20,16 +20,39 @@ from engine import RENDERERS, Engine, Failure, main
 from translate.pick.command import settings
 from translate.pick.program import Program, chosen, read
 from translate.pick.shading import LANGUAGES
-from base.golden_values import Golden, ids
 from base.png import read_png
 from ship.godot.files import ADDON, TURN, package, recipe_texts
 from ship.packing import put
 from base.tree import GLSL, ROOT
+from base.twin import compile_program
 
 HERE = Path(__file__).resolve().parent
 PAGE = ROOT / "docs" / "guide" / "godot.md"
-WORDS = 16  # of a point, in the buffer of the compute shader
 SIDE = 512  # of the gallery's pictures
+# The heights of two chunks, in the call of the page, and in its script.
+HEIGHTS_IN_CPP = """\
+#include <hashnoise/hashnoise.hpp>
+#include <cstdio>
+using namespace hashnoise;
+int main() {
+  const ivec2 chunks[] = {ivec2(64, -32), ivec2(-70000, 9)};
+  for (ivec2 first : chunks)
+    for (int i = 0; i < 64 * 64; ++i) {
+      const ivec2 at(i % 64, i / 64);
+      const float height = CALL;
+      std::fwrite(&height, 4, 1, stdout);
+    }
+}
+"""
+HEIGHTS_IN_GODOT = """\
+extends SceneTree
+func _init():
+	var heights := Heights.new()
+	var out := FileAccess.open("res://out", FileAccess.WRITE)
+	for first in [Vector2i(64, -32), Vector2i(-70000, 9)]:
+		out.store_buffer(heights.of_chunk(first).to_byte_array())
+	quit()
+"""
 NOISY = {"ink": 0.002}  # the part of the pixels that may differ more, where a little noise turns a colour
 
 
@@ -140,32 +163,33 @@ class Example(unittest.TestCase):
         # Both libraries have a constant for no fractal, and nothing is to be looked up.
         self.assertEqual(constants - named, {"FRACTAL_NONE", "DOMAIN_WARP_FRACTAL_NONE"})
 
-    def test_a_compute_shader_has_the_golden_values(self):
-        """The page has it; here it has the positions and settings of the golden values."""
-        golden = Golden("fbm.fbm2", dict(ids("lattice+fixed", "any"))["fbm.fbm2"])
+    def test_heights_in_gdscript_have_the_bits_of_cpp(self):
+        """By the script and the compute shader of the page; with another seed they differ."""
         page = PAGE.read_text(encoding="utf-8")
         shader, = re.findall(r"^```text\n(#\[compute\]\n.*?)^```$", page, re.MULTILINE | re.DOTALL)
+        script, = re.findall(r"^```gdscript\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
         picked, = re.findall(r"^    tools/pick (\S+) --arithmetic (\S+) > (\S+\.glslinc)$", page, re.MULTILINE)
+        call = re.search(r"hn_fbm\(.*(?=;)", shader)[0]
         library = read(GLSL, settings(picked[1], "lattice"))
-        words = [word for line in golden.inputs for word in (*line, *[0] * WORDS)[:WORDS]]
-        at = [f"words[(at.y * 64u + at.x) * {WORDS}u + {i}u]" for i in range(6)]
-        real = [f"uintBitsToFloat({word})" for word in at]
-        changed = re.sub(r"hn_fbm\(.*\);", f"hn_fbm(vec2({real[0]}, {real[1]}), int({at[2]}), {real[3]}, {real[4]}, {at[5]});",
-                         shader).replace("void main", "layout(set = 0, binding = 1, std430) restrict readonly buffer "
-                                                      "Words { uint words[]; };\n\nvoid main")
         with tempfile.TemporaryDirectory() as folder:
             project = Path(folder)
+            (project / "heights.cpp").write_text(HEIGHTS_IN_CPP.replace("CALL", call))
+            compile_program("the call of the page", project / "heights.cpp", project / "heights", "-O0",
+                            macros=["HN_ARITHMETIC=HN_FIXED"])
+            expected = subprocess.run([project / "heights"], capture_output=True, check=True).stdout
             (project / "project.godot").write_text("config_version=5\n")
-            (project / "compute.gd").write_bytes((HERE / "compute.gd").read_bytes())
+            (project / "heights.gd").write_text(script)
+            (project / "run.gd").write_text(HEIGHTS_IN_GODOT)
             (project / picked[2]).write_text(Program(library, chosen(library, [picked[0]])).text(LANGUAGES["glsl"]))
-            (project / "page.glsl").write_text(shader)
-            (project / "golden.glsl").write_text(changed)
-            (project / "words").write_bytes(struct.pack(f"<{len(words)}I", *words).ljust(4 * 64 * 64 * WORDS, b"\0"))
-            self.engine.import_files(project)
-            printed = self.engine.run(project, "forward_plus", "res://compute.gd")
-            self.assertIn("page.glsl compiles", printed)
-            found = struct.unpack("<4096I", (project / "heights").read_bytes())
-        self.assertEqual([[word] for word in found[:len(golden.inputs)]], [line[:1] for line in golden.expected])
+            for seed, renderer, same in ((7, "forward_plus", True), (7, "mobile", True), (8, "mobile", False)):
+                (project / "heights.glsl").write_text(shader.replace("7u", f"{seed}u"))
+                self.engine.import_files(project)
+                self.engine.run(project, renderer, "res://run.gd")
+                with self.subTest(renderer=renderer, seed=seed):
+                    self.assertEqual((project / "out").read_bytes() == expected, same)
+            (project / "none.gd").write_text("extends SceneTree\nfunc _init():\n\tprint('device: ', "
+                                             "RenderingServer.create_local_rendering_device())\n\tquit()\n")
+            self.assertIn("device: <Object#null>\n", self.engine.run(project, "gl_compatibility", "res://none.gd"))
 
     def test_picked_functions_draw_the_same_as_the_addon(self):
         shaders = {}

@@ -63,6 +63,19 @@ export type MetricName =
   | "hybrid";
 // tools/make catalog: end
 
+/**
+ * The coordinates of many points: `{ x, y }`, an array for each axis, all of the same length; or by the joined names,
+ * `{ xy }`, an array of points, or their numbers one behind the other, such as those of three.js's attributes. Arrays
+ * are typed or not.
+ */
+export interface Coordinates {
+  x?: ArrayLike<number>;
+  y?: ArrayLike<number>;
+  z?: ArrayLike<number>;
+  xy?: ArrayLike<number> | readonly ArrayLike<number>[];
+  xyz?: ArrayLike<number> | readonly ArrayLike<number>[];
+}
+
 /** A noise or a fractal in one, two or three dimensions, with the bits of HN_FIXED. Its settings do not change. */
 export declare class Field {
   constructor(dimensions: 1 | 2 | 3, settings?: Settings);
@@ -92,16 +105,21 @@ export declare class Field {
   /**
    * The values at many positions: an array of coordinates for each axis, typed or not, all of the same length. With
    * `cells`, arrays of whole numbers, the coordinates are the fractions in those. All first components come first, then
-   * all second ones.
+   * all second ones. As many points as axes might be meant otherwise, so these are an error: pass { x, y } or { xy }.
    */
   points(
     coordinates: readonly ArrayLike<number>[],
     options?: { cells?: readonly ArrayLike<number>[]; out?: Float32Array },
   ): Float32Array;
+  points(
+    coordinates: Coordinates,
+    options?: { cells?: Coordinates | readonly ArrayLike<number>[]; out?: Float32Array },
+  ): Float32Array;
 
   /**
    * A uniform grid of size[0] by size[1] points and so on, from `origin` on, `step` cells apart; x is the fastest. With
-   * a `cell` the origin is the fraction in it, and the grid is exact however far out.
+   * a `cell` the origin is the fraction in it, and the grid is exact however far out. With `first`, the number of the
+   * first point along each axis, which may be negative, it is that part of a larger grid, and has its bits.
    */
   grid(
     size: number | ArrayLike<number>,
@@ -109,6 +127,7 @@ export declare class Field {
       step: number | ArrayLike<number>;
       origin?: number | ArrayLike<number>;
       cell?: number | ArrayLike<number>;
+      first?: number | ArrayLike<number>;
       out?: Float32Array;
     },
   ): Float32Array;
@@ -116,6 +135,7 @@ export declare class Field {
 
 /**
  * Compiles the module ahead of the first field, beside other work. Pages for old browsers have to call it: Chromium
- * until 2023 compiles no more than 4 kB at once there.
+ * until 2023 compiles no more than 4 kB at once there. A host that compiles no module while it runs passes the one of
+ * "hashnoise/field.wasm", which it has compiled.
  */
-export declare function init(): Promise<void>;
+export declare function init(module?: WebAssembly.Module): Promise<void>;

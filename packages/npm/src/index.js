@@ -68,20 +68,30 @@ const ELSEWHERE = {
   warpamplitude: "amplitude", repeat: "period", tile: "period", tileable: "period",
   frequency: MULTIPLY, freq: MULTIPLY, zoom: MULTIPLY, scale: DIVIDE, wavelength: DIVIDE,
 };
+// The names of a table, and what sets them.
+const setBy = (setting, rows) => Object.fromEntries(Object.keys(rows).map((name) =>
+  [bareName(name), `${name} is a ${setting}: pass { ${setting}: "${name}" }`]));
+const FRACTALS_THERE = setBy("fractal", FRACTALS);
+const NOISES_THERE = setBy("noise", NOISES);
 // Noises, without the dimensions at their ends: those of closest.hpp.
 const NOISES_ELSEWHERE = {
+  ...FRACTALS_THERE,
   snoise: "simplex", opensimplex: "simplex", opensimplex2s: "simplex_smooth", pnoise: "perlin", cnoise: "perlin",
   worley: "cellular", voronoi: "cellular",
 };
-const FRACTALS_ELSEWHERE = { none: "leave it out" };
+const FRACTALS_ELSEWHERE = { ...NOISES_THERE, none: "leave it out" };
 const LONGEST_WORD = 48; // the module has room for the numbers of one
 const MOST_VALUES = 2 ** 31 - 1; // of an array, in every browser
+const MOST_POINTS = 2 ** 29 - 1; // along an axis of a grid, as in field.hpp
 const BATCH = 1024; // points, as in twin.cpp
 const SETTINGS = 14; // words: the struct of twin.cpp
 
 // ---------------------------------------------------------------------------------------------------------------------
 // The module in WebAssembly. It is compiled where the first field is made, so that a page which makes none does
 // nothing.
+
+const PICK = "`tools/pick hn_fbm2 --language javascript` of hashnoise writes functions that need none";
+const PRECOMPILED = 'pass a module that the host has compiled, `import module from "hashnoise/field.wasm"`, to `await init(module)`';
 
 let twin;
 let current; // the field whose settings are in it
@@ -103,27 +113,48 @@ function started(instance) {
   };
 }
 
+/** The error of a host that does not compile the module, and what to do there. */
+function refusal(cause) {
+  if (typeof WebAssembly === "undefined") return new Error(`this host has no WebAssembly (node --jitless has none); ${PICK}`);
+  if (cause instanceof RangeError) {
+    return new Error("this browser compiles only small modules at once: call `await init()` of hashnoise first", { cause });
+  }
+  if (!WebAssembly.validate(bytes())) return new Error(`this host has no SIMD in WebAssembly; ${PICK}`, { cause });
+  return new Error("this host compiles no WebAssembly while it runs. On a page, add 'wasm-unsafe-eval' to the script-src of its " +
+    `Content-Security-Policy; on a server such as Cloudflare's workerd, ${PRECOMPILED}; else ${PICK}`, { cause });
+}
+
 function start() {
   if (twin) return;
-  let module;
   try {
-    module = new WebAssembly.Module(bytes());
+    twin = started(new WebAssembly.Instance(new WebAssembly.Module(bytes())));
   } catch (error) {
-    if (!(error instanceof RangeError)) throw error;
-    throw new Error("this browser compiles only small modules at once: call `await init()` of hashnoise first", { cause: error });
+    throw refusal(error);
   }
-  twin = started(new WebAssembly.Instance(module));
+}
+
+function isOurs(module) {
+  return typeof WebAssembly !== "undefined" && module instanceof WebAssembly.Module && WebAssembly.Module.exports(module).some(({ name }) => name === "slips");
 }
 
 /**
  * Compiles the module ahead of the first field, beside other work. Pages for old browsers have to call it: Chromium
- * until 2023 compiles no more than 4 kB at once there.
+ * until 2023 compiles no more than 4 kB at once there. A host that compiles no module while it runs passes the one of
+ * "hashnoise/field.wasm", which it has compiled.
  */
-export async function init() {
-  if (!twin) {
-    const { instance } = await WebAssembly.instantiate(bytes());
-    twin ??= started(instance);
+export async function init(module) {
+  if (module !== undefined && !isOurs(module)) {
+    throw new TypeError(`init takes the WebAssembly.Module of "hashnoise/field.wasm", or nothing, not ${shown(module)}`);
   }
+  if (twin) return;
+  let made;
+  try {
+    made = module ?? (await WebAssembly.compile(bytes()));
+  } catch (error) {
+    throw refusal(error);
+  }
+  const instance = await WebAssembly.instantiate(made);
+  twin ??= started(instance);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -166,8 +197,12 @@ function oneOf(name, value, names, elsewhere = {}) {
   return value;
 }
 
+function bareName(name) {
+  return name.toLowerCase().replaceAll("_", "");
+}
+
 function hintOf(text, names, elsewhere) {
-  const bare = text.replaceAll("_", "");
+  const bare = bareName(text);
   const known = [bare, bare.replace(/[1-4d]+$/, "")].find((one) => Object.hasOwn(elsewhere, one));
   if (known === undefined) return suggestion(text.replace(/^hn_/, ""), names);
   const meant = elsewhere[known];
@@ -211,12 +246,22 @@ function shown(value, depth = 2) {
 
 const isList = (value) => Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
 
+/** The setting of a value, for a message, unless `by` is that one. */
+function ofValue(value, by) {
+  if (Object.hasOwn(FRACTALS_THERE, value)) return by !== "fractal" && FRACTALS_THERE[value];
+  return Object.hasOwn(NOISES_THERE, value) && by !== "noise" && NOISES_THERE[value];
+}
+
 /** The values that an object of settings or options has; its names have to be among these. */
 function given(kind, object, names, elsewhere) {
   if (typeof object !== "object" || object === null || Array.isArray(object)) {
     throw new TypeError(`${kind}s have to be an object with some of ${names.join(", ")}, not ${shown(object)}`);
   }
-  for (const name of Object.keys(object)) oneOf(`${kind === "option" ? "an" : "a"} ${kind}`, name, names, elsewhere);
+  for (const [name, value] of Object.entries(object)) {
+    const bare = bareName(name);
+    const meant = elsewhere && typeof value === "string" && ofValue(bareName(value), elsewhere[bare]); // as in `type: "fbm"`
+    oneOf(`${kind === "option" ? "an" : "a"} ${kind}`, name, names, meant ? { ...elsewhere, [bare]: meant } : elsewhere);
+  }
   return Object.fromEntries(Object.entries(object).filter(([, value]) => value !== undefined));
 }
 
@@ -227,6 +272,55 @@ function perAxis(name, value, dimensions, check) {
     throw new RangeError(`${name} has to be a number, or an array of ${dimensions}, not ${shown(value)}`);
   }
   return Array.from(values, (one) => check(name, one)); // map() would pass over empty places
+}
+
+/**
+ * An array of numbers for each axis: of `{ x, y }`, of points by the name of their coordinates, `{ xy }`, or of an array
+ * of such arrays. As many points as axes may be meant there, so that is refused.
+ */
+function axesOf(name, value, dimensions, what, good) {
+  const axes = AXES.slice(0, dimensions);
+  const all = axes.join("");
+  const forms = `{ ${axes.map((axis) => `${axis}: [...]`).join(", ")} } for the axes`
+    + (dimensions > 1 ? `, or { ${all}: [[${axes.join(", ")}], ...] } for the points` : "");
+  let arrays = value;
+  if (typeof value === "object" && value !== null && !isList(value)) {
+    const keys = Object.keys(value).filter((key) => value[key] !== undefined);
+    if (dimensions > 1 && keys.length === 1 && keys[0] === all) {
+      arrays = columns(name, value[all], dimensions, forms);
+    } else if (keys.length === dimensions && axes.every((axis) => keys.includes(axis))) {
+      arrays = axes.map((axis) => value[axis]);
+    } else {
+      throw new TypeError(`the ${name} have to be ${forms}, not an object with ${keys.join(", ") || "nothing"}`);
+    }
+  } else if (!Array.isArray(value) || value.length !== dimensions) {
+    const said = Array.isArray(value) ? `an array of ${value.length}` : shown(value);
+    throw new TypeError(`the ${name} have to be an array of ${dimensions} arrays, one for each axis, not ${said}: pass ${forms}`);
+  } else if (dimensions > 1 && value.every((array) => isList(array) && array.length === dimensions)) {
+    throw new TypeError(`${dimensions} arrays of ${dimensions} numbers each may be the ${name} of axes, or points: pass ${forms}`);
+  }
+  for (const array of arrays) {
+    if (!isList(array)) throw new TypeError(`the ${name} of an axis have to be an array, not ${shown(array)}: pass ${forms}`);
+    if (array.length !== arrays[0].length) throw new RangeError(`the arrays of ${name} have to be of the same length`);
+    const bad = array.findIndex((one) => !good(one));
+    if (bad >= 0) throw new (errorOf(array[bad], "number"))(`the ${name} have to be ${what}, not ${shown(array[bad])} at ${bad}`);
+  }
+  return arrays;
+}
+
+/** The arrays of axes of points, which are arrays of `dimensions` numbers, or one array of all their numbers. */
+function columns(name, points, dimensions, forms) {
+  if (!isList(points)) throw new TypeError(`the ${name} have to be an array, not ${shown(points)}: pass ${forms}`);
+  const axes = AXES.slice(0, dimensions);
+  if (points.length === 0 || !isList(points[0])) {
+    if (points.length % dimensions) {
+      throw new RangeError(`the ${name} have to be ${dimensions} numbers for each point, not ${points.length} in all`);
+    }
+    return axes.map((_, axis) => Array.from({ length: points.length / dimensions }, (_, i) => points[i * dimensions + axis]));
+  }
+  const bad = points.findIndex((point) => !isList(point) || point.length !== dimensions);
+  if (bad >= 0) throw new TypeError(`a point has to be an array of ${dimensions} numbers, not ${shown(points[bad])} at ${bad}`);
+  return axes.map((_, axis) => Array.from(points, (point) => point[axis]));
 }
 
 const checkedDimensions = (dimensions) => whole("dimensions", dimensions, 1, 3);
@@ -361,40 +455,28 @@ export class Field {
   }
 
   /**
-   * The values at many positions: an array of coordinates for each axis, all of the same length. With `cells`, arrays
-   * of whole numbers, the coordinates are the fractions in those.
+   * The values at many positions: `{ x, y }`, an array of coordinates for each axis, or `{ xy }`, an array of points or
+   * their numbers one behind the other. With `cells`, whole numbers in one of these forms, the coordinates are the
+   * fractions in those.
    */
   points(coordinates, options = {}) {
     const { dimensions } = fieldOf(this);
     const { cells, out } = given("option", options, ["cells", "out"]);
     const places = cells === undefined ? ["finite numbers", isFloat] : ["from 0 to 1 in cells", isFraction];
-    const lists = [[coordinates, "coordinates", ...places]];
-    if (cells !== undefined) lists.push([cells, "cells", "whole numbers", Number.isSafeInteger]);
-    for (const [arrays, name, what, good] of lists) {
-      if (!Array.isArray(arrays) || arrays.length !== dimensions) {
-        throw new TypeError(`the ${name} have to be an array of ${dimensions} arrays, one for each axis`);
-      }
-      for (const array of arrays) {
-        if (!isList(array)) throw new TypeError(`the ${name} of an axis have to be an array, not ${shown(array)}`);
-        if (array.length !== arrays[0].length) {
-          throw new RangeError(`the arrays of ${name} have to be of the same length`);
-        }
-        const bad = array.findIndex((one) => !good(one));
-        if (bad >= 0) throw new (errorOf(array[bad], "number"))(`the ${name} have to be ${what}, not ${shown(array[bad])} at ${bad}`);
-      }
-      if (arrays[0].length !== coordinates[0].length) {
-        throw new RangeError("the arrays of coordinates and of cells have to be of the same length");
-      }
+    const axes = axesOf("coordinates", coordinates, dimensions, ...places);
+    const cellAxes = cells === undefined ? undefined : axesOf("cells", cells, dimensions, "whole numbers", Number.isSafeInteger);
+    const count = axes[0].length;
+    if (cellAxes && cellAxes[0].length !== count) {
+      throw new RangeError("the arrays of coordinates and of cells have to be of the same length");
     }
-    const count = coordinates[0].length;
     const values = this.#out(out, count);
     this.#load();
     for (let first = 0; first < count; first += BATCH) {
       const some = Math.min(BATCH, count - first);
       for (let axis = 0; axis < dimensions; ++axis) {
-        twin.places[axis].set(part(coordinates[axis], first, some));
-        if (cells) {
-          twin.cells[axis].set(part(cells[axis], first, some));
+        twin.places[axis].set(part(axes[axis], first, some));
+        if (cellAxes) {
+          twin.cells[axis].set(part(cellAxes[axis], first, some));
         } else {
           twin.split(axis, some);
         }
@@ -406,22 +488,29 @@ export class Field {
 
   /**
    * A uniform grid of size[0] by size[1] points and so on, from `origin` on, `step` cells apart; x is the fastest. With
-   * a `cell` the origin is the fraction in it, and the grid is exact however far out.
+   * a `cell` the origin is the fraction in it, and the grid is exact however far out. With `first`, the number of the
+   * first point along each axis, it is that part of a larger grid, and has its bits.
    */
   grid(size, options = {}) {
     const { dimensions } = fieldOf(this);
-    const { step, origin = 0, cell, out } = given("option", options, ["step", "origin", "cell", "out"]);
-    const sizes = perAxis("size", size, dimensions, (name, one) => whole(name, one, 0, 2 ** 29 - 1));
+    const { step, origin = 0, cell, first = 0, out } = given("option", options, ["step", "origin", "cell", "first", "out"]);
+    const sizes = perAxis("size", size, dimensions, (name, one) => whole(name, one, 0, MOST_POINTS));
     const steps = perAxis("step", step, dimensions, real);
     const origins = perAxis("origin", origin, dimensions, cell === undefined ? real : inItsCell);
-    if (cell === undefined) sizes.forEach((one, axis) => real("the last point", origins[axis] + one * steps[axis]));
+    const firsts = perAxis("first", first, dimensions, (name, one) => whole(name, one, -MOST_POINTS, MOST_POINTS));
+    sizes.forEach((one, axis) => {
+      whole("first + size", firsts[axis] + one, -MOST_POINTS, MOST_POINTS);
+      if (cell !== undefined) return;
+      real("the first point", origins[axis] + firsts[axis] * steps[axis]);
+      real("the last point", origins[axis] + (firsts[axis] + one) * steps[axis]);
+    });
     const count = sizes.reduce((product, one) => product * one, 1);
     const values = this.#out(out, count);
     if (count === 0) return values;
     this.#load();
     const axes = sizes.map((points, axis) => {
-      if (cell === undefined) return positions(axis, points, origins[axis], steps[axis]);
-      return exactly(points, perAxis("cell", cell, dimensions, wholeCell)[axis], origins[axis], steps[axis]);
+      if (cell === undefined) return positions(axis, points, origins[axis], steps[axis], firsts[axis]);
+      return exactly(points, perAxis("cell", cell, dimensions, wholeCell)[axis], origins[axis], steps[axis], firsts[axis]);
     });
     // Rows, or parts of them, are put one behind the other until a batch is full.
     const [row, ...others] = axes;
@@ -474,15 +563,15 @@ function part(array, first, count) {
   return Array.isArray(array) ? array.slice(first, first + count) : array.subarray(first, first + count);
 }
 
-// The cells and the places along an axis. Point i is at the float nearest to origin + i * step.
-function positions(axis, count, origin, step) {
+// The cells and the places along an axis. Point i is at the float nearest to origin + (number + i) * step.
+function positions(axis, count, origin, step, number) {
   const cells = new Int32Array(count);
   const places = new Float32Array(count);
   const from = Math.fround(origin);
   const by = Math.fround(step);
   for (let first = 0; first < count; first += BATCH) {
     const some = Math.min(BATCH, count - first);
-    for (let i = 0; i < some; ++i) twin.places[axis][i] = from + (first + i) * by;
+    for (let i = 0; i < some; ++i) twin.places[axis][i] = from + (number + first + i) * by;
     twin.split(axis, some);
     cells.set(twin.cells[axis].subarray(0, some), first);
     places.set(twin.places[axis].subarray(0, some), first);
@@ -491,12 +580,12 @@ function positions(axis, count, origin, step) {
 }
 
 // The same in units of 2^-32 of a cell; a place keeps 24 bits of them.
-function exactly(count, cell, origin, step) {
+function exactly(count, cell, origin, step, number) {
   const cells = new Int32Array(count);
   const places = new Float32Array(count);
   const unit = 2 ** 32;
   const by = BigInt(Math.sign(step) * Math.round(Math.abs(step) * unit));
-  let at = (BigInt(cell) << 32n) + BigInt(Math.floor(Math.fround(origin) * unit));
+  let at = (BigInt(cell) << 32n) + BigInt(Math.floor(Math.fround(origin) * unit)) + BigInt(number) * by;
   for (let i = 0; i < count; ++i, at += by) {
     cells[i] = Number(BigInt.asIntN(32, at >> 32n));
     places[i] = Number(BigInt.asUintN(32, at) >> 8n) / 2 ** 24;

@@ -13,6 +13,7 @@ import { bitsOf, meaning, read } from "./golden_values.mjs";
 
 const [golden] = process.argv.slice(2);
 const root = import.meta.dirname;
+const policies = { "/strict.html": "script-src 'self'", "/open.html": "script-src 'self' 'wasm-unsafe-eval'" };
 let server;
 let browser;
 let address;
@@ -23,7 +24,8 @@ before(async () => {
   server = await preview({ root, preview: { port: 0, host: "127.0.0.1" } });
   address = `http://127.0.0.1:${server.httpServer.address().port}/pages/`;
   // As Node.js finds packages: here, and above.
-  files = await serve((path) => readFile(join(root, path)).catch(() => readFile(join(root, "..", path))));
+  files = await serve((path) => policies[path] ? `<meta http-equiv="Content-Security-Policy" content="${policies[path]}">`
+    : readFile(join(root, path)).catch(() => readFile(join(root, "..", path))));
   browser = await launch({ protocolTimeout: 60_000 });
 });
 after(async () => {
@@ -121,6 +123,9 @@ test("the documentation's materials for WebGLRenderer draw what Field computes",
     assert.ok(off <= 1, `${name} is off by ${off} of 255`);
     assert.ok(wrong > 2, `a mistake in ${name} is not noticed`);
   }
+  const [off, wrong] = await opened.evaluate(() => hashnoise.land());
+  console.log("furthest of the land, and with a mistake:", off, wrong);
+  assert.ok(off <= 1 && wrong > 2, `${off}, ${wrong}`);
   assert.deepEqual(opened.complaints, []);
 });
 
@@ -133,6 +138,24 @@ test("the documentation's heights are the same in Node.js and in a bundle", asyn
   assert.deepEqual(right, expected);
   for (const name of Object.keys(expected)) {
     if (name !== "tile") assert.notDeepEqual(wrong[name], expected[name], `a mistake in ${name} is not noticed`);
+  }
+});
+
+test("a page whose policy forbids WebAssembly prints what to add to it", async () => {
+  const expected = new Field(2).at(0.5, 0.25);
+  for (const path of Object.keys(policies)) {
+    const opened = await open(browser, `http://127.0.0.1:${files.address().port}${path}`);
+    const found = await opened.evaluate(async () => {
+      const { Field, init } = await import("/node_modules/hashnoise/index.js");
+      const message = await init().catch((error) => error.message);
+      try {
+        return [message ?? null, new Field(2).at(0.5, 0.25)];
+      } catch (error) {
+        return [message, error.message];
+      }
+    });
+    if (path === "/open.html") assert.deepEqual(found, [null, expected]);
+    else for (const message of found) assert.match(message, /^this host compiles no WebAssembly .* add 'wasm-unsafe-eval' to the script-src/);
   }
 });
 

@@ -2,8 +2,11 @@
 //
 //   node fields.mjs
 import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { readFile } from "node:fs/promises";
 import { createRequire } from "node:module";
 import test from "node:test";
+import { fileURLToPath } from "node:url";
 import { Field, init } from "hashnoise";
 
 const bits = (values) => Array.from(new Uint32Array(Float32Array.from(values).buffer));
@@ -35,8 +38,49 @@ test("grids have the values of single points", () => {
     assert.deepEqual(bits(field.grid(size, { origin, step: 0.3 })), bits(planes(field, points)));
     const axes = origin.map((_, axis) => points.map((point) => point[axis]));
     assert.deepEqual(bits(field.points(axes)), bits(planes(field, points)));
-    assert.deepEqual(bits(field.points(axes.map((axis) => Float32Array.from(axis)))), bits(planes(field, points)));
+    const names = ["x", "y", "z"].slice(0, field.dimensions);
+    const named = Object.fromEntries(names.map((name, axis) => [name, Float32Array.from(axes[axis])]));
+    assert.deepEqual(bits(field.points(named)), bits(planes(field, points)));
+    const nested = field.dimensions === 1 ? [] : [points, points.map((point) => new Float32Array(point))];
+    for (const list of [...nested, points.flat(), new Float32Array(points.flat())]) {
+      assert.deepEqual(bits(field.points({ [names.join("")]: list })), bits(planes(field, points)));
+    }
   }
+});
+
+test("parts of a grid have the bits that the whole has there", () => {
+  let moved = 0;
+  for (const field of all()) {
+    const of = (values) => values.slice(0, field.dimensions);
+    const [size, first, part] = [of([30, 10, 5]), of([9, -4, 1]), of([14, 5, 2])];
+    const from = of([-3, -6, -1]);
+    for (const place of [{ origin: of([1447.7, -3.3, 40.1]) }, { origin: of([0.3, 0.7, 0.1]), cell: of([1e9, 2 ** 31 - 1, -7]) }]) {
+      for (const step of [0.03, of([0.1, -0.07, 1 / 3])]) {
+        const whole = field.grid(size, { ...place, step, first: from });
+        const expected = [];
+        const [width, height = 1, depth = 1] = size;
+        for (let plane = 0; plane < field.components.length; ++plane) {
+          for (let z = 0; z < (part[2] ?? 1); ++z) {
+            for (let y = 0; y < (part[1] ?? 1); ++y) {
+              for (let x = 0; x < part[0]; ++x) {
+                const at = [x, y, z].map((one, axis) => (axis < field.dimensions ? one + first[axis] - from[axis] : 0));
+                expected.push(whole[((plane * depth + at[2]) * height + at[1]) * width + at[0]]);
+              }
+            }
+          }
+        }
+        assert.deepEqual(bits(field.grid(part, { ...place, step, first })), bits(expected));
+        if (place.cell) continue;
+        // An origin that is moved makes another grid, as long as its step is no power of two.
+        const steps = typeof step === "number" ? of([step, step, step]) : step;
+        const origin = place.origin.map((one, axis) => one + first[axis] * steps[axis]);
+        moved += field.grid(part, { origin, step }).some((value, i) => value !== expected[i]);
+      }
+    }
+  }
+  assert.ok(moved > 20, `${moved} grids differ if their origin is moved`);
+  const usual = new Field(2).grid([4, 4], { step: 0.1 });
+  assert.deepEqual(usual, new Field(2).grid([4, 4], { step: 0.1, first: 0 }));
 });
 
 test("a grid of more points than are computed at once has the same values", () => {
@@ -67,11 +111,10 @@ test("cells are exact far out, and wrap at 2^32", () => {
     }
   }
   assert.equal(field.inCell([2 ** 31, -3], [0.5, 0.25]), field.inCell([-(2 ** 31), -3 + 2 ** 32], [0.5, 0.25]));
-  const fractions = [[0.5, 0.75], [0.25, 0]];
-  const cells = [[1e9, 2 ** 31], [5, -5]];
-  const some = field.points(fractions, { cells });
-  const alone = [0, 1].map((i) => field.inCell(cells.map((c) => c[i]), fractions.map((f) => f[i])));
-  assert.deepEqual(Array.from(some), alone);
+  const fractions = [[0.5, 0.25], [0.75, 0]];
+  const cells = [[1e9, 5], [2 ** 31, -5]];
+  const alone = [0, 1].map((i) => field.inCell(cells[i], fractions[i]));
+  assert.deepEqual(Array.from(field.points({ xy: fractions }, { cells: { xy: cells } })), alone);
   assert.equal(field.inCell([3, 4], [0.5, 0.25]), field.at(3.5, 4.25));
   // Steps backward, and smaller than the distance of floats there.
   const back = field.grid([3, 1], { step: [-0.5, 1], cell: [0, 0], origin: [0.25, 0] });
@@ -123,9 +166,10 @@ test("a point of many costs less than half of a call", () => {
     grid: () => field.grid([side, side], { step: 1 / 32 }),
   };
   const least = (way) => Math.min(...Array.from({ length: 8 }, () => {
-    const before = performance.now();
+    const before = process.cpuUsage();
     way();
-    return performance.now() - before;
+    const { user, system } = process.cpuUsage(before);
+    return user + system;
   }));
   const times = least(ways.at) / least(ways.grid);
   console.log(`a call of at costs ${times.toFixed(1)} times as much as a point of a grid`);
@@ -144,7 +188,7 @@ test("what is passed to write into is written into", () => {
 
 test("options that there are not, and arrays that do not fit, are named in a line", () => {
   const field = new Field(2);
-  assert.throws(() => field.grid([4, 4], { step: 1, orign: 2 }), /an option has to be one of step, origin, cell, out, not "orign"/);
+  assert.throws(() => field.grid([4, 4], { step: 1, orign: 2 }), /an option has to be one of step, origin, cell, first, out, not "orign"/);
   assert.throws(() => field.points([[1], [2]], { cell: [[1], [2]] }), /an option has to be one of cells, out, not "cell"/);
   assert.throws(() => field.grid([4, 4], { step: 1, out: new Float64Array(16) }), /out has to be a Float32Array, not Float64Array\(16\)$/);
   assert.throws(() => field.grid([2 ** 20, 2 ** 20], { step: 1 }), /room for 2147483647 values, not for 1099511627776/);
@@ -175,6 +219,12 @@ test("wrong settings are reported", () => {
     [1, { noise: "simplex" }, /noise in 1D has to be one of perlin, (?!.*simplex,).*, not "simplex"/],
     [1, { fractal: "warp" }, /fractal in 1D has to be one of fbm, .*weighted, not "warp"/],
     [2, { fractal: "eroded", noise: "perlin" }, /noise of eroded has to be one of perlin_d, value_d, simplex_d, not "perlin"/],
+    [2, { noise: "fbm" }, /noise in 2D has to be one of .*, not "fbm" \(fbm is a fractal: pass { fractal: "fbm" }\)$/],
+    [3, { noise: "pingPong" }, /not "pingPong" \(ping_pong is a fractal: pass { fractal: "ping_pong" }\)$/],
+    [2, { fractal: "simplex" }, /fractal in 2D .*, not "simplex" \(simplex is a noise: pass { noise: "simplex" }\)$/],
+    [2, { type: "fbm" }, /a setting has to be .*, not "type" \(fbm is a fractal: pass { fractal: "fbm" }\)$/],
+    [2, { kind: "cellular" }, /not "kind" \(cellular is a noise: pass { noise: "cellular" }\)$/],
+    [2, { noiseType: "fbm" }, /not "noiseType" \(fbm is a fractal: pass { fractal: "fbm" }\)$/],
     [2, { octave: 3 }, /a setting has to be one of noise, .*, not "octave" \(did you mean "octaves"\?\)$/],
     [2, { octaves: 3 }, /perlin has no octaves; only fractals do$/],
     [2, { gain: 1 }, /perlin has no gain; only fractals do$/],
@@ -235,18 +285,40 @@ test("wrong settings are reported", () => {
     [() => field.grid([4, 4], { step: 1, out: [] }), /out has to be a Float32Array, not \[\]$/],
     [() => field.grid([4, 4], { step: 1, cell: 0, origin: 2 }), /origin has to be from 0 to 1, not 2/],
     [() => field.grid([4, 4], { step: 1e38, origin: 1 }), /the last point has to be a finite number/],
-    [() => field.points([[1], [1]], { cells: [[1, 1], [1, 1]] }), /coordinates and of cells have to be of the same length/],
-    [() => field.points([1, 2]), /the coordinates of an axis have to be an array, not 1$/],
-    [() => field.points([[1]]), /the coordinates have to be an array of 2 arrays, one for each axis/],
+    [() => field.points([[1], [1]], { cells: [[1, 1, 1], [1, 1, 1]] }), /coordinates and of cells have to be of the same length/],
+    [() => field.points([1, 2]), /the coordinates of an axis have to be an array, not 1: pass { x: \[...\], y: \[...\] } for the axes, or { xy: /],
+    [() => field.points([[1]]), /the coordinates have to be an array of 2 arrays, one for each axis, not an array of 1: pass { x: /],
+    [() => field.points([[1, 2], [3, 4], [5, 6]]), /not an array of 3: pass { x: .*, or { xy: \[\[x, y\], ...\] } for the points$/],
+    [() => field.points([[0.5, 0.25], [0.75, 0.125]]), /^TypeError: 2 arrays of 2 numbers each may be the coordinates of axes, or points: pass { x: /],
+    [() => field.points([new Float32Array(2), new Float32Array(2)]), /2 arrays of 2 numbers each .* or { xy: \[\[x, y\], ...\] } for the points$/],
+    [() => new Field(3).points([[1, 2, 3], [4, 5, 6], [7, 8, 9]]), /3 arrays of 3 numbers each .* { xyz: \[\[x, y, z\], ...\] }/],
+    [() => field.points({ x: [0, 1], y: [1, 0] }, { cells: [[1, 2], [3, 4]] }), /2 arrays of 2 numbers each may be the cells of axes/],
+    [() => field.points(new Float32Array(4)), /the coordinates have to be .*, not Float32Array\(4\): pass { x: .* { xy: /],
+    [() => field.points({ x: [1] }), /the coordinates have to be { x: .*, y: .*, not an object with x$/],
+    [() => field.points({ x: [1], y: [1], z: [1] }), /not an object with x, y, z$/],
+    [() => field.points({ xyz: [[1, 2, 3]] }), /not an object with xyz$/],
+    [() => field.points({ x: [1], xy: [[1, 2]] }), /not an object with x, xy$/],
+    [() => field.points({ X: [1], Y: [1] }), /not an object with X, Y$/],
+    [() => field.points({ x: 1, y: 2 }), /the coordinates of an axis have to be an array, not 1: pass/],
+    [() => field.points({ xy: 1 }), /the coordinates have to be an array, not 1: pass/],
+    [() => field.points({ xy: [[1, 2], [3]] }), /a point has to be an array of 2 numbers, not \[3\] at 1$/],
+    [() => field.points({ xy: [[1, 2, 3]] }), /a point has to be an array of 2 numbers, not \[1,2,3\] at 0$/],
+    [() => field.points({ xy: [{ x: 1, y: 2 }] }), /the coordinates have to be 2 numbers for each point, not 1 in all$/],
+    [() => field.points({ xy: [1, 2, 3] }), /the coordinates have to be 2 numbers for each point, not 3 in all$/],
+    [() => field.points({ xy: [[1, 2], [3, "4"]] }), /the coordinates have to be finite numbers, not "4" at 1$/],
+    [() => new Field(1).points([0.5, 0.25]), /an array of 1 arrays, one for each axis, not an array of 2: pass { x: \[...\] } for the axes$/],
+    [() => field.grid([4, 4], { step: 1, first: 0.5 }), /first has to be a whole number from -536870911 to 536870911, not 0.5/],
+    [() => field.grid([4, 4], { step: 1, first: [2 ** 29 - 4, 0] }), /first \+ size has to be a whole number from .* to 536870911, not 536870912/],
+    [() => field.grid([4, 4], { step: 1e31, first: 2 ** 28 }), /the first point has to be a finite number/],
     [() => field.points([[1], [1, 2]]), /have to be of the same length/],
-    [() => field.points([[1, 2], [3, NaN]]), /the coordinates have to be finite numbers, not NaN at 1$/],
+    [() => field.points([[1, 2, 5], [3, NaN, 5]]), /the coordinates have to be finite numbers, not NaN at 1$/],
     [() => field.points([[1], new Array(1)]), /the coordinates have to be finite numbers, not undefined at 0$/],
     [() => field.points([[1], ["2"]]), /the coordinates have to be finite numbers, not "2" at 0$/],
     [() => field.points([[null], [1]]), /the coordinates have to be finite numbers, not null at 0$/],
     [() => field.points([[1], new Float32Array([Infinity])]), /the coordinates have to be finite numbers, not Infinity at 0$/],
     [() => field.points([[1], [1]], { cells: [[1], [0.5]] }), /the cells have to be whole numbers, not 0.5 at 0$/],
     [() => field.points([[1], [2]], [[1], [2]]), /options have to be an object with some of cells, out, not \[\[1\],\[2\]\]$/],
-    [() => field.grid([4, 4], 0.25), /options have to be an object with some of step, origin, cell, out, not 0.25$/],
+    [() => field.grid([4, 4], 0.25), /options have to be an object with some of step, origin, cell, first, out, not 0.25$/],
     [() => field.points([[1], [1.5]], { cells: [[1], [1]] }), /the coordinates have to be from 0 to 1 in cells, not 1.5 at 0$/],
     [() => field.inCell([1, 2], [0.5, 1.5]), /fraction has to be from 0 to 1, not 1.5$/],
     [() => field.allInCell([1, 2], [-0.5, 0]), /fraction has to be from 0 to 1, not -0.5$/],
@@ -278,25 +350,71 @@ test("the documentation's calls in place of other libraries are noise in their r
   assert.equal(noise2D(0.5, 0.25), new Field(2, { noise: "simplex", seed: 120 }).at(0.5, 0.25));
 });
 
+test("the documentation's points are where it states, and its tiles meet", async () => {
+  const field = new Field(2, { seed: 7 });
+  const expected = [field.at(0.5, 0.25), field.at(0.75, 0.125)];
+  const { ofAxes, ofPoints, farOut, ofVertices } = await import("./blocks/points.js");
+  assert.deepEqual([ofAxes, ofPoints].map((found) => Array.from(found)), [expected, expected]);
+  assert.deepEqual(Array.from(farOut), [field.inCell([1e9, 5], [0.5, 0]), field.inCell([1e9, 6], [0.75, 0.25])]);
+  assert.equal(ofVertices.length, 24);
+  assert.equal(ofVertices[0], new Field(3).at(0.5, 0.5, 0.5));
+  assert.notDeepEqual(Array.from((await import("./faulty/points.js")).ofPoints), expected);
+  const { tile, next, world } = await import("./blocks/world.js");
+  const both = world.grid([128, 64], { step: 1 / 64, cell: [1e9, -1e9] });
+  for (let i = 0; i < 64 * 64; ++i) {
+    const at = (i >> 6) * 128 + (i & 63);
+    assert.deepEqual([tile[i], next[i]], [both[at], both[at + 64]]);
+  }
+});
+
 test("CommonJS has the same class by require", () => {
   assert.equal(createRequire(import.meta.url)("hashnoise").Field, Field);
 });
 
-test("a browser that compiles little at once prints what to do, and does it", async () => {
-  const again = await import(`${import.meta.resolve("hashnoise")}?again`); // a module of its own
-  const { Module } = WebAssembly;
-  WebAssembly.Module = class {
-    constructor() {
-      throw new RangeError("WebAssembly.Compile is disallowed on the main thread");
-    }
+/** Runs a task in a host whose `new WebAssembly.Module` and `compile` throw an error. */
+async function inHost(error, task) {
+  const { Module, compile } = WebAssembly;
+  const refused = () => {
+    throw error;
   };
+  const again = await import(`${import.meta.resolve("hashnoise")}?${Math.random()}`); // a module of its own
+  Object.assign(WebAssembly, { Module: function Refused() { refused(); }, compile: error instanceof RangeError ? compile : refused });
+  Object.defineProperty(WebAssembly.Module, Symbol.hasInstance, { value: (one) => one instanceof Module });
+  WebAssembly.Module.exports = Module.exports;
   try {
-    assert.throws(() => new again.Field(2), /call `await init\(\)` of hashnoise first/);
-    await again.init();
+    await task(again);
     assert.equal(new again.Field(2).at(0.5, 0.25), new Field(2).at(0.5, 0.25));
   } finally {
-    WebAssembly.Module = Module;
+    Object.assign(WebAssembly, { Module, compile });
+  }
+}
+
+test("a host that compiles little or nothing prints what to do, and does it", async () => {
+  const bytes = await readFile(fileURLToPath(import.meta.resolve("hashnoise/field.wasm")));
+  const module = new WebAssembly.Module(bytes);
+  await inHost(new RangeError("WebAssembly.Compile is disallowed on the main thread"), async ({ Field: One, init: start }) => {
+    assert.throws(() => new One(2), /call `await init\(\)` of hashnoise first/);
+    await start();
+  });
+  const message = /^Error: this host compiles no WebAssembly .* 'wasm-unsafe-eval' .* `await init\(module\)`; else `tools\/pick /;
+  await inHost(new WebAssembly.CompileError("Wasm code generation disallowed by embedder"), async ({ Field: One, init: start }) => {
+    assert.throws(() => new One(2), message);
+    await assert.rejects(start(), message);
+    for (const wrong of [bytes, null, "field.wasm", {}]) {
+      await assert.rejects(start(wrong), /^TypeError: init takes the WebAssembly.Module of "hashnoise\/field.wasm", or nothing, not /);
+    }
+    const { validate } = WebAssembly;
+    WebAssembly.validate = () => false;
+    assert.throws(() => new One(2), /^Error: this host has no SIMD in WebAssembly; `tools\/pick /);
+    WebAssembly.validate = validate;
+    await start(module);
+  });
+  for (const code of ["new Field(2)", "await init()"]) {
+    const { stderr } = spawnSync(process.execPath, ["--jitless", "--input-type=module", "-e", `import { Field, init } from "hashnoise"; ${code}`],
+      { encoding: "utf8", cwd: import.meta.dirname });
+    assert.match(stderr, /Error: this host has no WebAssembly \(node --jitless has none\); `tools\/pick /, code);
   }
   await init(); // once more
+  await init(module); // and that, too, changes nothing
   assert.equal(new Field(2).at(1, 1), 0);
 });

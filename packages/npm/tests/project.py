@@ -27,6 +27,8 @@ SKIPPED = 77
 BLOCKS = {
     "heights.js": ("octaves: 6", "octaves: 5"),
     "world.js": ("1e9, -1e9], [0.5", "1e9, 1e9], [0.5"),
+    "points.js": ("xy: [[0.5, 0.25]", "xy: [[0.5, 0.5]"),
+    "land.js": ("position.xz * 0.0625, 6", "position.xz * 0.0625, 5"),
     "string.js": ("6, 2.0", "5, 2.0"),
     "chunks.js": ("6, 2.0", "5, 2.0"),
     "included.glsl": ("6, 2.0", "5, 2.0"),

@@ -21,7 +21,14 @@ export const text: string = fbm2d + noise2d + included + everything + wgsl(hn_ce
 export const color = vec3(hn_fbm2(uv().mul(8), 6, 2, 0.5).add(0.5)).add(hn_perlin_d2(uv(), 7).mul(0.1));
 export const tile = hn_fbm2_place(hn_tile2(uv().mul(8), ivec2(8, 8)), 6, 2, 0.5, 7);
 export const shift = hn_warp2(uv(), 6, 2, 0.5, 1, 7);
-export const tiled = new Field(2, { period: new Int32Array([4, 8]) }).points([new Float64Array(2), [0, 1]]);
+export const tiled = new Field(2, { period: new Int32Array([4, 8]) }).points([new Float64Array(1), [0]]);
+const pairs: [number, number][] = [[0.5, 0.25], [0.75, 0.125]];
+export const named = [
+  field.points({ x: [0, 1], y: new Float32Array(2) }), field.points({ xy: pairs }, { cells: { xy: pairs } }),
+  new Field(3).points({ xyz: new Float32Array(9) }),
+];
+export const part: Float32Array = field.grid([4, 4], { step: 0.1, first: [-4, 4] });
+export const ahead: Promise<void> = init(new WebAssembly.Module(new Uint8Array(8)));
 registerChunks();
 
 // @ts-expect-error there is no such noise
@@ -32,6 +39,8 @@ new Field(2, { octave: 6 });
 new Field(5);
 // @ts-expect-error a grid has a step
 field.grid([4, 4]);
+// @ts-expect-error the axes have other names
+field.points({ u: [1], v: [2] });
 // @ts-expect-error a height is a number
 export const wrong: string = field.at(1, 2);
 // @ts-expect-error the text is a string

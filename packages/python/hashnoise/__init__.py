@@ -8,6 +8,8 @@ instructions.
     ((1024, 1024), dtype('float32'))
     >>> image = hashnoise.grid("fbm", (1024, 1024), step=8 / 1023, octaves=6, seed=7)
     >>> value, dx, dy = hashnoise.perlin_d(x, 0.5)
+    >>> hashnoise.fbm(points=[[0.5, 0.25, 0.75], [0.75, 0.125, 0.5]]).shape  # two points in space
+    (2,)
 
 Each function takes 1 to 4 coordinates: as many as the field has dimensions. They are arrays or numbers, and are
 broadcast against each other. Positions are in cells, and are rounded to float32, as in a shader. So at x a point is off
@@ -20,12 +22,16 @@ all numbers of the point are NaN. Of masked arrays the result is one, and is mas
 
 All functions have these options:
 
+    points           in place of the coordinates: an array with 1 to 4 of them along its last axis, such as one of the
+                     shape (N, 3). The result has its other axes. As the only coordinate an array that might have
+                     points, since its first or last axis has 2 to 4 numbers, is an error: of numbers on a line pass
+                     points=x[..., numpy.newaxis]
     seed             a whole number from 0 to 2^32 - 1; different seeds give independent fields
     period           the field repeats after so many cells: one whole number, or one for each axis, not negative; 0
                      for none
     cell             cells, whole numbers from -2^31 to 2^31 - 1: one for all axes, or a tuple with a number or an array
-                     for each axis. The coordinates are then the fractions in the cells, from 0 to 1, and the field is
-                     exact however far out
+                     for each axis, or of points an array as they are. The coordinates are then the fractions in the
+                     cells, from 0 to 1, and the field is exact however far out
     arithmetic       "fast": floats, within the error that the function states (docs/measured/accuracy.md); the last bits may
                      differ from processor to processor. "precise": floats with the bits of IEEE arithmetic. "fixed":
                      integers, with the bits of HN_FIXED in every shader
@@ -47,7 +53,7 @@ A wrong argument raises TypeError or ValueError, with the right ones in the mess
 """
 
 from . import _noises, _sums
-from ._core import version as __version__
+from ._core import version as __version__  # noqa: F401  (it is public, and is no name of import *)
 from ._evaluate import suggestion as _suggestion
 from ._grids import components, fractals, grid, instruction_sets, noises
 from ._noises import *  # noqa: F403

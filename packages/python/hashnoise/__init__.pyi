@@ -35,255 +35,439 @@ __version__: str
 # tools/make catalog: functions
 @overload
 def perlin(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-           seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None,
+           points: None = None, seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None,
            cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
            threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
 @overload
 def perlin(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-           w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, period: _Wholes | None = None,
+           w: npt.ArrayLike | None = None, /, *, points: None = None, seed: _Whole = 0, period: _Wholes | None = None,
            phase: _Number | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
            out: _Values | None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> _Values: ...
+@overload
+def perlin(x: None = None, y: None = None, z: None = None, w: None = None, /, *, points: npt.ArrayLike,
+           seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None, cell: _Cells | None = None,
+           arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+           instruction_set: str | None = None) -> _Values: ...
+@overload
 def perlin_d(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-             w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, period: _Wholes | None = None,
+             w: npt.ArrayLike | None = None, /, *, points: None = None, seed: _Whole = 0, period: _Wholes | None = None,
              phase: _Number | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
              out: _Values | None = None, threads: _Whole | None = None,
              instruction_set: str | None = None) -> _Values: ...
 @overload
+def perlin_d(x: None = None, y: None = None, z: None = None, w: None = None, /, *, points: npt.ArrayLike,
+             seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None, cell: _Cells | None = None,
+             arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+             instruction_set: str | None = None) -> _Values: ...
+@overload
 def value(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-          seed: _Whole = 0, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
-          arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
-          instruction_set: str | None = None) -> float: ...
+          points: None = None, seed: _Whole = 0, period: _Wholes | None = None,
+          cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
+          threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
 @overload
 def value(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-          w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, period: _Wholes | None = None,
+          w: npt.ArrayLike | None = None, /, *, points: None = None, seed: _Whole = 0, period: _Wholes | None = None,
           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
           threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def value(x: None = None, y: None = None, z: None = None, w: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
+          period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+          out: _Values | None = None, threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
 def value_d(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-            w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, period: _Wholes | None = None,
+            w: npt.ArrayLike | None = None, /, *, points: None = None, seed: _Whole = 0, period: _Wholes | None = None,
             cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
             threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
-def value_cubic(x: _Number, y: _Number | None = None, z: _Number | None = None, /, *, seed: _Whole = 0,
-                period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
+def value_d(x: None = None, y: None = None, z: None = None, w: None = None, /, *, points: npt.ArrayLike,
+            seed: _Whole = 0, period: _Wholes | None = None, cell: _Cells | None = None,
+            arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+            instruction_set: str | None = None) -> _Values: ...
+@overload
+def value_cubic(x: _Number, y: _Number | None = None, z: _Number | None = None, /, *, points: None = None,
+                seed: _Whole = 0, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
                 arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
                 instruction_set: str | None = None) -> float: ...
 @overload
 def value_cubic(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None, /, *,
-                seed: _Whole = 0, period: _Wholes | None = None, cell: _Cells | None = None,
+                points: None = None, seed: _Whole = 0, period: _Wholes | None = None, cell: _Cells | None = None,
                 arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
                 instruction_set: str | None = None) -> _Values: ...
 @overload
-def simplex(x: _Number, y: _Number, z: _Number | None = None, w: _Number | None = None, /, *, seed: _Whole = 0,
-            period: _Wholes | None = None, phase: _Number | None = None, cell: _Whole | Sequence[_Whole] | None = None,
-            arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
-            instruction_set: str | None = None) -> float: ...
+def value_cubic(x: None = None, y: None = None, z: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
+                period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+                out: _Values | None = None, threads: _Whole | None = None,
+                instruction_set: str | None = None) -> _Values: ...
+@overload
+def simplex(x: _Number, y: _Number, z: _Number | None = None, w: _Number | None = None, /, *, points: None = None,
+            seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None,
+            cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
+            threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
 @overload
 def simplex(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, w: npt.ArrayLike | None = None, /, *,
+            points: None = None, seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None,
+            cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+            threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def simplex(x: None = None, y: None = None, z: None = None, w: None = None, /, *, points: npt.ArrayLike,
             seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None, cell: _Cells | None = None,
             arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
             instruction_set: str | None = None) -> _Values: ...
+@overload
 def simplex_d(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, w: npt.ArrayLike | None = None, /, *,
+              points: None = None, seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None,
+              cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+              threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def simplex_d(x: None = None, y: None = None, z: None = None, w: None = None, /, *, points: npt.ArrayLike,
               seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None, cell: _Cells | None = None,
               arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
               instruction_set: str | None = None) -> _Values: ...
 @overload
-def simplex_smooth(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: _Whole = 0,
+def simplex_smooth(x: _Number, y: _Number, z: _Number | None = None, /, *, points: None = None, seed: _Whole = 0,
                    period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
                    arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
                    instruction_set: str | None = None) -> float: ...
 @overload
-def simplex_smooth(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+def simplex_smooth(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, points: None = None,
+                   seed: _Whole = 0, period: _Wholes | None = None, cell: _Cells | None = None,
+                   arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+                   instruction_set: str | None = None) -> _Values: ...
+@overload
+def simplex_smooth(x: None = None, y: None = None, z: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
                    period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
                    out: _Values | None = None, threads: _Whole | None = None,
                    instruction_set: str | None = None) -> _Values: ...
-def cellular(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+@overload
+def cellular(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, points: None = None,
+             seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None, jitter: _Number = 1.0,
+             metric: _Metric = "euclidean", cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+             out: _Values | None = None, threads: _Whole | None = None,
+             instruction_set: str | None = None) -> _Values: ...
+@overload
+def cellular(x: None = None, y: None = None, z: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
              period: _Wholes | None = None, phase: _Number | None = None, jitter: _Number = 1.0,
              metric: _Metric = "euclidean", cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
              out: _Values | None = None, threads: _Whole | None = None,
              instruction_set: str | None = None) -> _Values: ...
-def cellular_three(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+@overload
+def cellular_three(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, points: None = None,
+                   seed: _Whole = 0, period: _Wholes | None = None, jitter: _Number = 1.0,
+                   metric: _Metric = "euclidean", cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+                   out: _Values | None = None, threads: _Whole | None = None,
+                   instruction_set: str | None = None) -> _Values: ...
+@overload
+def cellular_three(x: None = None, y: None = None, z: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
                    period: _Wholes | None = None, jitter: _Number = 1.0, metric: _Metric = "euclidean",
                    cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
                    threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
-def cellular_d(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+@overload
+def cellular_d(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, points: None = None,
+               seed: _Whole = 0, period: _Wholes | None = None, jitter: _Number = 1.0, cell: _Cells | None = None,
+               arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+               instruction_set: str | None = None) -> _Values: ...
+@overload
+def cellular_d(x: None = None, y: None = None, z: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
                period: _Wholes | None = None, jitter: _Number = 1.0, cell: _Cells | None = None,
                arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
                instruction_set: str | None = None) -> _Values: ...
 @overload
-def cellular_smooth(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: _Whole = 0,
+def cellular_smooth(x: _Number, y: _Number, z: _Number | None = None, /, *, points: None = None, seed: _Whole = 0,
                     period: _Wholes | None = None, jitter: _Number = 1.0, cell: _Whole | Sequence[_Whole] | None = None,
                     arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
                     instruction_set: str | None = None) -> float: ...
 @overload
-def cellular_smooth(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+def cellular_smooth(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, points: None = None,
+                    seed: _Whole = 0, period: _Wholes | None = None, jitter: _Number = 1.0, cell: _Cells | None = None,
+                    arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+                    instruction_set: str | None = None) -> _Values: ...
+@overload
+def cellular_smooth(x: None = None, y: None = None, z: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
                     period: _Wholes | None = None, jitter: _Number = 1.0, cell: _Cells | None = None,
                     arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
                     instruction_set: str | None = None) -> _Values: ...
 @overload
-def cell_border(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: _Whole = 0, period: _Wholes | None = None,
-                jitter: _Number = 1.0, cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast",
-                out: None = None, threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
+def cell_border(x: _Number, y: _Number, z: _Number | None = None, /, *, points: None = None, seed: _Whole = 0,
+                period: _Wholes | None = None, jitter: _Number = 1.0, cell: _Whole | Sequence[_Whole] | None = None,
+                arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
+                instruction_set: str | None = None) -> float: ...
 @overload
-def cell_border(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+def cell_border(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, points: None = None,
+                seed: _Whole = 0, period: _Wholes | None = None, jitter: _Number = 1.0, cell: _Cells | None = None,
+                arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+                instruction_set: str | None = None) -> _Values: ...
+@overload
+def cell_border(x: None = None, y: None = None, z: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
                 period: _Wholes | None = None, jitter: _Number = 1.0, cell: _Cells | None = None,
                 arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
                 instruction_set: str | None = None) -> _Values: ...
-def curl(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+@overload
+def curl(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, points: None = None,
+         seed: _Whole = 0, period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+         out: _Values | None = None, threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def curl(x: None = None, y: None = None, z: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
          period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
          out: _Values | None = None, threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
-def value_vector(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+@overload
+def value_vector(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, points: None = None,
+                 seed: _Whole = 0, period: _Wholes | None = None, cell: _Cells | None = None,
+                 arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+                 instruction_set: str | None = None) -> _Values: ...
+@overload
+def value_vector(x: None = None, y: None = None, z: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
                  period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
                  out: _Values | None = None, threads: _Whole | None = None,
                  instruction_set: str | None = None) -> _Values: ...
-def perlin_vector(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+@overload
+def perlin_vector(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, points: None = None,
+                  seed: _Whole = 0, period: _Wholes | None = None, cell: _Cells | None = None,
+                  arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+                  instruction_set: str | None = None) -> _Values: ...
+@overload
+def perlin_vector(x: None = None, y: None = None, z: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
                   period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
                   out: _Values | None = None, threads: _Whole | None = None,
                   instruction_set: str | None = None) -> _Values: ...
-def phasor(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+@overload
+def phasor(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, points: None = None,
+           seed: _Whole = 0, period: _Wholes | None = None, wave: _Vector | None = None, phase: _Number | None = None,
+           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+           threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def phasor(x: None = None, y: None = None, z: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
            period: _Wholes | None = None, wave: _Vector | None = None, phase: _Number | None = None,
            cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
            threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def random(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-           seed: _Whole = 0, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
-           arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
-           instruction_set: str | None = None) -> float: ...
+           points: None = None, seed: _Whole = 0, period: _Wholes | None = None,
+           cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
+           threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
 @overload
 def random(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-           w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, period: _Wholes | None = None,
+           w: npt.ArrayLike | None = None, /, *, points: None = None, seed: _Whole = 0, period: _Wholes | None = None,
            cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
            threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
+def random(x: None = None, y: None = None, z: None = None, w: None = None, /, *, points: npt.ArrayLike,
+           seed: _Whole = 0, period: _Wholes | None = None, cell: _Cells | None = None,
+           arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+           instruction_set: str | None = None) -> _Values: ...
+@overload
 def fbm(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-        seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole | None = None, lacunarity: _Number = 2.0,
-        gain: _Number = 0.5, detail: _Number | None = None, footprint: _Number | None = None,
+        points: None = None, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole | None = None,
+        lacunarity: _Number = 2.0, gain: _Number = 0.5, detail: _Number | None = None, footprint: _Number | None = None,
         period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast",
         out: None = None, threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
 @overload
 def fbm(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-        w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole | None = None,
-        lacunarity: _Number = 2.0, gain: _Number = 0.5, detail: _Number | None = None, footprint: _Number | None = None,
-        period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
-        out: _Values | None = None, threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+        w: npt.ArrayLike | None = None, /, *, points: None = None, seed: _Whole = 0, noise: _Noise = "perlin",
+        octaves: _Whole | None = None, lacunarity: _Number = 2.0, gain: _Number = 0.5, detail: _Number | None = None,
+        footprint: _Number | None = None, period: _Wholes | None = None, cell: _Cells | None = None,
+        arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+        instruction_set: str | None = None) -> _Values: ...
+@overload
+def fbm(x: None = None, y: None = None, z: None = None, w: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
+        noise: _Noise = "perlin", octaves: _Whole | None = None, lacunarity: _Number = 2.0, gain: _Number = 0.5,
+        detail: _Number | None = None, footprint: _Number | None = None, period: _Wholes | None = None,
+        cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+        threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def turbulence(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-               seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
-               gain: _Number = 0.5, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
-               arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
-               instruction_set: str | None = None) -> float: ...
+               points: None = None, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+               lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
+               cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
+               threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
 @overload
 def turbulence(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-               w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
-               lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
+               w: npt.ArrayLike | None = None, /, *, points: None = None, seed: _Whole = 0, noise: _Noise = "perlin",
+               octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
                cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
                threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
+def turbulence(x: None = None, y: None = None, z: None = None, w: None = None, /, *, points: npt.ArrayLike,
+               seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
+               gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
+               arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+               instruction_set: str | None = None) -> _Values: ...
+@overload
 def clouds(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-           seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
-           gain: _Number = 0.5, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
-           arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
-           instruction_set: str | None = None) -> float: ...
+           points: None = None, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+           lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
+           cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
+           threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
 @overload
 def clouds(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-           w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
-           lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
+           w: npt.ArrayLike | None = None, /, *, points: None = None, seed: _Whole = 0, noise: _Noise = "perlin",
+           octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
+           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+           threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def clouds(x: None = None, y: None = None, z: None = None, w: None = None, /, *, points: npt.ArrayLike,
+           seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
+           gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
            arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> _Values: ...
 @overload
 def billow(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-           seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
-           gain: _Number = 0.5, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
-           arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
-           instruction_set: str | None = None) -> float: ...
+           points: None = None, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+           lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
+           cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
+           threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
 @overload
 def billow(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-           w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
-           lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
+           w: npt.ArrayLike | None = None, /, *, points: None = None, seed: _Whole = 0, noise: _Noise = "perlin",
+           octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
+           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+           threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def billow(x: None = None, y: None = None, z: None = None, w: None = None, /, *, points: npt.ArrayLike,
+           seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
+           gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
            arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> _Values: ...
 @overload
 def ridged(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-           seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
-           gain: _Number = 0.5, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
-           arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
-           instruction_set: str | None = None) -> float: ...
+           points: None = None, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+           lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
+           cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
+           threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
 @overload
 def ridged(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-           w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
-           lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
+           w: npt.ArrayLike | None = None, /, *, points: None = None, seed: _Whole = 0, noise: _Noise = "perlin",
+           octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
+           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+           threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def ridged(x: None = None, y: None = None, z: None = None, w: None = None, /, *, points: npt.ArrayLike,
+           seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
+           gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
            arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> _Values: ...
 @overload
 def hybrid(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-           seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
-           gain: _Number = 0.5, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
-           arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
-           instruction_set: str | None = None) -> float: ...
+           points: None = None, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+           lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
+           cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
+           threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
 @overload
 def hybrid(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-           w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
-           lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
+           w: npt.ArrayLike | None = None, /, *, points: None = None, seed: _Whole = 0, noise: _Noise = "perlin",
+           octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
+           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+           threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def hybrid(x: None = None, y: None = None, z: None = None, w: None = None, /, *, points: npt.ArrayLike,
+           seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
+           gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
            arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> _Values: ...
 @overload
 def ping_pong(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-              seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
-              gain: _Number = 0.5, strength: _Number = 2.0, period: _Wholes | None = None,
+              points: None = None, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+              lacunarity: _Number = 2.0, gain: _Number = 0.5, strength: _Number = 2.0, period: _Wholes | None = None,
               cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
               threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
 @overload
 def ping_pong(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-              w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
-              lacunarity: _Number = 2.0, gain: _Number = 0.5, strength: _Number = 2.0, period: _Wholes | None = None,
-              cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
-              threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+              w: npt.ArrayLike | None = None, /, *, points: None = None, seed: _Whole = 0, noise: _Noise = "perlin",
+              octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5, strength: _Number = 2.0,
+              period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+              out: _Values | None = None, threads: _Whole | None = None,
+              instruction_set: str | None = None) -> _Values: ...
+@overload
+def ping_pong(x: None = None, y: None = None, z: None = None, w: None = None, /, *, points: npt.ArrayLike,
+              seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
+              gain: _Number = 0.5, strength: _Number = 2.0, period: _Wholes | None = None, cell: _Cells | None = None,
+              arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+              instruction_set: str | None = None) -> _Values: ...
 @overload
 def weighted(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-             seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
-             gain: _Number = 0.5, strength: _Number = 1.0, period: _Wholes | None = None,
+             points: None = None, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
+             lacunarity: _Number = 2.0, gain: _Number = 0.5, strength: _Number = 1.0, period: _Wholes | None = None,
              cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
              threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
 @overload
 def weighted(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-             w: npt.ArrayLike | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6,
-             lacunarity: _Number = 2.0, gain: _Number = 0.5, strength: _Number = 1.0, period: _Wholes | None = None,
-             cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
-             threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
-def fbm_d(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+             w: npt.ArrayLike | None = None, /, *, points: None = None, seed: _Whole = 0, noise: _Noise = "perlin",
+             octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5, strength: _Number = 1.0,
+             period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+             out: _Values | None = None, threads: _Whole | None = None,
+             instruction_set: str | None = None) -> _Values: ...
+@overload
+def weighted(x: None = None, y: None = None, z: None = None, w: None = None, /, *, points: npt.ArrayLike,
+             seed: _Whole = 0, noise: _Noise = "perlin", octaves: _Whole = 6, lacunarity: _Number = 2.0,
+             gain: _Number = 0.5, strength: _Number = 1.0, period: _Wholes | None = None, cell: _Cells | None = None,
+             arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+             instruction_set: str | None = None) -> _Values: ...
+@overload
+def fbm_d(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, points: None = None,
+          seed: _Whole = 0, noise: _Noise = "perlin_d", octaves: _Whole = 6, lacunarity: _Number = 2.0,
+          gain: _Number = 0.5, period: _Wholes | None = None, cell: _Cells | None = None,
+          arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+          instruction_set: str | None = None) -> _Values: ...
+@overload
+def fbm_d(x: None = None, y: None = None, z: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
           noise: _Noise = "perlin_d", octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5,
           period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
           out: _Values | None = None, threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
-def eroded(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: _Whole = 0, noise: _Noise = "perlin_d",
-           octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5, strength: _Number = 1.0,
-           period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
+def eroded(x: _Number, y: _Number, z: _Number | None = None, /, *, points: None = None, seed: _Whole = 0,
+           noise: _Noise = "perlin_d", octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5,
+           strength: _Number = 1.0, period: _Wholes | None = None, cell: _Whole | Sequence[_Whole] | None = None,
            arithmetic: _Arithmetic = "fast", out: None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> float: ...
 @overload
-def eroded(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+def eroded(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, points: None = None,
+           seed: _Whole = 0, noise: _Noise = "perlin_d", octaves: _Whole = 6, lacunarity: _Number = 2.0,
+           gain: _Number = 0.5, strength: _Number = 1.0, period: _Wholes | None = None, cell: _Cells | None = None,
+           arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+           instruction_set: str | None = None) -> _Values: ...
+@overload
+def eroded(x: None = None, y: None = None, z: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
            noise: _Noise = "perlin_d", octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5,
            strength: _Number = 1.0, period: _Wholes | None = None, cell: _Cells | None = None,
            arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
            instruction_set: str | None = None) -> _Values: ...
-def warp(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+@overload
+def warp(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, points: None = None,
+         seed: _Whole = 0, noise: _Noise = "value_vector", octaves: _Whole = 6, lacunarity: _Number = 2.0,
+         gain: _Number = 0.5, amplitude: _Number = 1.0, period: _Wholes | None = None, cell: _Cells | None = None,
+         arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+         instruction_set: str | None = None) -> _Values: ...
+@overload
+def warp(x: None = None, y: None = None, z: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
          noise: _Noise = "value_vector", octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5,
          amplitude: _Number = 1.0, period: _Wholes | None = None, cell: _Cells | None = None,
          arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
          instruction_set: str | None = None) -> _Values: ...
-def warp_progressive(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: _Whole = 0,
+@overload
+def warp_progressive(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, points: None = None,
+                     seed: _Whole = 0, noise: _Noise = "value_vector", octaves: _Whole = 6, lacunarity: _Number = 2.0,
+                     gain: _Number = 0.5, amplitude: _Number = 1.0, period: _Wholes | None = None,
+                     cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+                     threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def warp_progressive(x: None = None, y: None = None, z: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
                      noise: _Noise = "value_vector", octaves: _Whole = 6, lacunarity: _Number = 2.0,
                      gain: _Number = 0.5, amplitude: _Number = 1.0, period: _Wholes | None = None,
                      cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
                      threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
-def perlin_worley(x: _Number, y: _Number, z: _Number, /, *, seed: _Whole = 0, octaves: _Whole = 6,
+def perlin_worley(x: _Number, y: _Number, z: _Number, /, *, points: None = None, seed: _Whole = 0, octaves: _Whole = 6,
                   lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
                   cell: _Whole | Sequence[_Whole] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
                   threads: _Whole | None = None, instruction_set: str | None = None) -> float: ...
 @overload
-def perlin_worley(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike, /, *, seed: _Whole = 0, octaves: _Whole = 6,
-                  lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
+def perlin_worley(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike, /, *, points: None = None, seed: _Whole = 0,
+                  octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
+                  cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+                  threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def perlin_worley(x: None = None, y: None = None, z: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
+                  octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,
                   cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
                   threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
 # tools/make catalog: end

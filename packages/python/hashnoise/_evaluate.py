@@ -25,18 +25,25 @@ _MOST_SINGLE = 2.0**128 - 2.0**103  # from here on a number is infinite as a flo
 _OF_GRIDS = (_FLOAT32, np.dtype(np.float16), _UINT16)
 
 
-def points(function, coordinates, cell, out, threads, *, noise=None, fractal="", **options):
+def evaluated(function, least, coordinates, points, cell, out, threads, *, noise=None, fractal="", **options):
     """A function's result: its field at the points of arrays.
 
     function     its name, for messages
+    least        dimensions that it has
     coordinates  x, y, z and w; None for each that was left out
+    points       in their place: an array whose last axis has the coordinates
     noise, fractal   as in field.hpp; without a noise a fractal sums its usual one, or those of its own
     options      those of the function, by name
     """
-    dimensions = _dimensions(function, coordinates)
+    if points is not None:
+        coordinates, cell = _along_axes(function, coordinates, points, cell)
+    dimensions = _dimensions(function, coordinates, 1 if points is not None else least)
     masks = []
     arrays = [_coordinate(function, axis, value, masks) for axis, value in zip(AXES, coordinates[:dimensions])]
     cells = [] if cell is None else _cells(function, cell, dimensions, masks)
+    if dimensions == 1 and points is None:
+        for name, array in zip(("x", "cell"), arrays + cells):
+            _refuse_points(function, name, array.shape)
     field = make_field(function, dimensions, noise, fractal, options)
     components = len(field.component_names)
     shape = _shape(function, arrays + cells)
@@ -201,14 +208,15 @@ def _meant(word, names):
 # Options by their names in other libraries: of a function, and of a grid.
 _FREQUENCY = ("multiply the coordinates by the frequency, since they are in cells",
               "step is the frequency, the cells from point to point")
-_SCALE = ("divide the coordinates by the scale, since they are in cells",
-          "step is 1 / scale, the cells from point to point")
+_SCALE = ("divide the coordinates by the scale, since they are in cells; if you multiply by it, multiply",
+          "step is 1 / scale, the cells from point to point; if you multiply by it, step is the scale")
 _PERIOD = ("period is after how many cells the field repeats",) * 2
 _ELSEWHERE = {
     "frequency": _FREQUENCY, "freq": _FREQUENCY, "scale": _SCALE, "wavelength": _SCALE, "zoom": _FREQUENCY,
     "persistence": ("gain is the persistence, of fractals such as fbm",) * 2,
     **dict.fromkeys(("repeat", "tile", "tileable", "tile_sizes", "repeatx", "repeaty", "repeatz"), _PERIOD),
     "base": ("seed takes the place of the base",) * 2,
+    "points": ("", "a grid has none; the functions have them, as in hashnoise.fbm(points=...)"),
     **dict.fromkeys(AXES, ("coordinates have no names: pass them first", "size, step and origin set the coordinates")),
     # These are options of other functions than the called one.
     **dict.fromkeys(("octaves", "lacunarity", "gain"), ("fractals such as fbm have that, over any noise",) * 2),
@@ -264,14 +272,56 @@ def checked_threads(function, threads):
     return 0 if threads is None else ruled_number(function, "threads", threads)
 
 
-def _dimensions(function, coordinates):
+def _dimensions(function, coordinates, least):
     given = [value is not None for value in coordinates]
     dimensions = given.index(False) if False in given else len(given)
-    if dimensions == 0:
-        raise TypeError(f"{function}: x must be a number or an array of numbers, not None")
     if any(given[dimensions:]):
         raise TypeError(f"{function}: {AXES[dimensions]} is left out, but a later coordinate is not")
+    if dimensions < least:
+        raise TypeError(f"{function}: {AXES[dimensions]} is missing, a number or an array of numbers; of an array of "
+                        "points with their coordinates along its last axis, pass points=")
     return dimensions
+
+
+def _along_axes(function, coordinates, points, cell):
+    """The coordinates of points, and their cells, as arrays for each axis."""
+    if any(value is not None for value in coordinates):
+        raise TypeError(f"{function}: pass coordinates or points, not both")
+    points = _rows(function, "points", points)
+    dimensions = points.shape[-1] if points.ndim else 0
+    if not 1 <= dimensions <= len(AXES):
+        found = f"the shape {points.shape}"
+        if points.shape[:1] in ((2,), (3,), (4,)):
+            found += f"; they are along the first: {function}(*points)"
+        raise ValueError(f"{function}: points must have 1 to 4 coordinates along the last axis, as in shape (N, 3), "
+                         f"not {found}")
+    if isinstance(cell, tuple) and any(np.ndim(part) for part in cell):
+        raise TypeError(f"{function}: with points a cell is a whole number, or an array with the cells of a point "
+                        "along its last axis, not a tuple of arrays: numpy.stack(cell, axis=-1) makes such an array")
+    if cell is not None and np.ndim(cell):
+        cell = _rows(function, "cell", cell)
+        if cell.shape[-1] != dimensions:
+            raise ValueError(f"{function}: cell must have a whole number for each of the {dimensions} coordinates of a "
+                             f"point along the last axis, and is of the shape {cell.shape}")
+        cell = tuple(cell[..., axis] for axis in range(dimensions))
+    return tuple(points[..., axis] for axis in range(dimensions)), cell
+
+
+def _rows(function, name, value):
+    try:
+        return value if isinstance(value, np.ma.MaskedArray) else np.asarray(value)
+    except ValueError as error:  # rows of different lengths
+        raise ValueError(f"{function}: {name} makes no array: {error}") from None
+
+
+def _refuse_points(function, name, shape):
+    """An array of one coordinate for each point, that might be one of points, too."""
+    if len(shape) < 2 or not {shape[0], shape[-1]} & {2, 3, 4}:
+        return
+    ways = [f"points={name}"] * (shape[-1] in (2, 3, 4)) + [f"*{name}"] * (shape[0] in (2, 3, 4))
+    raise ValueError(f"{function}: {name} has the shape {shape}, and may have points, or numbers on a line. Of points "
+                     f"pass {' or '.join(f'{function}({way})' for way in ways)}, and of numbers on a line "
+                     f"{function}(points={name}[..., numpy.newaxis])")
 
 
 def _coordinate(function, name, value, masks):
@@ -332,6 +382,9 @@ def _cells(function, cell, dimensions, masks):
     if len(cell) != dimensions:
         raise ValueError(f"{function}: cell must be a whole number, or a tuple of {dimensions}: the cells along "
                          f"{', '.join(AXES[:dimensions])}")
+    if not isinstance(cell, tuple) and np.shape(cell[0]) and np.shape(cell[0])[-1] == dimensions:
+        raise ValueError(f"{function}: cell has {dimensions} rows of {dimensions} numbers, and may have the cells of "
+                         "axes, or of points. Of axes pass cell=tuple(cell), and of points the coordinates as points=")
     arrays = []
     least, most = _core.rules["cell"]
     for axis, part in zip(AXES, cell):

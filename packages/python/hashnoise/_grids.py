@@ -162,7 +162,7 @@ def _options(function, name, given):
         names = [*_noises.NOISES, *_sums.SUMS]
         raise ValueError(f"{function}: there is no function {name!r}{suggestion(name, names)}; there are "
                          f"{', '.join(names)}")
-    defaults = own.__kwdefaults__
+    defaults = {option: value for option, value in own.__kwdefaults__.items() if option != "points"}
     for option in given:
         if option not in defaults:
             raise TypeError(f"{function}: {name} has no option {option}{no_option(option, defaults)}")

@@ -1,7 +1,7 @@
 # Made by tools/make catalog from catalog/noises.toml and settings.toml.
 """The noises: each is a function of arrays of coordinates. help(hashnoise) describes what they have in common."""
 
-from ._evaluate import points, suggesting
+from ._evaluate import evaluated, suggesting
 
 __all__ = ["perlin", "perlin_d", "value", "value_d", "value_cubic", "simplex", "simplex_d", "simplex_smooth",
            "cellular", "cellular_three", "cellular_d", "cellular_smooth", "cell_border", "curl", "value_vector",
@@ -9,8 +9,8 @@ __all__ = ["perlin", "perlin_d", "value", "value_d", "value_cubic", "simplex", "
 
 
 @suggesting
-def perlin(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
-           threads=None, instruction_set=None):
+def perlin(x=None, y=None, z=None, w=None, /, *, points=None, seed=0, period=None, phase=None, cell=None,
+           arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Perlin noise, in 1D to 4D: gradient noise on the square lattice, with hashed gradients.
 
     Positions are in cells, and a cell has about one hill or valley. At whole positions the noise is 0, so multiply
@@ -21,19 +21,19 @@ def perlin(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cel
     source   Valdenegro-Toro and Pincheira, sec. 5; Perlin, "Improving noise", 2002; for the phase Perlin and Neyret,
              "Flow noise", 2001
 
-    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.perlin(0.5, 0.25, seed=7, arithmetic="fixed")
     -0.5934820175170898
     """
-    return points("perlin", (x, y, z, w), cell, out, threads, noise="perlin", seed=seed, period=period, phase=phase,
-                  arithmetic=arithmetic, instruction_set=instruction_set)
+    return evaluated("perlin", 1, (x, y, z, w), points, cell, out, threads, noise="perlin", seed=seed, period=period,
+                     phase=phase, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 @suggesting
-def perlin_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
-             threads=None, instruction_set=None):
+def perlin_d(x=None, y=None, z=None, w=None, /, *, points=None, seed=0, period=None, phase=None, cell=None,
+             arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Perlin noise and its slope, in 1D to 4D.
 
     phase    in 2D and 3D: as of `perlin`
@@ -42,19 +42,19 @@ def perlin_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, c
              3.62] in 4D, without a phase
     source   the product rule on the interpolation; docs/reference/contract.md, section 10
 
-    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.perlin_d(0.5, 0.25, seed=7, arithmetic="fixed")
     array([-0.593482  , -0.35161018, -0.6617737 ], dtype=float32)
     """
-    return points("perlin_d", (x, y, z, w), cell, out, threads, noise="perlin_d", seed=seed, period=period, phase=phase,
-                  arithmetic=arithmetic, instruction_set=instruction_set)
+    return evaluated("perlin_d", 1, (x, y, z, w), points, cell, out, threads, noise="perlin_d", seed=seed,
+                     period=period, phase=phase, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 @suggesting
-def value(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
-          instruction_set=None):
+def value(x=None, y=None, z=None, w=None, /, *, points=None, seed=0, period=None, cell=None, arithmetic="fast",
+          out=None, threads=None, instruction_set=None):
     """Value noise on the square lattice, in 1D to 4D: cheaper than `perlin`, and coarser.
 
     Its values are large at lattice points.
@@ -62,38 +62,38 @@ def value(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arith
     returns  [-1, 1], mean 0, at lattice points any multiple of 2^-22, twice continuously differentiable
     source   Perlin, "Improving noise", 2002, for the interpolant
 
-    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.value(0.5, 0.25, seed=7, arithmetic="fixed")
     -0.22854185104370117
     """
-    return points("value", (x, y, z, w), cell, out, threads, noise="value", seed=seed, period=period,
-                  arithmetic=arithmetic, instruction_set=instruction_set)
+    return evaluated("value", 1, (x, y, z, w), points, cell, out, threads, noise="value", seed=seed, period=period,
+                     arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 @suggesting
-def value_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
-            instruction_set=None):
+def value_d(x=None, y=None, z=None, w=None, /, *, points=None, seed=0, period=None, cell=None, arithmetic="fast",
+            out=None, threads=None, instruction_set=None):
     """Value noise and its slope, in 1D to 4D.
 
     returns  planes: the value, which is that of `value`, and its derivatives along each axis, per cell, in [-3.76,
              3.76], once continuously differentiable
     source   the product rule on the interpolation; docs/reference/contract.md, section 10
 
-    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.value_d(0.5, 0.25, seed=7, arithmetic="fixed")
     array([-0.22854185,  1.6006794 ,  0.8712158 ], dtype=float32)
     """
-    return points("value_d", (x, y, z, w), cell, out, threads, noise="value_d", seed=seed, period=period,
-                  arithmetic=arithmetic, instruction_set=instruction_set)
+    return evaluated("value_d", 1, (x, y, z, w), points, cell, out, threads, noise="value_d", seed=seed, period=period,
+                     arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 @suggesting
-def value_cubic(x, y=None, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
-                instruction_set=None):
+def value_cubic(x=None, y=None, z=None, /, *, points=None, seed=0, period=None, cell=None, arithmetic="fast", out=None,
+                threads=None, instruction_set=None):
     """Cubic value noise, in 1D to 3D: a uniform cubic B-spline over hashed numbers.
 
     It is the smoothest of the lattice noises: it does not show the cells, has no creases in its slopes, and stays
@@ -102,19 +102,19 @@ def value_cubic(x, y=None, z=None, /, *, seed=0, period=None, cell=None, arithme
     returns  [-1, 1], mean 0, twice continuously differentiable
     source   de Boor, "A Practical Guide to Splines", 1978, for the spline
 
-    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.value_cubic(0.5, 0.25, seed=7, arithmetic="fixed")
     -0.04660987854003906
     """
-    return points("value_cubic", (x, y, z), cell, out, threads, noise="value_cubic", seed=seed, period=period,
-                  arithmetic=arithmetic, instruction_set=instruction_set)
+    return evaluated("value_cubic", 1, (x, y, z), points, cell, out, threads, noise="value_cubic", seed=seed,
+                     period=period, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 @suggesting
-def simplex(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
-            threads=None, instruction_set=None):
+def simplex(x=None, y=None, z=None, w=None, /, *, points=None, seed=0, period=None, phase=None, cell=None,
+            arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Simplex noise, in 2D to 4D: gradient noise on a lattice of triangles, or of simplices.
 
     It does not prefer the axes. There are several lattice points to a cell, so its features are smaller than those of
@@ -125,19 +125,19 @@ def simplex(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=No
     source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/reference/contract.md,
              section 13; for the phase Perlin and Neyret, "Flow noise", 2001
 
-    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.simplex(0.5, 0.25, seed=7, arithmetic="fixed")
     -0.6683130264282227
     """
-    return points("simplex", (x, y, z, w), cell, out, threads, noise="simplex", seed=seed, period=period, phase=phase,
-                  arithmetic=arithmetic, instruction_set=instruction_set)
+    return evaluated("simplex", 2, (x, y, z, w), points, cell, out, threads, noise="simplex", seed=seed, period=period,
+                     phase=phase, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 @suggesting
-def simplex_d(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
-              threads=None, instruction_set=None):
+def simplex_d(x=None, y=None, z=None, w=None, /, *, points=None, seed=0, period=None, phase=None, cell=None,
+              arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Simplex noise and its slope, in 2D to 4D.
 
     phase    in 2D and 3D: as of `simplex`
@@ -146,38 +146,38 @@ def simplex_d(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=
              phase
     source   the product rule on weight and ramp; docs/reference/contract.md, section 13
 
-    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.simplex_d(0.5, 0.25, seed=7, arithmetic="fixed")
     array([-0.668313  , -0.03768539, -0.7655754 ], dtype=float32)
     """
-    return points("simplex_d", (x, y, z, w), cell, out, threads, noise="simplex_d", seed=seed, period=period,
-                  phase=phase, arithmetic=arithmetic, instruction_set=instruction_set)
+    return evaluated("simplex_d", 2, (x, y, z, w), points, cell, out, threads, noise="simplex_d", seed=seed,
+                     period=period, phase=phase, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 @suggesting
-def simplex_smooth(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
-                   instruction_set=None):
+def simplex_smooth(x=None, y=None, z=None, /, *, points=None, seed=0, period=None, cell=None, arithmetic="fast",
+                   out=None, threads=None, instruction_set=None):
     """Smooth simplex noise, in 2D and 3D: its kernel is larger than that of `simplex`, so the field is calmer.
 
     returns  [-1, 1], mean 0, 0 at lattice points, twice continuously differentiable
     source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/reference/contract.md,
              section 13
 
-    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.simplex_smooth(0.5, 0.25, seed=7, arithmetic="fixed")
     -0.7580738067626953
     """
-    return points("simplex_smooth", (x, y, z), cell, out, threads, noise="simplex_smooth", seed=seed, period=period,
-                  arithmetic=arithmetic, instruction_set=instruction_set)
+    return evaluated("simplex_smooth", 2, (x, y, z), points, cell, out, threads, noise="simplex_smooth", seed=seed,
+                     period=period, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 @suggesting
-def cellular(x, y, z=None, /, *, seed=0, period=None, phase=None, jitter=1.0, metric="euclidean", cell=None,
-             arithmetic="fast", out=None, threads=None, instruction_set=None):
+def cellular(x=None, y=None, z=None, /, *, points=None, seed=0, period=None, phase=None, jitter=1.0, metric="euclidean",
+             cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Cellular noise, in 2D and 3D: distances to the two nearest of points that are scattered, one in each cell.
 
     They are Worley's F1 and F2, and those of the whole infinite field.
@@ -191,19 +191,19 @@ def cellular(x, y, z=None, /, *, seed=0, period=None, phase=None, jitter=1.0, me
              [0, 1.1181] in 2D and [0, 1.2248] in 3D, and the second in [0, 1.5001]
     source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
 
-    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.cellular(0.5, 0.25, seed=7, arithmetic="fixed")
     array([0.5304756, 0.8378334], dtype=float32)
     """
-    return points("cellular", (x, y, z), cell, out, threads, noise="cellular", seed=seed, period=period, phase=phase,
-                  jitter=jitter, metric=metric, arithmetic=arithmetic, instruction_set=instruction_set)
+    return evaluated("cellular", 2, (x, y, z), points, cell, out, threads, noise="cellular", seed=seed, period=period,
+                     phase=phase, jitter=jitter, metric=metric, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 @suggesting
-def cellular_three(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, metric="euclidean", cell=None,
-                   arithmetic="fast", out=None, threads=None, instruction_set=None):
+def cellular_three(x=None, y=None, z=None, /, *, points=None, seed=0, period=None, jitter=1.0, metric="euclidean",
+                   cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Cellular noise, in 2D and 3D: distances to the three nearest points, Worley's F1, F2 and F3.
 
     jitter   as of `cellular`
@@ -212,19 +212,20 @@ def cellular_three(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, metric="
              metric the third is in [0, 1.5812]
     source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
 
-    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.cellular_three(0.5, 0.25, seed=7, arithmetic="fixed")
     array([0.5304756, 0.8378334, 0.883934 ], dtype=float32)
     """
-    return points("cellular_three", (x, y, z), cell, out, threads, noise="cellular_three", seed=seed, period=period,
-                  jitter=jitter, metric=metric, arithmetic=arithmetic, instruction_set=instruction_set)
+    return evaluated("cellular_three", 2, (x, y, z), points, cell, out, threads, noise="cellular_three", seed=seed,
+                     period=period, jitter=jitter, metric=metric, arithmetic=arithmetic,
+                     instruction_set=instruction_set)
 
 
 @suggesting
-def cellular_d(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, arithmetic="fast", out=None,
-               threads=None, instruction_set=None):
+def cellular_d(x=None, y=None, z=None, /, *, points=None, seed=0, period=None, jitter=1.0, cell=None, arithmetic="fast",
+               out=None, threads=None, instruction_set=None):
     """The distance to the nearest feature point and its gradient, in 2D and 3D.
 
     jitter   as of `cellular`
@@ -232,19 +233,19 @@ def cellular_d(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, a
              length 1 away from the point, and 0 at the point. It jumps where another point becomes the nearest
     source   docs/reference/contract.md, section 16
 
-    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.cellular_d(0.5, 0.25, seed=7, arithmetic="fixed")
     array([ 0.5304756 ,  0.7234807 , -0.69034433], dtype=float32)
     """
-    return points("cellular_d", (x, y, z), cell, out, threads, noise="cellular_d", seed=seed, period=period,
-                  jitter=jitter, arithmetic=arithmetic, instruction_set=instruction_set)
+    return evaluated("cellular_d", 2, (x, y, z), points, cell, out, threads, noise="cellular_d", seed=seed,
+                     period=period, jitter=jitter, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 @suggesting
-def cellular_smooth(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, arithmetic="fast", out=None,
-                    threads=None, instruction_set=None):
+def cellular_smooth(x=None, y=None, z=None, /, *, points=None, seed=0, period=None, jitter=1.0, cell=None,
+                    arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Cellular noise with rounded valleys, in 2D and 3D: it has no creases between cells.
 
     jitter   as of `cellular`
@@ -252,38 +253,38 @@ def cellular_smooth(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=No
              [-0.1937, 7/8] in 2D and [-0.198, 7/8] in 3D, continuously differentiable but for the points themselves
     source   docs/reference/contract.md, section 16
 
-    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.cellular_smooth(0.5, 0.25, seed=7, arithmetic="fixed")
     0.5278301239013672
     """
-    return points("cellular_smooth", (x, y, z), cell, out, threads, noise="cellular_smooth", seed=seed, period=period,
-                  jitter=jitter, arithmetic=arithmetic, instruction_set=instruction_set)
+    return evaluated("cellular_smooth", 2, (x, y, z), points, cell, out, threads, noise="cellular_smooth", seed=seed,
+                     period=period, jitter=jitter, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 @suggesting
-def cell_border(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, arithmetic="fast", out=None,
-                threads=None, instruction_set=None):
+def cell_border(x=None, y=None, z=None, /, *, points=None, seed=0, period=None, jitter=1.0, cell=None,
+                arithmetic="fast", out=None, threads=None, instruction_set=None):
     """The distance to the border of the cell of the nearest feature point, in 2D and 3D: cracks and tiles.
 
     jitter   as of `cellular`
     returns  the distance, in cells, continuous: in [0, 0.844] in 2D and [0, 0.883] in 3D
     source   docs/reference/contract.md, section 16
 
-    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.cell_border(0.5, 0.25, seed=7, arithmetic="fixed")
     0.196044921875
     """
-    return points("cell_border", (x, y, z), cell, out, threads, noise="cell_border", seed=seed, period=period,
-                  jitter=jitter, arithmetic=arithmetic, instruction_set=instruction_set)
+    return evaluated("cell_border", 2, (x, y, z), points, cell, out, threads, noise="cell_border", seed=seed,
+                     period=period, jitter=jitter, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 @suggesting
-def curl(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
-         instruction_set=None):
+def curl(x=None, y=None, z=None, /, *, points=None, seed=0, period=None, cell=None, arithmetic="fast", out=None,
+         threads=None, instruction_set=None):
     """Curl noise, in 2D and 3D: velocities of a flow without divergence, which neither gathers nor spreads what it
     carries.
 
@@ -292,19 +293,19 @@ def curl(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", 
     source   Bridson, Hourihan, Nordenstam, "Curl-noise for procedural fluid flow", 2007; DeWolf, "Divergence-free
              noise", 2005
 
-    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.curl(0.5, 0.25, seed=7, arithmetic="fixed")
     array([-0.7655754 ,  0.03768539], dtype=float32)
     """
-    return points("curl", (x, y, z), cell, out, threads, noise="curl", seed=seed, period=period, arithmetic=arithmetic,
-                  instruction_set=instruction_set)
+    return evaluated("curl", 2, (x, y, z), points, cell, out, threads, noise="curl", seed=seed, period=period,
+                     arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 @suggesting
-def value_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
-                 instruction_set=None):
+def value_vector(x=None, y=None, z=None, /, *, points=None, seed=0, period=None, cell=None, arithmetic="fast", out=None,
+                 threads=None, instruction_set=None):
     """Independent value noises, one along each axis, in 2D and 3D, from one hash for each corner of a cell.
 
     The first component is `value`. It costs less than as many noises with seeds of their own.
@@ -312,19 +313,19 @@ def value_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic=
     returns  planes: [-1, 1] along each axis, mean 0, twice continuously differentiable
     source   Perlin, "Improving noise", 2002, for the interpolant; docs/reference/contract.md, section 22
 
-    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.value_vector(0.5, 0.25, seed=7, arithmetic="fixed")
     array([-0.22854185, -0.6436415 ], dtype=float32)
     """
-    return points("value_vector", (x, y, z), cell, out, threads, noise="value_vector", seed=seed, period=period,
-                  arithmetic=arithmetic, instruction_set=instruction_set)
+    return evaluated("value_vector", 2, (x, y, z), points, cell, out, threads, noise="value_vector", seed=seed,
+                     period=period, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 @suggesting
-def perlin_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
-                  instruction_set=None):
+def perlin_vector(x=None, y=None, z=None, /, *, points=None, seed=0, period=None, cell=None, arithmetic="fast",
+                  out=None, threads=None, instruction_set=None):
     """Independent Perlin noises, one along each axis, in 2D and 3D, from one hash for each corner of a cell.
 
     The first component is `perlin`. It costs less than as many noises with seeds of their own.
@@ -332,19 +333,19 @@ def perlin_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic
     returns  planes: [-1, 1] along each axis, mean 0, 0 at lattice points, twice continuously differentiable
     source   Perlin, "Improving noise", 2002; docs/reference/contract.md, section 22
 
-    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.perlin_vector(0.5, 0.25, seed=7, arithmetic="fixed")
     array([-0.593482  , -0.14647579], dtype=float32)
     """
-    return points("perlin_vector", (x, y, z), cell, out, threads, noise="perlin_vector", seed=seed, period=period,
-                  arithmetic=arithmetic, instruction_set=instruction_set)
+    return evaluated("perlin_vector", 2, (x, y, z), points, cell, out, threads, noise="perlin_vector", seed=seed,
+                     period=period, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 @suggesting
-def phasor(x, y, z=None, /, *, seed=0, period=None, wave=None, phase=None, cell=None, arithmetic="fast", out=None,
-           threads=None, instruction_set=None):
+def phasor(x=None, y=None, z=None, /, *, points=None, seed=0, period=None, wave=None, phase=None, cell=None,
+           arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Phasor noise, in 2D and 3D: stripes across a direction and with a wavelength of your choice.
 
     The angle of both numbers, atan2(quadrature, value), grows across the stripes, so any profile can be made of it; the
@@ -358,19 +359,19 @@ def phasor(x, y, z=None, /, *, seed=0, period=None, wave=None, phase=None, cell=
     source   Tricard et al., "Procedural phasor noise", 2019; Lagae et al., "Procedural noise using sparse Gabor
              convolution", 2009; docs/reference/contract.md, section 23
 
-    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.phasor(0.5, 0.25, seed=7, arithmetic="fixed")
     array([-0.18757296, -0.56310844], dtype=float32)
     """
-    return points("phasor", (x, y, z), cell, out, threads, noise="phasor", seed=seed, period=period, wave=wave,
-                  phase=phase, arithmetic=arithmetic, instruction_set=instruction_set)
+    return evaluated("phasor", 2, (x, y, z), points, cell, out, threads, noise="phasor", seed=seed, period=period,
+                     wave=wave, phase=phase, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 @suggesting
-def random(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
-           instruction_set=None):
+def random(x=None, y=None, z=None, w=None, /, *, points=None, seed=0, period=None, cell=None, arithmetic="fast",
+           out=None, threads=None, instruction_set=None):
     """A random number for each cell, in 1D to 4D: white noise.
 
     It jumps from one cell to the next: place, colour and vary things with it.
@@ -378,14 +379,14 @@ def random(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arit
     returns  [0, 1), a multiple of 2^-24, mean 1/2, uniform
     source   docs/reference/contract.md, section 17
 
-    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.random(0.5, 0.25, seed=7, arithmetic="fixed")
     0.16628092527389526
     """
-    return points("random", (x, y, z, w), cell, out, threads, noise="random", seed=seed, period=period,
-                  arithmetic=arithmetic, instruction_set=instruction_set)
+    return evaluated("random", 1, (x, y, z, w), points, cell, out, threads, noise="random", seed=seed, period=period,
+                     arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 NOISES = {name: globals()[name] for name in __all__}

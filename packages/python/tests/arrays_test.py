@@ -135,6 +135,39 @@ class Arrays(unittest.TestCase):
         self.assertLess(numpy.abs(slope - dx).max(), 0.05)
         self.assertEqual(dy.shape, SHAPE)
 
+    def test_points(self):
+        """Their last axis has the coordinates; of numbers on a line it has one."""
+        random = numpy.random.default_rng(6)
+        for name in hashnoise.noises(3) + hashnoise.fractals(3):
+            function = getattr(hashnoise, name)
+            for axes in range(1, 5):
+                if name not in hashnoise.noises(axes) + hashnoise.fractals(axes):
+                    continue
+                for shape in ((), (7,), (axes,), (axes, axes) if axes > 1 else (1,), (7, 3, 6), (0,)):
+                    with self.subTest(name, axes=axes, shape=shape):
+                        points = random.uniform(0, 1, (*shape, axes)).astype(numpy.float32)
+                        cells = random.integers(-2**31, 2**31, (*shape, axes))
+                        columns = [points[..., axis].copy() for axis in range(axes)]
+                        expected = function(*columns)
+                        lists = [points.tolist()] if points.size else []  # of none the axis is not known
+                        for same in (points, *lists, points.astype(float), numpy.asfortranarray(points)):
+                            self.assertTrue(numpy.array_equal(function(points=same), expected))
+                        of_axes = tuple(cells[..., axis] for axis in range(axes))
+                        self.assertTrue(numpy.array_equal(function(points=points, cell=cells, arithmetic="fixed"),
+                                                          function(*columns, cell=of_axes, arithmetic="fixed")))
+        self.assert_same(hashnoise.fbm(points=self.x[..., numpy.newaxis]), hashnoise.fbm(self.x))
+        self.assertIs(type(hashnoise.fbm(points=[0.5, 0.25, 0.75])), float)
+        self.assertEqual(hashnoise.fbm(points=[0.5, 0.25], cell=3), hashnoise.fbm(0.5, 0.25, cell=3))
+        self.assertEqual(hashnoise.fbm(points=[[0.5, 0.25]], cell=(3, 4))[0], hashnoise.fbm(0.5, 0.25, cell=(3, 4)))
+        masked = hashnoise.fbm(points=numpy.ma.array([[1.5, 2], [3, 4]], mask=[[True, False], [False, False]]))
+        self.assertEqual(masked.mask.tolist(), [True, False])
+        self.assertEqual(masked[1], hashnoise.fbm(3, 4))
+        points = numpy.stack([self.x, self.y], axis=-1)
+        out = numpy.empty(SHAPE, numpy.float32)
+        self.assertIs(hashnoise.perlin(points=points, seed=3, out=out), out)
+        self.assert_same(out, self.values)
+        self.assert_same(hashnoise.perlin_d(points=points, seed=3), self.planes)
+
     def test_one_to_four_coordinates(self):
         for axes in range(1, 5):
             self.assertEqual(hashnoise.perlin_d(*[self.x] * axes).shape, (axes + 1, *SHAPE))

@@ -83,13 +83,15 @@ class Page(unittest.TestCase):
         self.assertEqual(len(blocks) - len(here), 1)
         names = [run(block) for block in here]
         self.assertEqual(names[0]["image"].shape, (1024, 1024))
-        self.assertEqual(names[1]["terrain"].shape, (1080, 1920))
-        self.assertEqual(names[1]["volume"].shape, (64, 64, 64))
-        self.assertEqual((names[1]["least"], names[1]["greatest"]),
-                         (names[1]["volume"].min(), names[1]["volume"].max()))
-        self.assertTrue(names[2]["same"])
-        self.assertEqual(names[3]["line"].shape, (1024,))
-        self.assertEqual(names[4]["heights"].mask.tolist(), [False, True, False])
+        self.assertEqual([names[1][name].shape for name in ("heights", "value", "dz")], [(1000,)] * 3)
+        self.assertTrue((names[1]["heights"] == names[1]["again"]).all())
+        self.assertEqual(names[2]["terrain"].shape, (1080, 1920))
+        self.assertEqual(names[2]["volume"].shape, (64, 64, 64))
+        self.assertEqual((names[2]["least"], names[2]["greatest"]),
+                         (names[2]["volume"].min(), names[2]["volume"].max()))
+        self.assertTrue(names[3]["same"])
+        self.assertEqual(names[4]["line"].shape, (1024,))
+        self.assertEqual(names[5]["heights"].mask.tolist(), [False, True, False])
 
     def test_code_for_users_of_other_packages_runs(self):
         page = PAGE.with_name("moving.md").read_text(encoding="utf-8")

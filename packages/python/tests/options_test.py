@@ -42,7 +42,7 @@ class Options(unittest.TestCase):
                    "metric": "manhattan", "noise": "simplex",
                    "octaves": 3, "lacunarity": 3.0, "gain": 0.25, "strength": 0.5, "amplitude": 0.5, "detail": 2.5,
                    "footprint": 0.25, "arithmetic": "fixed", "cell": (3, 4)}
-        same = {"out", "threads", "instruction_set"}
+        same = {"points", "out", "threads", "instruction_set"}
         for name in hashnoise.noises(2) + hashnoise.fractals(2):
             function = getattr(hashnoise, name)
             for option in function.__kwdefaults__:
@@ -217,8 +217,8 @@ class Wrong(unittest.TestCase):
         self.assert_told(TypeError, "did you mean dtype", lambda: hashnoise.grid("fbm", 9, step=0.1, dtpye="uint16"))
         self.assert_told(TypeError, "did you mean step", lambda: hashnoise.grid("fbm", 9, stp=0.1))
         self.assert_told(TypeError, "did you mean noise", lambda: hashnoise.components("warp", 2, niose="value"))
-        self.assert_told(TypeError, "^value: there is no option no_such; the options are seed, period, cell, arithmetic, "
-                                    "out, threads, instruction_set$", lambda: hashnoise.value(X, no_such=3))
+        self.assert_told(TypeError, "^value: there is no option no_such; the options are points, seed, period, cell, "
+                                    "arithmetic, out, threads, instruction_set$", lambda: hashnoise.value(X, no_such=3))
         self.assert_told(TypeError, "^grid: fbm has no option wave; the options are seed, ",
                          lambda: hashnoise.grid("fbm", 9, step=0.1, wave=[3]))
         self.assert_told(ValueError, "phase", lambda: hashnoise.perlin(X, phase=0.5))
@@ -226,7 +226,8 @@ class Wrong(unittest.TestCase):
     def test_options_of_other_libraries(self):
         for option, of_points, of_grids in (
                 ("frequency", "multiply the coordinates by the frequency", "step is the frequency"),
-                ("scale", "divide the coordinates by the scale", "step is 1 / scale"),
+                ("scale", "divide the coordinates by the scale, .*; if you multiply by it, multiply$",
+                 "step is 1 / scale, .*; if you multiply by it, step is the scale$"),
                 ("persistence", "gain is the persistence, of fractals such as fbm", "gain is the persistence"),
                 ("fractal_type", "the fractals are functions, such as fbm", "the first argument names the fractal"),
                 ("noise_type", "the noises are functions", "the first argument names the noise"),
@@ -301,9 +302,9 @@ class Wrong(unittest.TestCase):
 
     def test_coordinates(self):
         for kind, coordinates, said in (
-                (TypeError, (), "missing 1 required positional argument: 'x'"),
+                (TypeError, (), "^perlin: x is missing, .* of points .*, pass points="),
                 (TypeError, (X, None, X), "^perlin: y is left out, but a later coordinate is not"),
-                (TypeError, (None,), "^perlin: x must be a number or an array of numbers"),
+                (TypeError, (None,), "^perlin: x is missing"),
                 (TypeError, ("a",), "^perlin: x must be a number or an array of numbers"),
                 (TypeError, (X, 1j), "^perlin: y must be a number or an array of numbers, not of complex128"),
                 (ValueError, (X, [[1], [1, 2]]), "^perlin: y makes no array"),
@@ -312,8 +313,50 @@ class Wrong(unittest.TestCase):
                 (TypeError, (X, X, X, X, X), "positional arguments")):
             with self.subTest(coordinates):
                 self.assert_told(kind, said, lambda: hashnoise.perlin(*coordinates))
-        self.assert_told(TypeError, "missing", lambda: hashnoise.simplex(X))
+        self.assert_told(TypeError, "^simplex: y is missing, ", lambda: hashnoise.simplex(X))
         self.assert_told(ValueError, "do not go together", lambda: hashnoise.perlin(X, cell=(numpy.arange(5),)))
+
+    def test_an_array_that_may_have_points_is_none_of_numbers(self):
+        """An error has the right calls, and these have the values of each point alone."""
+        random = numpy.random.default_rng(3)
+        three, two = random.uniform(-9, 9, (5, 3)), random.uniform(0, 9, (6, 2))
+        ask = r"has the shape .*, and may have points, or numbers on a line\. Of points pass "
+        line = r", and of numbers on a line fbm\(points=x\[\.\.\., numpy\.newaxis\]\)$"
+        for x, calls in ((three, r"fbm\(points=x\)"), (three.tolist(), r"fbm\(points=x\)"), (three.T, r"fbm\(\*x\)"),
+                         (two, r"fbm\(points=x\)"), (two[:2], r"fbm\(points=x\) or fbm\(\*x\)"),
+                         (three[:1], r"fbm\(points=x\)"), (three[:0], r"fbm\(points=x\)"), ([*three.T], r"fbm\(\*x\)"),
+                         (numpy.zeros((9, 9, 4)), r"fbm\(points=x\)"), (numpy.mgrid[:9, :9], r"fbm\(\*x\)"),
+                         (numpy.ma.array(three, mask=three > 5), r"fbm\(points=x\)")):
+            with self.subTest(numpy.shape(x)):
+                self.assert_told(ValueError, f"^fbm: x {ask}{calls}{line}", lambda: hashnoise.fbm(x))
+        self.assert_told(TypeError, "^simplex: y is missing, .* pass points=", lambda: hashnoise.simplex(two))
+        self.assert_told(ValueError, f"^fbm: cell {ask}", lambda: hashnoise.fbm(0.5, cell=numpy.ones((5, 3), int)))
+        for x in (X, numpy.zeros((30, 40)), numpy.zeros((9, 2, 9)), numpy.zeros((1, 1)), numpy.zeros(3), [0.5, 0.25]):
+            self.assertEqual(hashnoise.fbm(x).shape, numpy.shape(x))  # which are not in doubt
+        self.assertEqual(hashnoise.fbm(two, 0.5).shape, (6, 2))
+        for cells in (numpy.ones((2, 2), int), [[1, 2], [3, 4]]):
+            self.assert_told(ValueError, "^fbm: cell has 2 rows of 2 numbers, .* pass cell=tuple.cell., and of points",
+                             lambda: hashnoise.fbm(0.5, 0.5, cell=cells))
+            hashnoise.fbm(0.5, 0.5, cell=tuple(cells))
+
+    def test_points(self):
+        for kind, arguments, options, said in (
+                (TypeError, (0.5,), {"points": [0.5]}, "pass coordinates or points, not both"),
+                (ValueError, (), {"points": 0.5}, r"the last axis, as in shape \(N, 3\), not the shape \(\)$"),
+                (ValueError, (), {"points": X}, r"not the shape \(100,\)$"),
+                (ValueError, (), {"points": numpy.zeros((3, 9))}, r"\(3, 9\); .* along the first: perlin\(\*points\)$"),
+                (ValueError, (), {"points": numpy.zeros((100, 5))}, r"not the shape \(100, 5\)$"),
+                (ValueError, (), {"points": [[1], [1, 2]]}, "points makes no array"),
+                (ValueError, (), {"points": "a"}, ""), (TypeError, (), {"points": [[1j, 2]]}, "not of complex128"),
+                (ValueError, (), {"points": [[1.5, 0]], "cell": 1}, "must be from 0 to 1; x is 1.5"),
+                (ValueError, (), {"points": [[0.5, 0]], "cell": [1, 2, 3]}, r"each of the 2 .* of the shape \(3,\)"),
+                (TypeError, (), {"points": [[0.5, 0]], "cell": [[1, 0.5]]}, "must be whole numbers"),
+                (TypeError, (), {"points": [[0, 0], [1, 1]], "cell": (X, X)}, r"numpy.stack\(cell, axis=-1\)")):
+            with self.subTest(arguments=arguments, **options):
+                self.assert_told(kind, f"^perlin: .*{said}", lambda: hashnoise.perlin(*arguments, **options))
+        self.assert_told(ValueError, "simplex", lambda: hashnoise.simplex(points=[[0.5], [0.25]]))
+        self.assert_told(TypeError, r"^grid: there is no option points; a grid has none; .* hashnoise.fbm\(points=",
+                         lambda: hashnoise.grid("fbm", 9, step=1, points=X))
 
     def test_out(self):
         read_only = numpy.zeros(100, numpy.float32)

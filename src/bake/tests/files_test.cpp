@@ -121,6 +121,16 @@ TEST(Files, ExrHasTheFloats) {
   EXPECT_EQ(record.at("settings").at("arithmetic"), "fixed");
 }
 
+TEST(Files, ExrOfTwoComponentsHasABlueOfZero) {
+  for (const char* const function : {"curl", "cellular", "phasor"}) {
+    const BakeOptions options = options_of({function, "--size", "5x3"}, Format::exr, "a.exr");
+    const Planes planes = compute(options, {});
+    const std::map<std::string, std::vector<float>> expected = {
+        {"R", planes.planes.at(0).values}, {"G", planes.planes.at(1).values}, {"B", std::vector<float>(5 * 3)}};
+    EXPECT_EQ(read_exr(make(options).files.at("a.exr")).channels, expected) << function;
+  }
+}
+
 TEST(Files, ExrNamesWhatIsNoColour) {
   const BakeOptions grey = options_of({"perlin", "--size", "5x3"}, Format::exr, "a.exr");
   EXPECT_EQ(read_exr(make(grey).files.at("a.exr")).channels.count("Y"), 1u);

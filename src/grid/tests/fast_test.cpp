@@ -100,7 +100,7 @@ Bound bound_of_sum(const Settings& s, const std::vector<Place>& places) {
   }
   const double value =
       hn::octave_tolerance(has_slopes ? hn::OctaveSum::fbm : kind_of(s.fractal), D, arguments, kGradient);
-  const double slope = has_slopes ? hn::octave_slope_tolerance(D, arguments) : value;
+  const double slope = has_slopes ? hn::octave_slope_tolerance(hn::OctaveSum::fbm_d, D, arguments) : value;
   return [=](std::size_t component, std::size_t) { return 2.0 * (has_slopes && component > 0 ? slope : value); };
 }
 

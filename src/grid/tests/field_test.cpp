@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <memory>
 #include <set>
@@ -864,7 +864,7 @@ TEST(Errors, OfAFirstPoint) {
 // The product of these is a multiple of 2^64, or of 2^32. It is noticed before anything is done for any point: that
 // would take gigabytes and minutes.
 TEST(Errors, OfProductsOfSizesThatOverflow) {
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   const int large = 1 << 28;
   Grid<4> grid;
   grid.size.fill(large);
@@ -883,7 +883,7 @@ TEST(Errors, OfProductsOfSizesThatOverflow) {
   three.size = {large, large, 64};
   std::vector<float> none;
   EXPECT_THROW(Field<3>(of("perlin_d")).fill(three, none), std::invalid_argument);
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  EXPECT_LT(std::clock() - start, 5 * CLOCKS_PER_SEC);  // processor time
 }
 
 TEST(Errors, OfPlacesThatAreNotFinite) {

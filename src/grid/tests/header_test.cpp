@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <hashnoise/grid.hpp>
+#include <array>
+#include <span>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 #include "compare.hpp"
@@ -46,6 +49,39 @@ TEST(Header, FillsWithAValue) {
       settings, [](lanes::vec2 p) { return lanes::hn_perlin(p, 7u); },
       [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_perlin(lanes::hn_place(cell, f), 7u); });
 }
+
+struct Named {
+  double x, y, z;
+};
+
+TEST(Header, FillsPointsThatLieOneBehindTheOther) {
+  const std::vector<float> x = {0.5f, 0.75f, -3.25f}, y = {0.25f, 0.125f, 7.5f}, z = {1.5f, 2.25f, 0.5f};
+  const auto expect = [&](const auto& points) {
+    const Columns<3> columns(points);
+    const Points<3> found = columns.points();
+    EXPECT_EQ(std::vector(found.p[0].begin(), found.p[0].end()), x);
+    EXPECT_EQ(std::vector(found.p[1].begin(), found.p[1].end()), y);
+    EXPECT_EQ(std::vector(found.p[2].begin(), found.p[2].end()), z);
+    std::vector<float> values(3), expected(3);
+    const auto noise = [](lanes::vec3 p) { return lanes::hn_perlin(p, 7u); };
+    lanes::fill(Columns<3>(points).points(), values, noise);
+    lanes::fill(Points<3>{{x, y, z}}, expected, noise);
+    EXPECT_EQ(values, expected);
+  };
+  expect(std::vector<std::array<float, 3>>{{0.5f, 0.25f, 1.5f}, {0.75f, 0.125f, 2.25f}, {-3.25f, 7.5f, 0.5f}});
+  expect(std::vector<vec3>{vec3(0.5f, 0.25f, 1.5f), vec3(0.75f, 0.125f, 2.25f), vec3(-3.25f, 7.5f, 0.5f)});
+  expect(std::vector<Named>{{0.5, 0.25, 1.5}, {0.75, 0.125, 2.25}, {-3.25, 7.5, 0.5}});
+}
+
+// Points of another layout do not compile.
+template <typename Container, int D>
+constexpr bool kTakes = std::is_constructible_v<Columns<D>, const Container&>;
+static_assert(kTakes<std::vector<std::array<float, 2>>, 2> && kTakes<std::array<vec2, 5>, 2>);
+static_assert(!kTakes<std::vector<float>, 2> && !kTakes<std::vector<std::array<float, 3>>, 2>);
+static_assert(!kTakes<std::vector<std::array<int, 2>>, 2> && !kTakes<std::vector<vec2>, 3>);
+static_assert(!kTakes<std::vector<float*>, 2> && !kTakes<std::vector<std::span<const float>>, 4>);
+static_assert(!std::is_constructible_v<std::span<const float>, const std::vector<vec2>&>);
+static_assert(!std::is_constructible_v<std::span<const float>, const std::vector<std::array<float, 2>>&>);
 
 TEST(Header, FillsWithPlanes) {
   Settings settings;

@@ -6,11 +6,14 @@ A command states what it needs before it imports anything else of lib/, so this 
 import os
 import sys
 
+from base import ending
+
 
 def python(major, minor, *words):
     """3.9 for what users call, and 3.11 for what works on the project: needs_test.py holds the files to that. The words
     are those of the command line without which less would do."""
     if sys.version_info >= (major, minor):
+        ending.with_children()
         return
     program, name = os.path.split(sys.argv[0] or "-c")
     if name == "command.py":  # started by a command of the shell, in a folder of its name

@@ -3,6 +3,7 @@
 #   logged TITLE FAILURE COMMAND...    runs the command with its output in $log; if it fails, shows the end of the log,
 #                                      prints FAILURE and stops with status 4. With expected=SECONDS before it, it also
 #                                      prints an estimate of the time.
+#   in_group COMMAND...                runs the command, and ends it if a signal ends this shell
 #   cost KIND NAME                     the value of a row of tools/costs.csv, or nothing
 #   seconds_here SECONDS [CORES]       how long it takes on this machine what takes so long by the table
 #   duration SECONDS                   as 3:05
@@ -65,9 +66,21 @@ read_progress() {
   esac
 }
 
+# How many seconds the step takes that has run for so many milliseconds: by the table as long as none of its parts is
+# done, and from a quarter of them on by what these took. This machine may be busier than when the table was measured.
+forecast() {
+  local gone=$1 all=1 part=0 weight whole
+  if [[ ${at-} =~ ^\[([0-9]+)/([0-9]+)\]$ ]]; then part=$((10#${BASH_REMATCH[1]})) all=$((10#${BASH_REMATCH[2]})); fi
+  weight=$((4 * part < all ? 4 * part : all))
+  whole=$(((all - weight) * expected * 1000))
+  ((!part)) || whole=$((whole + weight * gone * all / part))
+  echo $(((gone + (all - part) * whole / all / all) / 1000))
+}
+
 # The line of the step of that title.
 print_progress() {
-  local text="$1 ${at:+$at }$(duration $((($(milliseconds) - started) / 1000)))${expected:+ of about $(duration "$expected")}"
+  local gone=$(($(milliseconds) - started)) text
+  text="$1 ${at:+$at }$(duration $((gone / 1000)))${expected:+ of about $(duration "$(forecast "$gone")")}"
   if [[ -t 2 ]]; then
     printf '\r%.*s\e[K' "$(($(tput cols 2>/dev/null || echo 80) - 1))" "$text" >&2
   else
@@ -110,10 +123,34 @@ take_time_of_children() {
     "$build/times")
 }
 
+# Runs a command or a function in a process group that a signal to this shell ends, too: else it would run on. It cannot
+# read from a terminal. Where `to_its_end` is set, as for packages that would be left in pieces, the signal waits.
+in_group() {
+  local signal status=0
+  for signal in HUP INT TERM; do trap "end_group $signal" "$signal"; done
+  set -m
+  "$@" </dev/null &
+  set +m
+  wait "$!" || status=$?
+  trap - HUP INT TERM
+  return "$status"
+}
+
+end_group() {
+  trap - HUP INT TERM
+  if [[ -n ${!-} ]]; then
+    [[ -n ${to_its_end-} ]] || kill -"$1" -- "-$!" 2>/dev/null || true
+    wait "$!" 2>/dev/null || true
+  fi
+  kill -"$1" "$BASHPID"
+}
+
+shown() { "${@:2}" 2>&1 | show_progress "$1"; }
+
 logged() {
   local title=$1 failure=$2 expected=${expected-}
   shift 2
-  "$@" 2>&1 | show_progress "$title" && return 0
+  in_group shown "$title" "$@" && return 0
   tail -n 40 "$log" >&2
   echo "$failure; all of the output is in $log." >&2
   exit 4

@@ -44,16 +44,13 @@ readonly bake_packages=("${program_packages[@]}" libopenexr-dev)
 readonly npm_packages=(clang g++ libc++-dev-wasm32 libfmt-dev lld python3 wasi-libc)
 # Of the tests of examples/, which build raylib.
 readonly example_packages=(git libxcursor-dev libxi-dev libxinerama-dev libxrandr-dev vulkan-validationlayers x11-utils)
-# The packages behind python3-venv compile for ARM, and run the results; Mono's do so with C#. abigail-tools compare
-# binary interfaces.
+# The packages behind python3-venv compile for ARM, and run the results; abigail-tools compare
+# binary interfaces. The last are compilers of the languages that tools/pick writes. Node.js is not among them:
+# tools/lib/base/node gets one that is new enough.
 readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" "${example_packages[@]}" ccache libopenexr-dev
   libclang-rt-dev libgtest-dev python3 python3-dev python3-jinja2 python3-numpy python3-pip python3-scipy python3-venv g++-aarch64-linux-gnu
-  qemu-user mono-mcs mono-runtime abigail-tools spirv-cross)
-# Compilers of the languages that tools/pick writes, as PROGRAM:PACKAGE. A machine may have the program from elsewhere,
-# so the package is missing only where the program is. Node.js is not among them: tools/lib/base/node gets one that is
-# new enough.
-readonly language_packages=(cargo:cargo cargo-clippy:rust-clippy go:golang-go iverilog:iverilog
-  javac:default-jdk-headless rustc:rustc rustfmt:rustfmt)
+  qemu-user abigail-tools spirv-cross
+  cargo default-jdk-headless golang-go iverilog mono-mcs mono-runtime rust-clippy rustc rustfmt)
 # Of thorough tests: Microsoft's FXC, a program for Windows, and the compiler of what starts it; RISC-V's compiler; a
 # Debian that has nothing; what sees connections; what simulates circuits and synthesises them.
 readonly thorough_packages=(debootstrap g++-mingw-w64-x86-64 g++-riscv64-linux-gnu python3-matplotlib strace verilator wine wine64 yosys)
@@ -165,7 +162,7 @@ install_missing() {
   # option apt-get needs no pseudo terminal, which a container may lack.
   local -a apt_get=(sh -c 'exec apt-get "$@" 3>&1' sh -q -o APT::Status-Fd=3 -o Dpkg::Use-Pty=0)
   logged "Asking for the newest packages" "apt-get could not read the list of packages" "${sudo[@]}" "${apt_get[@]}" update
-  logged "Installing ${#missing[@]} packages and what they need" "apt-get could not install these packages: ${missing[*]}" \
+  to_its_end=1 logged "Installing ${#missing[@]} packages and what they need" "apt-get could not install these packages: ${missing[*]}" \
     "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive "${apt_get[@]}" install -y --no-install-recommends "${missing[@]}"
   keep_measured packages each "$(awk -v ms=$(($(milliseconds) - started)) -v count=${#missing[@]} \
     'BEGIN { printf "%.2f", ms / 1000 / count }')"
@@ -241,10 +238,6 @@ setup() {
   if [[ $1 == test ]]; then
     name=test
     packages+=("${test_packages[@]}")
-    local language
-    for language in "${language_packages[@]}"; do
-      command -v "${language%:*}" >/dev/null || packages+=("${language#*:}")
-    done
     [[ -z ${HN_THOROUGH-} ]] || packages+=("${thorough_packages[@]}")
     # Warnings are errors here, where the compiler is known, and not for users, where it is not.
     configuration+=(-DHASHNOISE_TESTS=ON -DHASHNOISE_BAKE=ON -DHASHNOISE_BENCH_CPU=ON

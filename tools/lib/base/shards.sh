@@ -93,7 +93,7 @@ run_part() {
   if ((${#hosts[@]})); then run_on_host "$1" "$2"; return; fi
   if [[ -n $resume && -e $out/shards/$1/results.json && ! -e $out/shards/$1/journal.jsonl ]]; then return; fi
   rm -f "$out/shards/$1/results.json"
-  "$root/tools/conform" --shard "$1/$count" --out "$out/shards/$1" ${options[@]+"${options[@]}"}
+  in_group "$root/tools/conform" --shard "$1/$count" --out "$out/shards/$1" ${options[@]+"${options[@]}"}
 }
 
 # Every so many parts from one on, until one ends without a verdict: the next would end as this one did.

@@ -111,7 +111,8 @@ class Made(unittest.TestCase):
         ping_pong = next(sum_ for sum_ in read().sums if sum_.name == "ping_pong")
         self.assertEqual(shaders.loop(ping_pong), """\
 HN_FN hn_float hn_i_ping_pong(hn_octaves2 o, hn_float strength) {
-  do hn_add_ping_pong(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
+  do hn_add_ping_pong(o, hn_perlin(o.place, o.seed), strength);
+  while (hn_next(o));
   return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
 }
 """)

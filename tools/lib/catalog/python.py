@@ -69,6 +69,7 @@ class _Option:
     is_setting: bool = True  # of the field; the others state where it is evaluated
 
 
+_POINTS = _Option("points", "None", "npt.ArrayLike", is_setting=False)  # in a stub it has overloads of its own
 _PERIOD = _Option("period", "None", "_Wholes | None")
 _WAVE = _Option("wave", "None", "_Vector | None")
 _PHASE = _Option("phase", "None", "_Number | None")
@@ -87,7 +88,7 @@ def _options(function: Function, catalog: Catalog) -> tuple[_Option, ...]:
         own = (seed, *_of_sum(function, catalog), _PERIOD)
     else:
         own = (seed, _PERIOD, *_of_noise(function, catalog))
-    options = (*own, _CELL, _ARITHMETIC, *_LAST)
+    options = (_POINTS, *own, _CELL, _ARITHMETIC, *_LAST)
     if unknown := function.options.keys() - {option.name for option in options}:
         raise CatalogError(f"catalog: {function.name} has no option {min(unknown)} in Python")
     return options
@@ -124,20 +125,21 @@ def _setting(name: str, catalog: Catalog) -> _Option:
 def _module(head: str, functions: Sequence[Noise] | Sequence[Sum], table: str, catalog: Catalog) -> str:
     names = _list("__all__ = [", [f'"{function.name}"' for function in functions], "]")
     code = "".join(f"\n\n{_function(function, catalog)}" for function in functions)
-    return (f"{head}\nfrom ._evaluate import points, suggesting\n\n{names}{code}\n\n"
+    return (f"{head}\nfrom ._evaluate import evaluated, suggesting\n\n{names}{code}\n\n"
             f"{table} = {{name: globals()[name] for name in __all__}}\n")
 
 
 def _function(function: Function, catalog: Catalog) -> str:
     options = _options(function, catalog)
     axes = AXES[:function.last]
-    coordinates = [axis if index < function.first else f"{axis}=None" for index, axis in enumerate(axes)]
-    parameters = [*coordinates, "/", "*", *(f"{option.name}={option.default}" for option in options)]
+    parameters = [*(f"{axis}=None" for axis in axes), "/", "*",
+                  *(f"{option.name}={option.default}" for option in options)]
     kind = "fractal" if isinstance(function, Sum) else "noise"
-    passed = [f'"{function.name}"', f"({', '.join(axes)}{',' if len(axes) == 1 else ''})", "cell", "out", "threads",
+    passed = [f'"{function.name}"', str(function.first), f"({', '.join(axes)}{',' if len(axes) == 1 else ''})",
+              "points", "cell", "out", "threads",
               f'{kind}="{function.name}"', *(f"{option.name}={option.name}" for option in options if option.is_setting)]
     return ("@suggesting\n" + _list(f"def {function.name}(", parameters, "):") + _docstring(function, options)
-            + _list("    return points(", passed, ")"))
+            + _list("    return evaluated(", passed, ")"))
 
 
 def _docstring(function: Function, options: Iterable[_Option]) -> str:
@@ -165,19 +167,26 @@ def _filled(text: str, indent: int = 0) -> str:
 
 def _types(function: Function, catalog: Catalog) -> str:
     """A function in a stub; one that returns a single value for a point returns a number for numbers."""
-    options = _options(function, catalog)
-    arrays = _signature(function, options, "npt.ArrayLike", "_Values")
-    if function.shape != "value":
-        return arrays
-    of_numbers = [replace(option, type=option.number_type or option.type) for option in options]
-    return f"@overload\n{_signature(function, of_numbers, '_Number', 'float')}@overload\n{arrays}"
+    points, *options = _options(function, catalog)
+    of_axes = [replace(points, type="None"), *options]
+    of_numbers = [replace(option, type=option.number_type or option.type) for option in of_axes]
+    number = [_signature(function, _coordinates(function, "_Number"), of_numbers, "float")]
+    # A default in the code has to be one in an overload, too.
+    nothing = [*(f"{axis}: None = None" for axis in AXES[:function.last]), "/", "*", f"{points.name}: {points.type}"]
+    return "".join([
+        *(number if function.shape == "value" else []),
+        _signature(function, _coordinates(function, "npt.ArrayLike"), of_axes, "_Values"),
+        _signature(function, nothing, options, "_Values")])
 
 
-def _signature(function: Function, options: Iterable[_Option], coordinate: str, result: str) -> str:
-    coordinates = [f"{axis}: {coordinate}" + (" | None = None" if index >= function.first else "")
-                   for index, axis in enumerate(AXES[:function.last])]
+def _coordinates(function: Function, type_: str) -> list[str]:
+    return [*(f"{axis}: {type_}" + (" | None = None" if index >= function.first else "")
+              for index, axis in enumerate(AXES[:function.last])), "/", "*"]
+
+
+def _signature(function: Function, places: Iterable[str], options: Iterable[_Option], result: str) -> str:
     typed = [f"{option.name}: {option.type} = {option.default}" for option in options]
-    return _list(f"def {function.name}(", [*coordinates, "/", "*", *typed], f") -> {result}: ...")
+    return "@overload\n" + _list(f"def {function.name}(", [*places, *typed], f") -> {result}: ...")
 
 
 def _of_grid(dtype: str, out: str, result: str, return_range: str) -> str:

@@ -60,7 +60,7 @@ def loop(sum_: Sum) -> str:
         mean = f"hn_i_value({sum_.makes('hn_i_mean(o.sum)')})"
     parameters = ", ".join(["hn_octaves2 o", *(f"hn_float {name}" for name in strength)])
     return (f"HN_FN hn_float hn_i_{sum_.name}({parameters}) {{\n"
-            f"  do {adds}; while (hn_next(o));\n  return {mean};\n}}\n")
+            f"  do {adds};\n  while (hn_next(o));\n  return {mean};\n}}\n")
 
 
 def comment(sum_: Sum) -> str:

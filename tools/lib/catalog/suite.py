@@ -125,10 +125,9 @@ def facts_of(sum_: Sum) -> str:
 
 
 def step_and_mean(sum_: Sum) -> tuple[str, str]:
-    """The suite's names for an octave's step, and for the mean's. Derivatives are added as they are, and a
-    warp is a step of its own."""
-    plain_step = "noise" if sum_.of == "slopes" else sum_.name
-    return sum_.step or plain_step, sum_.mean or "as_it_is"
+    """The suite's names for an octave's step, and for the mean's. A sum with derivatives or displacements is a step of its
+    own."""
+    return sum_.step or sum_.name, sum_.mean or "as_it_is"
 
 
 def files() -> dict[str, str]:

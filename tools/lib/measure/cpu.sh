@@ -30,5 +30,5 @@ refuse_unknown_options "$called" "${BASH_SOURCE[0]}" "$root/src/bench_cpu/option
 
 setup_bench_cpu "${compilers[@]}"
 for compiler in "${compilers[@]}"; do
-  python3 "$root/tools/lib/measure/command.py" cpu "$(program_by "$(basename "$compiler")")" "${options[@]}"
+  in_group python3 "$root/tools/lib/measure/command.py" cpu "$(program_by "$(basename "$compiler")")" "${options[@]}"
 done

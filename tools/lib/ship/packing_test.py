@@ -33,7 +33,7 @@ def call(*arguments: str) -> tuple[int, str, str]:
 class Manifests(unittest.TestCase):
     def test_they_have_the_address_of_the_project(self) -> None:
         with mock.patch.object(packing, "address", return_value="https://example.org/another"):
-            for name in ("npm", "unity", "glsl-noise", "wesl"):
+            for name in ("npm", "unity", "wesl"):
                 written = (ROOT / "packages" / name / "package.json").read_text(encoding="utf-8")
                 described = json.loads(packing.of_npm(written, name))
                 self.assertEqual(described["repository"]["url"], "git+https://example.org/another.git")

@@ -51,10 +51,6 @@ RECIPES = {
         "the package for WESL, for npm and for cargo", "hashnoise_wgsl",
         more="npm and cargo both take the folder. It has every function, with HN_FAST and with HN_FIXED; what a shader "
         "does not call is left out when it is linked."),
-    "glsl-noise": Recipe(
-        "a stand-in for npm's glsl-noise", "hashnoise-glsl-noise",
-        more="npm installs the folder. Its files have the names of glsl-noise, and functions with its names, which are "
-        "noise of the library that looks alike."),
     "unity": Recipe(
         "the package for Unity", "com.hashnoise.noise",
         more="Unity's Package Manager takes the folder. It has functions for HLSL, for the Custom Function nodes of "

@@ -106,6 +106,29 @@ function ofMaterial(material) {
   return furthest(pixels, false);
 }
 
+/** How far the gray of the documentation's land, seen from above, is from that of its heights. */
+async function ofLand(made) {
+  const { height } = await import("../blocks/land.js");
+  const { land, ball } = await made;
+  const above = new THREE.OrthographicCamera(-32, 32, 32, -32, 1, 100);
+  above.position.y = 50;
+  above.rotation.x = -Math.PI / 2;
+  const target = new THREE.WebGLRenderTarget(SIDE, SIDE);
+  renderer.setRenderTarget(target);
+  renderer.render(new THREE.Scene().add(new THREE.Mesh(land.geometry, land.material)), above);
+  renderer.setRenderTarget(null);
+  const pixels = new Uint8Array(4 * SIDE * SIDE);
+  renderer.readRenderTargetPixels(target, 0, 0, SIDE, SIDE, pixels);
+  let most = Math.abs(ball.position.y - 1 - height(ball.position.x, ball.position.z));
+  for (let z = 0; z < SIDE; ++z) {
+    for (let x = 0; x < SIDE; ++x) {
+      const gray = Math.min(Math.max(0.5 + height(x + 0.5 - 32, 32 - (z + 0.5)) / 8, 0), 1);
+      most = Math.max(most, Math.abs(pixels[4 * (SIDE * z + x)] - 255 * gray));
+    }
+  }
+  return most;
+}
+
 const fromFile = (fragmentShader) => new THREE.ShaderMaterial({ vertexShader: ofString.vertexShader, fragmentShader });
 const materials = {
   string: () => [ofString, wrongString],
@@ -118,6 +141,7 @@ globalThis.hashnoise = {
   evaluate,
   /** How far a material of the documentation is off, and the same one with a mistake. */
   materials: () => Object.fromEntries(Object.entries(materials).map(([name, made]) => [name, made().map(ofMaterial)])),
+  land: () => Promise.all([import("../blocks/land.js"), import("../faulty/land.js")].map(ofLand)),
   /** The documentation's code for the twin: values as printed, and with a mistake. */
   twin: () => [
     { height, heights: Array.from(heights.slice(0, 300)), here, tile: Array.from(tile.slice(0, 300)) },

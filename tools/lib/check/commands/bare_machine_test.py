@@ -1,9 +1,13 @@
 """The README's two commands on a Debian that has nothing but git: its smallest installation, made by debootstrap.
 
-    python3 -m check.commands.bare_machine_test FOLDER
+    python3 -m check.commands.bare_machine_test FOLDER [options of ctest]
 
-The folder gets the installation, and a clone of the commit that is checked out. Exit status: 0 both commands pass and
-skip nothing but what CONTRIBUTING.md names, 1 not, 77 this is not root on a Debian, or debootstrap is missing.
+The folder gets the installation, and a clone of the commit that is checked out, at the path that it has here. With
+options, such as -R rust, tools/test alone is run, with these. FOLDER-packages keeps Debian's packages for the next run,
+and where CCACHE_DIR or build/ccache has what the same compiler made, it is used.
+
+Exit status: 0 the commands pass and skip what CONTRIBUTING.md names, 1 not, 77 this is not root on a Debian, or
+debootstrap is missing.
 """
 
 from __future__ import annotations
@@ -16,24 +20,37 @@ import sys
 import unittest
 from pathlib import Path
 
-from base.tree import ROOT
+from base import costs
+from base.tree import ROOT, TOOLS
 
 SKIPPED = 77
 # Certificates of a network that has its own; programs find them by the variables.
 CERTIFICATES = Path("/etc/ssl/certs/ca-certificates.crt")
 VARIABLES = ("CURL_CA_BUNDLE", "GIT_SSL_CAINFO", "NODE_EXTRA_CA_CERTS", "PIP_CERT", "REQUESTS_CA_BUNDLE",
              "SSL_CERT_FILE")
-# Mounts are of this process and its children alone.
-ENTER = ('mount -t proc proc /proc && mount -t devpts devpts /dev/pts -o ptmxmode=0666 && mkdir -p /dev/shm && '
-         'mount -t tmpfs tmpfs /dev/shm && cd /hashnoise && exec "$@"')
+PAGE = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+ARCHIVES = "/var/cache/apt/archives"
+# Mounts are of this process and its children alone. The first arguments are the new root, the folder to start in, and
+# pairs of a folder here and its place there.
+OUTSIDE = ('top=$1 inside=$2; shift 2; while [ "$1" != -- ]; do mkdir -p "$1" "$top$2" && '
+           'mount --bind "$1" "$top$2" && shift 2; done; exec chroot "$top" bash -c "$0" "$inside" "$@"')
+INSIDE = ('mount -t proc proc /proc && mount -t devpts devpts /dev/pts -o ptmxmode=0666 && mkdir -p /dev/shm && '
+          'mount -t tmpfs tmpfs /dev/shm && cd "$0" && shift && exec "$@"')
+
+
+def named(page: str) -> set[str]:
+    """The tests that a page lists as skipped."""
+    return set(re.findall(r"^- `([\w.]+)`, which", page, re.MULTILINE))
 
 
 def faults(status: int, text: str, page: str) -> list[str]:
-    """The faults of a run of tools/test by its exit status, its output, and the page that names what it may skip."""
+    """The faults of a run of tools/test by its exit status, its output, and the page that names what it skips."""
     listed = re.search(r"^Skipped, in whole or in part:\n((?:  .*\n)+)", text, re.MULTILINE)
+    skipped = {line.split(":")[0].strip(): line for line in (listed[1].splitlines() if listed else [])}
+    ran = set(re.findall(r"^ *\d+/\d+ +Test +#\d+: (\S+)", text, re.MULTILINE))
     found = [f"exit status {status}"] if status else []
-    found += [line for line in (listed[1].splitlines() if listed else [])
-              if f"`{line.split(':')[0].strip()}`" not in page]
+    found += [line for name, line in skipped.items() if name not in named(page)]
+    found += [f"{name} skipped nothing" for name in sorted((named(page) & ran) - skipped.keys())]
     return found if re.search(r"^100% tests passed", text, re.MULTILINE) else [*found, "ctest printed no success"]
 
 
@@ -42,27 +59,39 @@ class Judgement(unittest.TestCase):
         self.assertEqual(faults(0, "100% tests passed, 0 tests failed out of 7\n9 more tests run\n", ""), [])
 
     def test_faults_are_found(self) -> None:
-        passed = "100% tests passed, 0 tests failed out of 7\n"
+        passed = "1/2 Test #1: a ...   Passed   0.01 sec\n2/2 Test  #2: c ...***Skipped\n100% tests passed, 0 tests failed out of 2\n"
         shown = f"{passed}Skipped, in whole or in part:\n  a: there is no b\n  c: d\n9 more tests run\n"
+        page = "These are:\n\n- `c`, which wants `d`\n- `e`, which does not run here\n"
         self.assertEqual(faults(0, shown, ""), ["  a: there is no b", "  c: d"])
-        self.assertEqual(faults(0, shown, "only `c`, in part"), ["  a: there is no b"])
+        self.assertEqual(faults(0, shown, page), ["  a: there is no b"])
+        self.assertEqual(faults(0, shown, page + "- `a`, which wants `b`\n"), [])
+        self.assertEqual(faults(0, passed, page), ["c skipped nothing"])
         self.assertEqual(faults(8, "86% tests passed\n", ""), ["exit status 8", "ctest printed no success"])
+
+    def test_the_page_names_tests(self) -> None:
+        tests = costs.tests_of(costs.read_file(TOOLS / "costs.csv"))
+        self.assertGreater(len(named(PAGE)), 0)
+        self.assertEqual(named(PAGE) - tests.keys(), set())
 
 
 @unittest.skipUnless(__name__ == "__main__", "the test commands.bare_machine makes the installation")
 class BareMachine(unittest.TestCase):
     top: Path
+    options: list[str]
 
     @classmethod
     def setUpClass(cls) -> None:
         shutil.rmtree(cls.top, ignore_errors=True)
         cls.top.mkdir(parents=True)
-        subprocess.run(["debootstrap", "--variant=minbase", "--include=ca-certificates,git", "bookworm", cls.top],
-                       stdout=subprocess.DEVNULL, check=True)
+        cls.packages = cls.top.with_name(f"{cls.top.name}-packages")
+        cls.packages.mkdir(exist_ok=True)
+        subprocess.run(["debootstrap", "--variant=minbase", "--include=ca-certificates,git", f"--cache-dir={cls.packages}",
+                        "bookworm", cls.top], stdout=subprocess.DEVNULL, check=True)
         shutil.copy("/etc/resolv.conf", cls.top / "etc")
         if CERTIFICATES.exists():
             shutil.copy(CERTIFICATES, cls.top / CERTIFICATES.relative_to("/"))
-        subprocess.run(["git", "clone", "--quiet", "--no-hardlinks", ROOT, cls.top / "hashnoise"], check=True)
+        cls.clone = cls.top / ROOT.relative_to("/")
+        subprocess.run(["git", "clone", "--quiet", "--no-hardlinks", ROOT, cls.clone], check=True)
 
     @classmethod
     def tearDownClass(cls) -> None:
@@ -70,26 +99,30 @@ class BareMachine(unittest.TestCase):
 
     def call(self, *command: str) -> tuple[int, str]:
         """The status and the output of a command in the clone, which also stands in the log of ctest."""
+        cache = os.environ.get("CCACHE_DIR", str(ROOT / "build" / "ccache"))
         environment = {"HOME": "/root", "LANG": "C.UTF-8", "PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "TERM": "dumb",
-                       **{name: os.environ[name] for name in VARIABLES if name in os.environ}}
-        enter = ["unshare", "--mount", "--pid", "--fork", "--kill-child", "chroot", self.top, "bash", "-c", ENTER, "bash"]
-        done = subprocess.run([*enter, *command], env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, text=True, check=False)
+                       **{name: value for name, value in os.environ.items() if name in VARIABLES or name.startswith("CCACHE_")}}
+        mounted = [self.packages, ARCHIVES, cache, cache]
+        enter = ["unshare", "--mount", "--pid", "--fork", "--kill-child", "bash", "-euc", OUTSIDE, INSIDE, self.top, ROOT]
+        done = subprocess.run([*enter, *mounted, "--", *command], env=environment, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
         print(done.stdout)
         return done.returncode, done.stdout
 
     def test_1_the_suite_runs(self) -> None:
+        if self.options:
+            self.skipTest("tools/test alone has the options")
         self.assertEqual(self.call("tools/conform", "--out", "out")[0], 0)
-        self.assertTrue((self.top / "hashnoise" / "out" / "index.html").is_file())
+        self.assertTrue((self.clone / "out" / "index.html").is_file())
 
-    def test_2_the_tests_pass_and_skip_nothing_else(self) -> None:
-        page = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
-        self.assertEqual(faults(*self.call("tools/test"), page), [])
+    def test_2_the_tests_pass_and_skip_what_is_named(self) -> None:
+        self.assertEqual(faults(*self.call("tools/test", *self.options), PAGE), [])
 
 
 if __name__ == "__main__":
     BareMachine.top = Path(sys.argv.pop(1)).resolve()
+    BareMachine.options = sys.argv[1:]
     if os.geteuid() or not Path("/etc/debian_version").exists() or not shutil.which("debootstrap"):
         print("skipped: this takes root on a Debian, and debootstrap: apt-get install debootstrap")
         sys.exit(SKIPPED)
-    unittest.main(verbosity=2)
+    unittest.main(argv=sys.argv[:1], verbosity=2)

@@ -1,7 +1,8 @@
 """Tests of tools/lib/base/setup.sh: what a command shows before it runs.
 
 Scripts stand in for cmake, ninja, apt-get and dpkg-query, so that nothing is installed or built. A line is due every
-quarter of a second here, in place of every ten seconds.
+fifth of a second here, in place of every ten seconds, and a step lasts until it has shown some, however busy the machine
+is.
 """
 
 from __future__ import annotations
@@ -9,20 +10,25 @@ from __future__ import annotations
 import os
 import pty
 import re
+import select
 import shutil
+import signal
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from base.tree import TOOLS
 
-TICK = 0.4
-# A step is as long as many ticks, so that a step that shows nothing is noticed, and a busy machine is not.
-SLOW = 12 * TICK
-SILENT = 0.8 * SLOW
+TICK = 0.2
+LINES = 3
+STEPS = 6  # the list of packages, their download and installation, the configuration, and two of the build
+# A step ends when the test has read so many lines of it, or after a while: a second, unless HN_PATIENCE has more.
+SLOW = 'n=0; until [ -e "$HN_READ" ] || [ $n -ge "${HN_PATIENCE:-20}" ]; do sleep 0.05; n=$((n + 1)); done; rm -f "$HN_READ"'
 COMMANDS = ("conform", "bake", "measure clock", "measure cpu", "measure paper", "test")
 TABLE = """kind,name,value,before
 speed,loop,0.1,
@@ -40,15 +46,15 @@ run,conform,60,
 # As apt-get does, it closes the file of its progress for dpkg.
 APT_GET = f"""fd=$(echo "$*" | sed 's/.*Status-Fd=\\([0-9]*\\).*/\\1/')
 case "$*" in
-  *update*) sleep {SLOW};;
+  *update*) {SLOW};;
   *) eval "exec 9>&$fd"
-     echo dlstatus:1:25.5:Retrieving >&9; sleep {SLOW}; echo pmstatus:cmake:75.2:Unpacking >&9; sleep {SLOW}
+     echo dlstatus:1:25.5:Retrieving >&9; {SLOW}; echo pmstatus:cmake:75.2:Unpacking >&9; {SLOW}
      eval "exec $fd>&-"
      echo Setting up cmake ... || exit 100;;
 esac"""
 CMAKE = f"""case "$*" in
-  *--build*) echo '[1/2] first'; sleep {SLOW}; echo '[2/2] second'; sleep {SLOW};;
-  *) sleep {SLOW}
+  *--build*) echo '[1/2] first'; {SLOW}; echo '[2/2] second'; {SLOW};;
+  *) {SLOW}
      folder=$(echo "$*" | sed 's/.*-B \\([^ ]*\\) .*/\\1/')
      mkdir -p "$folder"; touch "$folder/build.ninja";;
 esac"""
@@ -78,9 +84,11 @@ class Machine:
         self.program("python3", 'case "$*" in *measure*) echo it runs;; esac')
         for path in ("conformance/hn-conform", "src/bake/hn-bake", "bench-cpu-g++/src/bench_cpu/hn-bench-cpu"):
             self.program(root / "build" / path, "echo it runs")
-        self.environment = {**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}",
+        self.environment = {**os.environ, "HOME": "/nowhere", "PATH": f"{self.programs}:{os.environ['PATH']}",
                             "HN_PROGRESS_SECONDS": str(TICK)}
         self.environment.pop("CCACHE_DIR", None)
+        self.read = root / "read"
+        self.environment["HN_READ"] = str(self.read)
 
     def program(self, name: str | Path, text: str) -> None:
         path = self.programs / name
@@ -88,18 +96,26 @@ class Machine:
         path.write_text(f"#!/bin/sh\n{text}\n")
         path.chmod(0o755)
 
-    def run(self, command: str) -> tuple[int, str, float]:
-        """The status of a command, what it shows through a pipe, and for how long nothing came."""
+    def run(self, command: str) -> tuple[int, str, int]:
+        """The status of a command, what it shows through a pipe, and how many of its steps showed that they go on."""
         program, *name = command.split()
+        lines, step, times, steps = [], "", 0, 0
         with subprocess.Popen([self.tools / program, *name], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                               text=True, env=self.environment) as process:
-            times, lines = [time.monotonic()], []
             for line in process.stdout:
-                times.append(time.monotonic())
                 lines.append(line)
-            status = process.wait()
-            times.append(time.monotonic())
-        return status, "".join(lines), max(later - earlier for earlier, later in zip(times, times[1:]))
+                of = re.sub(r" \d+:\d\d( of about .*)?\n", "", line)
+                step, times = of, times + 1 if of == step else 1
+                if times == LINES:
+                    steps += 1
+                    self.read.touch()
+        return process.returncode, "".join(lines), steps
+
+
+def with_signals() -> None:
+    """A job in the background of a shell ignores some of them."""
+    for number in (signal.SIGHUP, signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.SIG_DFL)
 
 
 class Setup(unittest.TestCase):
@@ -114,7 +130,7 @@ class Setup(unittest.TestCase):
     def at_once(self) -> None:
         """Of what does not concern times, the steps are short."""
         for name, text in (("apt-get", APT_GET), ("cmake", CMAKE)):
-            self.machine.program(name, text.replace(str(SLOW), "0"))
+            self.machine.program(name, text.replace(SLOW, "true"))
 
     def change(self, pattern: str, text: str) -> None:
         file = self.machine.tools / "lib" / "base" / "progress.sh"
@@ -125,31 +141,38 @@ class Setup(unittest.TestCase):
 
     def test_no_command_is_silent_for_long(self) -> None:
         machines = [self.new_machine() for _ in COMMANDS]
+        for machine in machines:
+            machine.environment["HN_PATIENCE"] = "6000"
         with ThreadPoolExecutor(len(COMMANDS)) as pool:
             runs = pool.map(lambda machine, command: machine.run(command), machines, COMMANDS)
-            for command, (status, shown, silence) in zip(COMMANDS, runs):
+            for command, (status, shown, steps) in zip(COMMANDS, runs):
                 with self.subTest(command=command):
-                    if silence >= SILENT:  # a machine may be busy once; what is silent is so each time
-                        status, shown, silence = self.new_machine().run(command)
-                    self.assertEqual(status, 0, shown)
-                    self.assertLess(silence, SILENT, shown)
+                    self.assertEqual((status, steps), (0, STEPS), shown)
                     first = shown.splitlines()[0]
                     self.assertRegex(first, rf"^tools/{command} installs \d+ Debian packages, builds and runs\.")
                     self.assertIn("build/setup.log", first)
-                    self.assertRegex(shown, r"Installing \d+ packages.* 25 % downloaded 0:0\d")
-                    self.assertRegex(shown, r"Installing \d+ packages.* 75 % installed 0:0\d")
-                    self.assertRegex(shown, r"Building 25 steps.* \[1/2\] 0:0\d of about 0:")
+                    self.assertRegex(shown, r"Installing \d+ packages.* 25 % downloaded \d+:\d\d")
+                    self.assertRegex(shown, r"Installing \d+ packages.* 75 % installed \d+:\d\d")
+                    self.assertRegex(shown, r"Building 25 steps.* \[1/2\] \d+:\d\d of about 0:")
 
     def test_a_silent_step_is_noticed(self) -> None:
         self.change("^readonly progress_ms=.*$", "readonly progress_ms=999999")
-        status, shown, silence = self.machine.run("conform")
-        self.assertEqual(status, 0, shown)
-        self.assertGreater(silence, SILENT)
+        status, shown, steps = self.machine.run("conform")
+        self.assertEqual((status, steps), (0, 0), shown)
 
     def test_the_first_line_says_how_long_it_takes_here(self) -> None:
         self.at_once()
         self.assertRegex(self.machine.run("conform")[1],
                          r"The whole takes about \d+:\d\d minutes here \(packages \d:\d\d, build \d+:\d\d, run \d+:\d\d\)\.")
+
+    def test_the_estimate_follows_what_is_seen(self) -> None:
+        # The table has 85 seconds; the machine takes 573, each part as long.
+        seen = {("", 0): 85, ("[0/100]", 60): 145, ("[1/100]", 5.73): 109, ("[10/100]", 57.3): 309,
+                ("[25/100]", 143.25): 573, ("[080/100]", 458.4): 573, ("[100/100]", 573): 573}
+        lines = "; ".join(f"at='{at}' forecast {round(gone * 1000)}" for at, gone in seen)
+        done = subprocess.run(["bash", "-c", f"source tools/lib/base/setup.sh; expected=85; {lines}"],
+                              cwd=self.machine.root, capture_output=True, text=True, check=True)
+        self.assertEqual([int(line) for line in done.stdout.split()], list(seen.values()))
 
     def test_without_a_table_it_says_what_but_not_how_long(self) -> None:
         self.at_once()
@@ -217,13 +240,48 @@ class Setup(unittest.TestCase):
     def test_what_a_build_from_nothing_takes_is_kept(self) -> None:
         self.at_once()
         busy = "(ulimit -t 2; while :; do :; done) 2>/dev/null"  # two seconds of the processor, however busy that is
-        self.machine.program("cmake", f"{CMAKE.replace(f'sleep {SLOW}', 'true')}\n{busy}\nexit 0")
+        self.machine.program("cmake", f"{CMAKE.replace(SLOW, 'true')}\n{busy}\nexit 0")
         self.assertEqual(self.machine.run("conform")[0], 0)
         rows = [line.split(",") for line in (self.machine.root / "build" / "measured.csv").read_text().splitlines()]
         self.assertEqual([row[:2] for row in rows],
                          [["packages", "each"], ["build", "conform"], ["steps", "conform"]])
         self.assertGreater(float(rows[1][2]), 0)  # of processor time, in whole seconds
         self.assertEqual(rows[2][2], "25")
+
+    def test_a_signal_ends_what_a_command_started(self) -> None:
+        job = '[ "$1" = --help ] || { echo "[1/2] first"; touch "$HN_STARTED"; sleep 100; echo it runs on; }'
+        for command, program, number in (("bake", "cmake", signal.SIGTERM), ("bake", "cmake", signal.SIGINT),
+                                         ("measure cpu", "cmake", signal.SIGHUP), ("measure cpu", "python3", signal.SIGTERM),
+                                         ("test", "cmake", signal.SIGTERM), ("test", "ctest", signal.SIGTERM)):
+            with self.subTest(command, program=program):
+                self.machine = self.new_machine()
+                self.at_once()
+                self.machine.program(program, job)
+                self.assert_ends([self.machine.tools / command.split()[0], *command.split()[1:]], number)
+
+    def test_a_signal_ends_what_a_command_of_python_started(self) -> None:
+        text = "import subprocess; subprocess.run(['sh', '-c', 'touch $HN_STARTED; sleep 100 & wait'])"
+        (self.machine.root / "job.py").write_text(text)
+        for command in ([sys.executable, "-c", f"from base import needs; needs.python(3, 9); {text}"],
+                        [TOOLS / "lib" / "base" / "scientific-python", "-m", "job"]):
+            self.machine.environment = {**os.environ, "PYTHONPATH": f"{TOOLS / 'lib'}:{self.machine.root}"}
+            with self.subTest(command):
+                self.assert_ends(command, signal.SIGTERM)
+
+    def assert_ends(self, command: Sequence[str | Path], number: int) -> None:
+        """All that the command starts has a pipe open, whose other end is read until nobody has."""
+        started = self.machine.root / "started"
+        started.unlink(missing_ok=True)
+        reading, writing = os.pipe()
+        with open(reading, "rb") as end, subprocess.Popen(
+                command, pass_fds=[writing], preexec_fn=with_signals, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                env={**self.machine.environment, "HN_STARTED": str(started)}) as process:
+            os.close(writing)
+            while process.poll() is None and not started.exists():
+                time.sleep(0.01)
+            process.send_signal(number)
+            self.assertEqual(process.wait(), -number)
+            self.assertTrue(select.select([end], [], [], 60)[0], "what it started runs on")
 
     def test_on_a_terminal_one_line_is_rewritten(self) -> None:
         terminal, other_end = pty.openpty()
@@ -243,7 +301,7 @@ class Setup(unittest.TestCase):
         self.assertEqual(process.wait(), 0)
         text = shown.decode()
         self.assertEqual(text.count("\n"), 2, text)  # the first line, and what the program prints
-        self.assertRegex(text, r"\rBuilding 25 steps \[\d/2\] 0:0\d of about 0:\d\d\x1b\[K")
+        self.assertRegex(text, r"\rBuilding 25 steps \[\d/2\] \d+:\d\d of about 0:\d\d\x1b\[K")
         self.assertTrue(text.endswith("\r\x1b[Kit runs\r\n"), text)
 
 

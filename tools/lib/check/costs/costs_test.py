@@ -111,25 +111,27 @@ class Recording(unittest.TestCase):
         return status, costs.read_file(self.path), text.getvalue()
 
     def test_processor_time_counts_and_not_what_a_test_waits(self) -> None:
-        waiting = burning("golden", 0.6)
-        waiting["command"][2] += "\n"
-        waiting["command"][2] = "import time; time.sleep(1)\n" + waiting["command"][2]
+        waiting = burning("golden", 0.3)
+        waiting["command"][2] = "import time; time.sleep(2)\n" + waiting["command"][2]
         status, table, text = self.record(waiting, burning("twins", 0.1))
         self.assertEqual(status, 0, text)
-        self.assertTrue(0.6 <= table["test", "golden"].value < 1.2, table)
-        self.assertTrue(0.1 <= table["test", "twins"].value < 0.6, table)
+        self.assertTrue(0.3 <= table["test", "golden"].value < 2, table)
+        self.assertGreaterEqual(table["test", "twins"].value, 0.1)
         self.assertEqual(table["test", "golden"].before, 50)
 
     def test_what_a_test_starts_and_does_not_wait_for_counts_until_it_ends_or_is_ended(self) -> None:
-        for then, name in (("", "twins"), ("import time; time.sleep(60)", "golden")):
+        burnt = self.build / "burnt"
+        for then, name in (("", "twins"), ("\ntime.sleep(600)", "golden")):
             starting = burning(name, 0)
-            inner = BURN.format(0.5) + then
+            inner = f"{BURN.format(0.5)}open({str(burnt)!r}, 'w'){then}"
             starting["command"][2] = f"import subprocess, sys; subprocess.Popen([sys.executable, '-c', {inner!r}])"
-            with mock.patch.object(command, "LEFT", 1.0):
+            # The time is up when it has used its own, however busy the machine is.
+            with mock.patch.object(command.time, "monotonic", lambda: command.LEFT + 1 if burnt.exists() else 0.0):
                 status, table, text = self.record(starting)
+            burnt.unlink()
             self.assertEqual(status, 0, text)
             # The system counts a process without a waiting parent in hundredths of a second, and the last are lost.
-            self.assertTrue(0.45 <= table["test", name].value < 1.1, table)
+            self.assertGreaterEqual(table["test", name].value, 0.45)
 
     def test_a_test_may_be_interrupted_though_a_shell_has_this_in_the_background(self) -> None:
         test = burning("golden", 0)
@@ -143,7 +145,7 @@ class Recording(unittest.TestCase):
 
     def test_on_a_machine_that_is_half_as_fast_a_second_counts_half(self) -> None:
         table = self.record(burning("golden", 1), burning("twins", 0), speed=0.2)[1]
-        self.assertTrue(0.5 <= table["test", "golden"].value < 0.9, table)
+        self.assertTrue(0.5 <= table["test", "golden"].value < 1, table)
 
     def test_a_machine_that_slows_down_is_asked_again(self) -> None:
         speeds = iter((0.1, 0.1, 0.3))  # of all cores, before the first test, and after it
@@ -151,7 +153,7 @@ class Recording(unittest.TestCase):
               mock.patch.object(command, "STEADY", 0.5), contextlib.redirect_stdout(io.StringIO()),
               mock.patch.object(command, "listed", lambda *_: [burning("golden", 1)])):
             self.assertEqual(command.record(self.build, self.path, ["-R", "."]), 0)
-        self.assertTrue(0.5 <= costs.read_file(self.path)["test", "golden"].value < 0.9)  # a second at half the speed
+        self.assertTrue(0.5 <= costs.read_file(self.path)["test", "golden"].value < 1)  # a second at half the speed
 
     def test_the_tests_of_a_program_of_gtest_are_one_row(self) -> None:
         tests = [burning(f"unit.A.{number}", 0.2) for number in range(2)]

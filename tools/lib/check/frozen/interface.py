@@ -8,6 +8,7 @@ import csv
 import io
 import json
 import re
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -38,6 +39,7 @@ STRUCT_OF_CPP = re.compile(r"^struct (Settings|(?:Cell)?(?:Grid|Points)|Range) \
 MEMBER_OF_CPP = re.compile(r"^  ([^\n()]+?) (\w+)(\{\}| = [^;]+)?;", re.M)
 ENUM_OF_CPP = re.compile(r"^enum class (\w+) \{ (.*) \};", re.M)
 OF_JAVASCRIPT = re.compile(r"^export (?:interface|declare class) (\w+) \{(.*?)^\}", re.M | re.S)
+OPTIONAL = re.compile(r"(?:; |(?<=[({]))(\w+\?: [^;,(){}]+)(?=[;)}])")  # a member, or the last parameter
 BOUNDS_OF = re.compile(r'^(\w+)_BOUNDS\((?:"(\w+)", (\d, \w+), )?(.+)\)$', re.M)
 TABLES_OF_BOUNDS = re.compile(r"<!-- tools/make bounds: (?:sums|Jacobians) -->(?:\n[^\n]*){2}\n(.*?)<!-- end -->", re.S)
 WITH_VALUE = "value", "slopes", "value_and_quadrature"  # shapes with a component of that name
@@ -146,9 +148,12 @@ def javascript() -> Iterator[Row]:
         for type_, names in re.findall(r"^export type (\w+) =([^;]+);", text, re.M):
             yield from (("javascript", f"{type_} {name}", "") for name in re.findall(r"\w+", names))
         for name, body in OF_JAVASCRIPT.findall(text):
+            seen: Counter[str] = Counter()
             for line in re.sub(r"\s*\n    \s*|\n  (?=\))", " ", body).splitlines():
                 if found := re.fullmatch(r"  (?:(static|readonly) )?(\w+)(.+);", line):
-                    yield "javascript", f"{name}.{found[2]}", f"{found[1] or ''} {found[3]}".strip()
+                    seen[found[2]] += 1
+                    number = f" {seen[found[2]]}" if seen[found[2]] > 1 else ""  # of several of one name
+                    yield "javascript", f"{name}.{found[2]}{number}", f"{found[1] or ''} {found[3]}".strip()
 
 
 def nodes() -> Iterator[Row]:
@@ -216,11 +221,21 @@ def text_of(rows: Rows) -> str:
     return out.getvalue()
 
 
+def without_added(was: str, now: str) -> str:
+    """A call of JavaScript without the options that it did not have before."""
+    now, was = (re.sub(r"(?<=[({]) |[;,]? (?=[)}])", "", one) for one in (now, was))
+    return OPTIONAL.sub(lambda found: found[0] if found[1] in was else "", now)
+
+
 def stays(kind: str, was: str, now: str | None) -> bool:
-    """Whether what there is now is what there was, or a bound that is no larger. A range stays, too: files of 16 bits
-    are scaled by it, so a narrower one would change each of their numbers."""
-    if was == now or now is None or kind != BOUND:
+    """Whether what there is now is what there was, or a bound that is no larger, or a call with more options. A range
+    stays, too: files of 16 bits are scaled by it, so a narrower one would change each of their numbers."""
+    if was == now or now is None:
         return was == now
+    if kind == "javascript":
+        return without_added(was, now) == without_added(was, was)
+    if kind != BOUND:
+        return False
     try:
         before, after = ([float.fromhex(one) if "x" in one else float(one) for one in of.split()] for of in (was, now))
     except ValueError:
@@ -239,8 +254,8 @@ def changed(table: Rows, rows: Rows) -> Iterator[str]:
 
 
 def stale(table: Rows, rows: Rows) -> Iterator[str]:
-    """Rows that tools/make freeze writes: new ones, and smaller bounds."""
+    """Rows that tools/make freeze writes: new ones, smaller bounds, and calls with more options."""
     for (kind, name), now in sorted(rows.items()):
         was = table.get((kind, name))
         if was is None or (was != now and stays(kind, was, now)):
-            yield f"{kind} {name}: {'it has no row' if was is None else 'it is smaller now'}. Run tools/make freeze"
+            yield f"{kind} {name}: {'it has no row' if was is None else 'its row is older'}. Run tools/make freeze"

@@ -55,6 +55,11 @@ CHANGES = (  # of a file; what is reported
      "python random.x: it was 1, and is 2"),
     ("packages/npm/src/index.d.ts", "allInCell(cell: number |", "allInCell(cell: string |",
      "javascript Field.allInCell: it was (cell: number | "),
+    ("packages/npm/src/index.d.ts", "init(module?:", "init(module:", "javascript init: it was (module?: WebAssembly."),
+    ("packages/npm/src/index.d.ts", "      cell?:", "      cells?:", "javascript Field.grid: it was ( size: "),
+    ("packages/npm/src/index.d.ts", "      first?:", "      first:", "javascript Field.grid: it was ( size: "),
+    ("packages/npm/src/index.d.ts", "    coordinates: Coordinates,", "    coordinates: object,",
+     "javascript Field.points 2: it was ( coordinates: Coordinates"),
     ("packages/npm/package.json", "./tsl/fixed\"", "./tsl/exact\"",
      "javascript hashnoise/tsl/fixed: it was import, and is gone."),
     ("src/bake/arguments.hpp", 'arithmetic = "fixed"', 'arithmetic = "fast"',
@@ -106,11 +111,19 @@ class Interface(unittest.TestCase):
         self.assertIn("materialx hn_warp3d.out: it was output vector3, and is output color3. ", messages)
 
     def test_what_is_new_and_bounds_that_shrink_are_no_change_and_written(self) -> None:
-        rows = {**self.table, ("function", "hn_new(vec2)"): "", ("bound", "hn_sine"): "0x1p-20 3.66e-5"}
+        init, grid = ("javascript", "init"), ("javascript", "Field.grid")
+        first = "first?: number | ArrayLike<number>; "
+        self.table |= {init: "(): Promise<void>", grid: self.table[grid].replace(first, "")}
+        rows = {**self.table, ("function", "hn_new(vec2)"): "", ("bound", "hn_sine"): "0x1p-20 3.66e-5",
+                init: "(module?: WebAssembly.Module): Promise<void>",
+                grid: self.table[grid].replace("out?:", f"{first}out?:")}
+        self.assertNotEqual(rows[grid], self.table[grid])
         self.assertEqual([*interface.changed(self.table, rows)], [])
         self.assertEqual([*interface.stale(self.table, rows)],
-                         ["bound hn_sine: it is smaller now. Run tools/make freeze",
-                          "function hn_new(vec2): it has no row. Run tools/make freeze"])
+                         ["bound hn_sine: its row is older. Run tools/make freeze",
+                          "function hn_new(vec2): it has no row. Run tools/make freeze",
+                          "javascript Field.grid: its row is older. Run tools/make freeze",
+                          "javascript init: its row is older. Run tools/make freeze"])
 
     def test_bounds_and_ranges_of_experimental_functions_are_free_until_they_are_ready(self) -> None:
         bounds = " ".join(name for kind, name in self.table if kind in ("bound", "range"))

@@ -45,7 +45,7 @@ PARTS = (
           "packages/npm/src/index.*", "packages/npm/wasm/twin.cpp", "packages/python/hashnoise/*.py*",
           "playground/catalog.js", "src/grid/catalog.inc", *LINES)),
     Part("umbrella", "files of glsl/ that only include others, and what other dimensions have of the plane's text",
-         "a second", "translate.dimensions.command", ("include/hashnoise/*.hpp",),
+         "a second", "translate.dimensions.command", (),
          # config.glsl is by hand, and what is above this part is made of it.
          ("glsl/hashnoise/[!c]*.glsl", "glsl/hashnoise/c[!o]*.glsl", "glsl/hashnoise/detail/*"), python=(3, 9)),
     Part("readme", "pictures, numbers and tables of pages", "half a minute", "ship.readme.command",
@@ -82,4 +82,6 @@ PARTS = (
          ("build/vectors/*.json",), python=(3, 9), by_name=True),
     Part("site", "a site of the pages, with what Sphinx needs from PyPI", "minutes", "ship.website.command", (),
          ("build/site/index.html",), by_name=True),
+    Part("format", "C++, GLSL and Python, formatted", "seconds, and half a minute at first", "check.format.command", (),
+         (), by_name=True),
 )

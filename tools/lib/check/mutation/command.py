@@ -46,7 +46,7 @@ from functools import cache  # noqa: E402
 from pathlib import Path  # noqa: E402
 
 from base.tree import GLSL as LIBRARY  # noqa: E402
-from base.tree import ROOT, glsl_files
+from base.tree import ROOT, glsl_files  # noqa: E402
 from base.usage import whole  # noqa: E402
 from catalog.tables.functions import read_functions  # noqa: E402
 from check.mutation import rules  # noqa: E402

@@ -64,17 +64,6 @@ def titled_table(rows: Mapping[tuple[str, str], Row], titles: Mapping[str, str])
                  [[title, *(_cost(rows, id, chip) for chip in chips)] for id, title in titles.items()])
 
 
-def quotes(rows: Mapping[tuple[str, str], Row]) -> list[str]:
-    """The README's comparison of Perlin noise with FastNoiseLite's."""
-    def least_and_most(axes: int) -> str:
-        [call] = [call for call in CALLS if (call.noise, call.peer) == (f"Perlin {axes}D", "fastnoiselite")]
-        ratios = [float(rows[f"{call.ours}.lattice", chip].cost) / float(rows[f"{subject(call)}{axes}", chip].cost)
-                  for chip in comparing.shown(rows)]
-        return f"{min(ratios):.1f} to {max(ratios):.1f}"
-
-    return [f"{least_and_most(2)} times as much as FastNoiseLite's in 2D, and {least_and_most(3)} in 3D"]
-
-
 def operation_table(rows: Sequence[Mapping[str, str]]) -> str:
     prices = {(row["operation"], row["chip"]): (row["alone"], row["beside"]) for row in rows}
     chips = [name for name in OF_OPERATIONS if any(row["chip"] == name for row in rows)]

@@ -34,8 +34,9 @@ class Effort:
     samples: int = 1 << 18   # cells of the tests that draw them
     windows: int = 32        # places in which only equal words are looked for
     pairs: int = 6           # of seeds
-    thorough: bool = True    # two of the seeds at each origin, and the costly tests in one of two windows; else one
-                             # seed, and the costly tests in the first window alone
+    # Two of the seeds at each origin, and the costly tests in one of two windows; else one seed, and the costly tests in
+    # the first window alone.
+    thorough: bool = True
 
     def windows_of(self, dimensions: int) -> list[tuple[tuple[int, ...], int, bool]]:
         """Origin and seed of each window, and whether it has the costly tests."""

@@ -13,6 +13,7 @@ from unittest import mock
 
 import numpy as np
 
+from base.thorough import in_thorough_runs
 from measure import record
 from measure.paper import plots, reproduction
 
@@ -152,12 +153,9 @@ class Numbers(Case):
         self.assertEqual(reproduction.bend([0, 8, 16, 32], [20.0, 20.0, 36.0, 68.0]), (2.0, 8.0))
 
 
+@in_thorough_runs  # which install matplotlib: it takes 44 packages
 class Drawings(unittest.TestCase):
     def test_are_files(self) -> None:
-        try:
-            import matplotlib  # noqa: F401
-        except ImportError:
-            self.skipTest("there is no matplotlib")
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "x.svg"
             plots.sweep(path, {"Perlin/Float": ([0, 1], [1.0, 2.0])}, "2", "256 MiB")

@@ -13,9 +13,12 @@ from base.thorough import in_thorough_runs, some
 from proof.bounds import borders, distances, features, moving
 from proof.bounds import cellular_model as model
 from proof.bounds.exact_model import lattice_word
+from proof.bounds.noises import cell_border
 from proof.bounds.rounded import FIXED, Rounding, Text, along_axes, roundings
 from proof.bounds.sine import fixed_sine, fixed_sines
 from proof.bounds.table import bounds_of, slope_bounds_of
+from proof.oracle import noises as oracle
+from proof.oracle.gradients import Knobs
 
 DIMS = (2, 3)
 COUNT = {2: 3000, 3: 800}
@@ -137,6 +140,19 @@ class Blocks(unittest.TestCase):
             missed = borders.search(features.neighbours(dims), dims, 20, count, steps)
             self.assertGreater(missed, 0.05)
             self.assertGreater(borders.search(block - features.slab(dims, 1), dims, 20, count, steps), missed / 2)
+
+
+class Borders(unittest.TestCase):
+    def test_a_climb(self):
+        """It finds what the page states, and more than the largest borders that are known of the library."""
+        known = {2: ((-567291, 57828), (0.5342983, 0.7685160), 233433071),
+                 3: ((974166, -68968, 352045), (0.5813425, 0.4050027, 0.2685761), 2892670609)}
+        for dims, place in known.items():
+            seen = float(oracle.find("cell_border").exact_cell(Knobs("lattice", False), *place)[0])
+            self.assertTrue({2: 0.702, 3: 0.618}[dims] < seen < cell_border.CLIMBED[dims])
+            climbed = borders.climb(dims)
+            self.assertTrue(cell_border.CLIMBED[dims] <= climbed < cell_border.CLIMBED[dims] + 0.01)
+            self.assertLess(climbed, features.largest_border(dims))
 
 
 class Ranges(unittest.TestCase):

@@ -359,5 +359,7 @@ class Octaves(OctaveErrors, unittest.TestCase):
             self.assertLess(tolerance(200, dims=3, gradient=SINE, kind=kind, strength=1.0), largest)
         self.assertEqual(float_sums.octave_tolerance(sums.Sum("fbm", 1.0, 1, 256.0, 0.5, from_cell=True),
                                                proven(OCTAHEDRAL, 2)), math.inf)
-        with self.assertRaises(ValueError):
+        with self.assertRaisesRegex(LookupError, "no proof of the sum fog"):
             tolerance(1, kind="fog")
+        with self.assertRaisesRegex(LookupError, "bounds of derivatives"):
+            tolerance(1, kind="eroded")

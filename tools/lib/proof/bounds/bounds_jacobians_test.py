@@ -48,7 +48,9 @@ def tolerances(s, dims, is_fixed):
     noise, slope = proven(s.kind, dims)
     own = jacobians.TOLERANCES[s.kind][is_fixed](s, noise, slope)
     of_value = (octave_tolerance, sums.fixed_octave_tolerance)[is_fixed]
-    return {"fbm_d": [of_value(s, noise)] + [own] * dims, "eroded": [own]}.get(s.kind, [own] * dims)
+    if s.kind == "fbm_d":
+        return [of_value(s, noise)] + [own] * dims
+    return [own] if s.kind == "eroded" else [own] * dims
 
 
 def random_sum(rng, kind, **others):

@@ -98,13 +98,8 @@ def root_error(dims: int, reach: float, err: float, ulps: float) -> float:
 
 def euclidean_reach(metric: str, dims: int, largest: float) -> float:
     """How far a point can be that is so far in a metric."""
-    if metric == "squared":
-        return math.sqrt(largest)
-    if metric == "chebyshev":
-        return largest * math.sqrt(dims)
-    if metric == "hybrid":
-        return (math.sqrt(1 + 4 * largest) - 1) / 2
-    return largest
+    return {"euclidean": largest, "squared": math.sqrt(largest), "manhattan": largest,
+            "chebyshev": largest * math.sqrt(dims), "hybrid": (math.sqrt(1 + 4 * largest) - 1) / 2}[metric]
 
 
 def manhattan_reach(metric: str, dims: int, largest: float) -> float:
@@ -129,9 +124,8 @@ def metric_error(metric: str, dims: int, largest: float, ulps: float = 1.0) -> f
         return (across + f32(2 * reach * 1.001, ulps)) / 2 * SAFE
     size = 2 * manhattan_reach(metric, dims, largest) * 1.001
     total = (2 * across if dims == 2 else across + along) + f32(size, ulps)
-    if metric == "manhattan":
-        return total / 2 * SAFE
-    return (square / 2 + f32(2 * reach**2 * 1.001, ulps) + total + f32(2 * largest * 1.001, ulps)) / 2 * SAFE
+    hybrid = square / 2 + f32(2 * reach**2 * 1.001, ulps) + total + f32(2 * largest * 1.001, ulps)
+    return {"manhattan": total, "hybrid": hybrid}[metric] / 2 * SAFE
 
 
 def metric_slope(metric: str, dims: int, largest: float) -> float:

@@ -4,8 +4,11 @@ derivatives, and others are left out."""
 
 import contextlib
 import io
+import os
 import re
 import shutil
+import subprocess
+import sys
 import tempfile
 import unittest
 from dataclasses import replace
@@ -247,6 +250,7 @@ class Command(unittest.TestCase):
         """The status of --check and its message, if the comparison ends so."""
         shown = io.StringIO()
         with mock.patch.object(command, "derive", return_value=RAW), contextlib.redirect_stderr(shown), \
+                mock.patch.object(command, "without_proof", return_value=[]), \
                 mock.patch.object(command, "differences", side_effect=problem):
             return command.main(["--check"]), shown.getvalue()
 
@@ -256,6 +260,48 @@ class Command(unittest.TestCase):
     def test_a_mistake_of_the_program_is_not(self):
         with self.assertRaises(KeyError):
             self.check(KeyError("x"))
+
+
+class New(unittest.TestCase):
+    """An entry of the catalog that somebody adds without its proof."""
+
+    def entry(self, file: str, like: str, name: str, *changes: tuple[str, str]) -> None:
+        path = self.root / "catalog" / file
+        text = path.read_text(encoding="utf-8")
+        new = re.search(rf"^\[{like}\]\n(?:.+\n)+", text, re.MULTILINE)[0].replace(f"[{like}]", f"[{name}]")
+        for old, changed in changes:
+            self.assertIn(old, new)
+            new = new.replace(old, changed)
+        path.write_text(f"{text}\n{new}", encoding="utf-8")
+
+    def test_each_is_refused_by_its_name(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.root = Path(folder)
+            for part in ("catalog", "conformance/expected/bounds.inc", *(f"tools/lib/{room}" for room in (
+                    "base", "catalog", "proof/bounds", "proof/oracle", "proof/sums"))):
+                copy = shutil.copytree if (ROOT / part).is_dir() else shutil.copy
+                (self.root / part).parent.mkdir(parents=True, exist_ok=True)
+                copy(ROOT / part, self.root / part)
+            self.entry("sums.toml", "ridged", "spiky", ('step = "ridge"', 'step = "spike"'))
+            self.entry("sums.toml", "clouds", "veiled", ('mean = "density"', 'mean = "veil"'))
+            self.entry("sums.toml", "fbm_d", "billow_d")
+            self.entry("noises.toml", "value", "spots")
+            for file, old, new in (("catalog/settings.toml", '"hybrid"]', '"hybrid", "minkowski"]'),
+                                   ("tools/lib/catalog/model.py", 'MEANS = ("", ', 'MEANS = ("", "veil", ')):
+                text = (self.root / file).read_text(encoding="utf-8")
+                self.assertIn(old, text)
+                (self.root / file).write_text(text.replace(old, new), encoding="utf-8")
+            done = subprocess.run([sys.executable, "-B", "-m", "proof.bounds.command", "--check"], cwd=self.root / "tools/lib",
+                                  env={**os.environ, "PYTHONPATH": "."}, capture_output=True, text=True, check=False)
+        self.assertEqual((done.stdout.splitlines(), done.returncode), ([
+            "tools/lib/proof/bounds has no proof of the sum billow_d",
+            "tools/lib/proof/bounds/features.py has no proof of the metric minkowski",
+            "tools/lib/proof/bounds/noises has no proof of spots: write spots.py",
+            "tools/lib/proof/bounds/steps.py has no proof of the step spike, by which spiky adds an octave",
+            "tools/lib/proof/bounds/sums.py has no proof of the mean veil, by which veiled ends",
+            "tools/lib/proof/sums/bounds.cpp has no proof of the mean veil: write it, and name it in the switch",
+            "tools/lib/proof/sums/bounds.cpp has no proof of the step spike: write it, and name it in the switch"], 1),
+            done.stderr)
 
 
 class Entries(unittest.TestCase):

@@ -13,7 +13,7 @@ import numpy as np
 
 from proof.bounds.boxes import corners
 from proof.bounds.gradients import OCTAHEDRAL, ROTATED, SINE
-from proof.bounds.sums import clamped_strength, step_of
+from proof.bounds.sums import CATALOG, clamped_strength, name_of_step, step_of
 
 SCALE = {OCTAHEDRAL: {1: 2048 / 1024, 2: 1831 / 1024, 3: 985 / 1024, 4: 953 / 1024},
          ROTATED: {2: 1831 / 1024, 3: 879 / 1024}, SINE: {2: 1.0, 3: 1.0}}
@@ -223,14 +223,12 @@ def octaves(kind, s, p):
         if step.clamps:
             n = np.clip(n, -1, 1)
         term, before = step.term(n, before, strength)
-        used = weight if s.kind == "weighted" else power * fade_of_footprint(s, i)
+        used = weight if name_of_step(s.kind) == "bent" else power * fade_of_footprint(s, i)
         total = total + used * term
         weight = weight * s.gain * (1 - strength * (1 - n) / 2)
         q = [x * s.lacunarity for x in p]
         p = [x + shift for x, shift in zip(rotate(q) if s.rotates else q, SHIFT)]
         seed = u32(seed + 0x9E3779B9)
     mean = total / sum(powers) if count else np.zeros(np.shape(p[0]))
-    if s.kind == "billow":
-        return 2 * mean - 1
     t = np.clip(2 * mean + 0.25, 0, 1)
-    return t * t * (3 - 2 * t) if s.kind == "clouds" else mean
+    return {"": mean, "bounded": mean, "billows": 2 * mean - 1, "density": t * t * (3 - 2 * t)}[CATALOG[s.kind].mean]

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from base.twin import compile_program
 from catalog import suite
-from proof.bounds.sums import Sum
+from proof.bounds.sums import KINDS, Sum
 from proof.bounds.table import Bounds, GulliesBounds
 
 SOURCE = Path(__file__).parents[1] / "sums" / "answers.cpp"
@@ -41,7 +41,11 @@ def _answer(what: str, rule: str, s: Sum, *others: float) -> list[float]:
     process = _program()
     print(what, rule, *(float(x) if isinstance(x, float) else int(x) for x in (*arguments, *others)),
           file=process.stdin)
-    return list(map(float, process.stdout.readline().split()))
+    answer = process.stdout.readline()
+    try:
+        return list(map(float, answer.split()))
+    except ValueError:  # there is no proof
+        raise LookupError(answer.strip()) from None
 
 
 def _told(what: str, s: Sum, *bounds: Bounds) -> float:
@@ -58,6 +62,8 @@ def rule_of(s: Sum) -> str:
 def octave_tolerance(s: Sum, noise: Bounds, slope: Bounds | None = None) -> float:
     """The largest error of an octave sum over a noise, or of a component of a warp. An erosion and a warp need what is
     proven of the derivatives of the noise."""
+    if slope is None and s.kind not in (*KINDS, "fbm_d"):
+        raise LookupError(f"the bound of {s.kind} follows from the bounds of derivatives, too")
     return _told("value", s, noise, slope or noise)
 
 

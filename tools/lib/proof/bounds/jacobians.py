@@ -16,11 +16,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
+import catalog.model
 from proof.bounds.float_sums import octave_tolerance, slope_tolerance
 from proof.bounds.integers import FADE_ONE, SLOPE_UNIT, UNIT
 from proof.bounds.sums import (
     LARGEST_STRENGTH,
     ROTATIONS,
+    SHIFTS,
     WEIGHT_UNIT,
     Sum,
     first_whole_position,
@@ -39,8 +41,9 @@ LARGEST_RISE = 4000.0  # the same of the growths' sum times the longest gradient
 SLOPE_LIMIT = 128.0  # of a component, beyond which it is cut off
 FALL_LIMIT = 8.0  # the same of what hn_eroded sums of slopes
 FALL_UNIT = 2.0**-12
-LARGEST_AMPLITUDE = 64.0
-FITTING = ("perlin_d", "simplex_d", "value_d", "cellular_d", "perlin_d_phase", "simplex_d_phase")  # what hn_add takes
+LARGEST_AMPLITUDE = max(LARGEST_STRENGTH[kind] for kind in SHIFTS)
+FITTING = tuple(noise.name + phase for noise in catalog.model.read().noises  # what hn_add takes
+                if noise.shape in ("slopes", "distance_with_slopes") for phase in ("", "_phase")[:1 + ("phase" in noise.options)])
 DOUBLES = 1e-12  # more than the rounding errors of 32 Jacobians of up to 64, computed in doubles
 COARSE = 127  # what a large result loses at most, in its units
 
@@ -73,7 +76,7 @@ def cut_lacunarity(s: Sum) -> float:
 
 
 def clamped_amplitude(s: Sum) -> float:
-    return min(max(s.amplitude, 0.0), LARGEST_AMPLITUDE)
+    return min(max(s.amplitude, 0.0), LARGEST_STRENGTH[s.kind])
 
 
 def steepest_fall(strength: float, reach: float) -> float:

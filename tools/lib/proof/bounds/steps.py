@@ -4,6 +4,7 @@ much the integers of it may be off."""
 from __future__ import annotations
 
 import math
+from typing import Protocol
 
 import numpy as np
 
@@ -12,28 +13,31 @@ from proof.bounds.integers import FADE_ONE, UNIT
 WEIGHT_UNIT = 1 / FADE_ONE
 
 
-class Step:
-    """A step that adds the noise as it is. Before the first octave the rest of a step is 1/2."""
-    clamps = True  # a noise beyond [-1, 1] counts as the nearer end
+class Step(Protocol):
+    """Before the first octave the rest of a step is 1/2."""
+    clamps: bool  # whether a noise beyond [-1, 1] counts as the nearer end
 
     def term(self, n, before, strength):
         """The number that an octave adds, and the rest for the next."""
-        return n, before
 
     def fixed_errors(self, errs: list[float], strength: float, cut: float) -> list[float]:
         """The errors of octaves in integers, before their weights, given those of the noise; the strength is cut by so
-        much. The
-        errors of floats are in tools/lib/proof/sums/bounds.cpp."""
+        much. The errors of floats are in tools/lib/proof/sums/bounds.cpp."""
+
+
+class Noise:
+    """The noise as it is."""
+    clamps = False
+
+    def term(self, n, before, strength):
+        return n, before
+
+    def fixed_errors(self, errs, strength, cut):
         return errs
 
 
-class Noise(Step):
-    clamps = False
-
-
-class Size(Step):
+class Size(Noise):
     """Its absolute value, which is exact and brings no two values further apart."""
-    clamps = False
 
     def term(self, n, before, strength):
         return abs(n), before
@@ -43,8 +47,9 @@ class BoundedSize(Size):
     clamps = True
 
 
-class Ridge(Step):
+class Ridge:
     """d = 1 - |n|;  r = d*d*min(2*r, 1). In integers d is rounded down to 2^-18, and so is each product."""
+    clamps = True
 
     def term(self, n, before, strength):
         r = (1 - abs(n)) ** 2 * np.minimum(2 * before, 1)
@@ -62,9 +67,10 @@ class Ridge(Step):
         return terms
 
 
-class Height(Step):
+class Height:
     """d = (1 + n)/2;  t = d*min(2*t, 1). Both factors are at most 1, so an error of t doubles. In integers d is rounded
     down to 2^-18, and so is the product, but the first one, which is exact."""
+    clamps = True
 
     def term(self, n, before, strength):
         t = (1 + n) / 2 * np.minimum(2 * before, 1)
@@ -78,10 +84,11 @@ class Height(Step):
         return terms
 
 
-class Wave(Step):
+class Wave:
     """t = (n + 1)*strength;  t = t - 2*floor(t/2);  z = min(t, 2 - t);  2*z - 1
 
     In integers t is rounded down to 2^-30, the term to 2^-21."""
+    clamps = True
 
     def term(self, n, before, strength):
         t = (n + 1) * strength
@@ -92,8 +99,9 @@ class Wave(Step):
         return [min(2 * (strength * e + 2 * cut + 2.0**-30) + UNIT, 2.0) for e in errs]
 
 
-class Bent(Step):
+class Bent(Noise):
     """The noise as it is; what it makes of the next octave's weight is in sums.py."""
+    clamps = True
 
 
 STEPS: dict[str, Step] = {"noise": Noise(), "size": Size(), "bounded_size": BoundedSize(), "ridge": Ridge(),

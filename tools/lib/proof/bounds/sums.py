@@ -43,7 +43,7 @@ class Sum:
 
     def __post_init__(self):
         if self.kind not in KINDS + SLOPED + SHIFTS:
-            raise ValueError(self.kind)
+            raise LookupError(f"tools/lib/proof/bounds has no proof of the sum {self.kind}")
 
     @property
     def count(self) -> int:
@@ -74,13 +74,22 @@ def doubled(s: Sum) -> Sum:
 LARGEST_STRENGTH = {name: float(sum_.strength.most) for name, sum_ in CATALOG.items() if sum_.strength}
 
 
-def step_of(kind: str) -> Step:
+def name_of_step(kind: str) -> str:
     """The step of a sum without slopes and shifts; the others add the noise as it is."""
-    return STEPS[CATALOG[kind].step] if kind in KINDS else STEPS["noise"]
+    return CATALOG[kind].step if kind in KINDS else "noise"
+
+
+def step_of(kind: str) -> Step:
+    name = name_of_step(kind)
+    if name not in STEPS:
+        raise LookupError(f"tools/lib/proof/bounds/steps.py has no proof of the step {name}, by which {kind} adds an "
+                          "octave")
+    return STEPS[name]
 
 
 def clamped_strength(s: Sum) -> float:
-    return min(max(s.strength, 0.0), LARGEST_STRENGTH.get(s.kind, 1.0))
+    """0 if it has none."""
+    return min(max(s.strength, 0.0), LARGEST_STRENGTH[s.kind]) if s.kind in LARGEST_STRENGTH else 0.0
 
 
 # --- Positions --------------------------------------------------------------------------------------------------------
@@ -169,7 +178,7 @@ def fixed_terms(s: Sum, noise_errs: list[float]) -> list[float]:
 
 
 def weighted_errors(s: Sum, noise_errs: list[float]) -> list[float]:
-    """By how much B_i of weighted is off, beyond what the contract's product of exact factors is: M is off by half of
+    """By how much B_i of a bent step is off, beyond what the contract's product of exact factors is: M is off by half of
     the noise, a rounding of (1 - n) / 2 and one of the product with the strength; two products more round down."""
     strength, cut = fixed_strength(s)
     g, err, errs, weight = math.trunc(s.gain * FADE_ONE) / FADE_ONE, 0.0, [], 1.0
@@ -215,14 +224,21 @@ def fixed_octave_tolerance(s: Sum, noise: Bounds) -> float:
         noise_errs = [min(noise.lipschitz * position_err + noise.fixed_error, 2 * limit)
                       for _, position_err in zip(range(s.count), whole_positions(s, noise.dimensions))]
         changes = None
-        if s.kind == "weighted":
+        if name_of_step(s.kind) == "bent":
             total, exact_total = sum(fixed_weights(s)) / FADE_ONE, sum(s.weights)
             changes = [b * abs(1 / total - 1 / exact_total) + err / total
                        for b, err in zip(s.weights, weighted_errors(s, noise_errs))]
         error = fixed_mean_error(s, limit, fixed_terms(s, noise_errs), changes)
-    if s.kind == "clouds":  # the clamp and the doubling are exact, the smoothstep has slopes up to 3/2
-        return 1.5 * 2 * error + cloud_error()
-    return 2 * error if s.kind == "billow" else error
+    mean = CATALOG[s.kind].mean
+    if mean not in MEANS:
+        raise LookupError(f"tools/lib/proof/bounds/sums.py has no proof of the mean {mean}, by which {s.kind} ends")
+    return MEANS[mean](error)
+
+
+MEANS = {  # of a sum: what becomes of the error of the mean. A clamp brings no two values further apart
+    "": lambda error: error, "bounded": lambda error: error, "billows": lambda error: 2 * error,
+    # The clamp and the doubling are exact, the smoothstep has slopes up to 3/2.
+    "density": lambda error: 1.5 * 2 * error + cloud_error()}
 
 
 def largest_octave_intermediates(limit: float) -> dict[str, float]:

@@ -12,6 +12,7 @@ import itertools
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 
+import catalog.model
 from catalog.tables.configurations import Configuration
 from catalog.tables.functions import Function
 from proof.golden import simplex_rows
@@ -37,8 +38,8 @@ FAR_TIE = (1760080, 0, 0.75, 0.0, 2, 48, 1.0, 3, 2020091907)
 # Numbers beyond an end count as the end; tiny ones, and what fixed arithmetic cuts off.
 ODD_JITTERS = tuple(map(to_f32, (-0.5, 1.75, -0.0, 1e-40, 2.0**-33, 2.0**-32, 2.0**-21, 2.0**-20, 1 - 2.0**-24,
                                  1 + 2.0**-23)))
-METRICS = (1, 2, 3, 4, 5)
-ODD_METRICS = (0, 6, -3, INT_MIN, INT_MAX)
+METRICS = tuple(range(1, len(catalog.model.read().metrics) + 1))
+ODD_METRICS = (0, len(METRICS) + 1, -3, INT_MIN, INT_MAX)
 
 
 def jitter(generator: Generator) -> float:
@@ -204,7 +205,7 @@ def ties(function: Function, generator: Generator) -> list[Row]:
     rows = []
     for index in range(TIES if function.has_jitter else 0):
         *row, seed = placed(function, fraction((0, 5, 8, 7)[index % 4], function.axes, generator), generator)
-        rows.append((*row, *phases(function, index, generator), 0.0, *(METRICS[index % 5],) * function.has_metric,
+        rows.append((*row, *phases(function, index, generator), 0.0, *(METRICS[index % len(METRICS)],) * function.has_metric,
                      seed))
     if function.axes == 2 and function.form == "cell" and function.has_metric:
         rows.append(FAR_TIE)

@@ -96,8 +96,8 @@ class HexRows(unittest.TestCase):
         def other_side(place: Sequence[Fraction]) -> tuple:
             corners, weights = right(place)
             if weights[1] == 0:
-                (i, j), (k, l) = corners[0].skewed, corners[1].skewed
-                corners[1] = hexes.Corner((2 * i + 1 - k, 2 * j + 1 - l))
+                (i, j), (m, n) = corners[0].skewed, corners[1].skewed
+                corners[1] = hexes.Corner((2 * i + 1 - m, 2 * j + 1 - n))
             return corners, weights
 
         self.assert_noticed(("hex_words", "hex_x", "hex_y"), hexes, "triangle", other_side)

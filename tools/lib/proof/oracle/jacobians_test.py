@@ -315,7 +315,7 @@ class Warps(unittest.TestCase):
         # 1.5 times as far at half the weight: a weight of 2/3 and of 1/3, a Jacobian of 3/4 of the rotation for what
         # follows.
         for p, seed, periods in cases("two octaves", 2):
-            n, options = len(p), Options(2, 1.5, 0.5, amplitude=1.25)
+            options = Options(2, 1.5, 0.5, amplitude=1.25)
             q = list(p)
             first = vector_at(q, seed, periods)
             factor, moved = (1 if periods else Fraction(3, 2)), [x + Fraction(5, 6) * v for x, v in zip(q, first)]

@@ -9,8 +9,9 @@
 //   gullies gullies   the same up to the amplitude, then the length of the slope and the depth
 //                     the numbers of GULLIES_BOUNDS
 //
-// with that of the height and that of a slope.
+// with that of the height and that of a slope; where there is no proof, with a sentence.
 #include <cstdio>
+#include <exception>
 #include <iostream>
 #include <string>
 
@@ -64,7 +65,7 @@ bool answer_of_sum(const std::string& what, const std::string& name) {
   std::cin >> arguments >> noise >> slope;
   const auto* const sum = std::ranges::find(kSums, name, &Sum::name);
   if (!std::cin || sum == std::end(kSums)) return false;
-  std::printf("%.17g\n", what == "slope" ? hn::octave_slope_tolerance(arguments, noise, slope)
+  std::printf("%.17g\n", what == "slope" ? hn::octave_slope_tolerance(sum->rule, arguments, noise, slope)
                                          : hn::octave_tolerance(sum->rule, arguments, noise, slope));
   return true;
 }
@@ -75,7 +76,11 @@ int main() {
   std::string what;
   std::string name;
   while (std::cin >> what >> name) {
-    if (!(what == "gullies" ? answer_of_gullies() : answer_of_sum(what, name))) return 1;
+    try {
+      if (!(what == "gullies" ? answer_of_gullies() : answer_of_sum(what, name))) return 1;
+    } catch (const std::exception& error) {
+      std::printf("%s\n", error.what());
+    }
     std::fflush(stdout);
   }
   return 0;

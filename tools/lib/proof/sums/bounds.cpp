@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -10,19 +12,32 @@
 namespace hn {
 namespace {
 
-constexpr double kLargestAmplitude = 64.0;
 constexpr double kLargestFall = 8.0;  // of a component of the slopes that an erosion sums, beyond which it is cut off
 
 double strength_of(const SumRule& rule, const OctaveArguments& arguments) {
   return std::clamp(arguments.strength, 0.0, rule.most_strength);
 }
 
-double amplitude_of(const OctaveArguments& arguments) {
-  return std::clamp(arguments.amplitude, 0.0, kLargestAmplitude);
+double amplitude_of(const SumRule& rule, const OctaveArguments& arguments) {
+  return std::clamp(arguments.amplitude, 0.0, rule.most_strength);
 }
 
 // One value for each octave.
 using Errors = std::vector<double>;
+
+// An octave, before its weight.
+struct Terms {
+  Errors errors;
+  double limit;  // how large a term can be, as it is computed
+};
+
+// The proof of a step, as values and functions.
+struct Proof {
+  bool is_clamped;
+  Terms (*terms)(const Errors& noise_errors, double strength, double limit);
+  double (*tolerance)(const SumRule&, const OctaveArguments&, const FloatBounds& noise, const FloatBounds& slope);
+};
+Proof proof_of(SumStep step);
 
 // Of a noise, or a component of its derivative, at a position that is off.
 double error_at(const OctaveArguments& arguments, const FloatBounds& bounds, double lipschitz, double limit,
@@ -45,10 +60,8 @@ Errors errors_at(const OctaveArguments& arguments, const FloatBounds& bounds, do
 
 // --- An octave, before its weight ---
 
-struct Terms {
-  Errors errors;
-  double limit;  // how large a term can be, as it is computed
-};
+// An absolute value is exact and brings no two values further apart.
+Terms as_they_are(const Errors& noise_errors, double, double limit) { return {noise_errors, limit}; }
 
 // d = 1 - |n|;  r = d*d*min(2*r, 1)
 //
@@ -56,7 +69,7 @@ struct Terms {
 // sqrt(2) times that, and r by twice what g is moved by: it grows as sqrt(2)^i, and not as 2^i. Relative errors of r
 // move g by half of them. The loss below the smallest float does not depend on r, and is counted with r: it
 // doubles.
-Terms ridges(const Errors& noise_errors) {
+Terms ridges(const Errors& noise_errors, double, double) {
   Terms terms{{}, 1.0};
   double root = 0.0;
   double lost = 0.0;
@@ -70,7 +83,7 @@ Terms ridges(const Errors& noise_errors) {
 }
 
 // d = (1 + n)/2;  t = d*min(2*t, 1). Both factors are at most 1, so an error of t doubles. The first product is exact.
-Terms heights(const Errors& noise_errors) {
+Terms heights(const Errors& noise_errors, double, double) {
   Terms terms{{}, 1.0};
   double error = 0.0;
   for (const double noise_error : noise_errors) {
@@ -84,7 +97,7 @@ Terms heights(const Errors& noise_errors) {
 //
 // Of t only n + 1 and the product round: 2 - t is exact for t from 1 on. The difference may be fused with the product,
 // so that t is less than 0 or more than 2 by the rounding of the product; this counts twice, then.
-Terms waves(const Errors& noise_errors, double strength) {
+Terms waves(const Errors& noise_errors, double strength, double) {
   Terms terms{{}, 1.001};
   for (const double noise_error : noise_errors) {
     const double product = strength * (noise_error + kUnit * (2.0 + noise_error));
@@ -92,16 +105,6 @@ Terms waves(const Errors& noise_errors, double strength) {
     terms.errors.push_back(std::min(2.0 * t + kUnit * (1.0 + 2.0 * t), 2.001));
   }
   return terms;
-}
-
-// An absolute value is exact and brings no two values further apart.
-Terms terms_of(SumStep step, double strength, double limit, const Errors& noise_errors) {
-  switch (step) {
-    case SumStep::ridge: return ridges(noise_errors);
-    case SumStep::height: return heights(noise_errors);
-    case SumStep::wave: return waves(noise_errors, strength);
-    default: return {noise_errors, limit};
-  }
 }
 
 // --- The mean ---
@@ -129,7 +132,7 @@ double detail_total(const OctaveArguments& arguments) {
 double mean_error(const SumRule& rule, const OctaveArguments& arguments, double noise_limit, const Errors& noise_errors,
                   const Errors& factor_errors = {}) {
   const double strength = strength_of(rule, arguments);
-  const auto [term_errors, limit] = terms_of(rule.step, strength, noise_limit, noise_errors);
+  const auto [term_errors, limit] = proof_of(rule.step).terms(noise_errors, strength, noise_limit);
   const double gain = arguments.gain;
   double amplitude = 1.0;
   double amplitude_error = 0.0;
@@ -251,14 +254,15 @@ double eroded_tolerance(const SumRule& rule, const OctaveArguments& arguments, c
 // A coordinate of J v goes through n operations; the error of the noise comes back through the position in this way.
 // From a cell what a position moves by is cut to 2^-24, and so is its fraction. HN_PRECISE replaces a step below 2^-96
 // by 0.
-Errors progressive_errors(const OctaveArguments& arguments, const FloatBounds& noise, const FloatBounds& slope) {
+Errors progressive_errors(const SumRule& rule, const OctaveArguments& arguments, const FloatBounds& noise,
+                          const FloatBounds& slope) {
   const int axes = noise.axes;
   const int count = count_of(arguments);
   const double diagonal = diagonal_of(axes, arguments);
   const double lipschitz = steepest(arguments, noise, slope);
   Total total;
   for (int i = 0; i < count; ++i) total.add_octave(arguments.gain);
-  const double rate = amplitude_of(arguments) / total.value;
+  const double rate = amplitude_of(rule, arguments) / total.value;
   double rate_error = rate * total.error / (total.value - total.error);
   rate_error += 2.5 * kUnit * (rate + rate_error) + kTiny;
   OctavePosition at = first_octave(axes, arguments);
@@ -284,21 +288,26 @@ Errors progressive_errors(const OctaveArguments& arguments, const FloatBounds& n
 }
 
 // amplitude * clamp(mean, -1, 1)
-double warp_tolerance(const SumRule& rule, OctaveArguments arguments, const FloatBounds& noise,
+double shift_tolerance(const SumRule& rule, const OctaveArguments& arguments, const Errors& noise_errors) {
+  const double error = std::min(mean_error(rule, arguments, 1.0, noise_errors), 2.0);
+  return amplitude_of(rule, arguments) * (error + kUnit) + kSettled + kTiny;
+}
+
+double warp_tolerance(const SumRule& rule, const OctaveArguments& arguments, const FloatBounds& noise,
                       const FloatBounds& slope) {
-  Errors errors;
-  if (rule.step == SumStep::warp) {
-    errors = errors_at(arguments, noise, steepest(arguments, noise, slope), 1.0);
-  } else {
-    arguments.exact_positions = false;  // of what moves, none is
-    errors = progressive_errors(arguments, noise, slope);
-  }
-  const double error = std::min(mean_error(rule, arguments, 1.0, errors), 2.0);
-  return amplitude_of(arguments) * (error + kUnit) + kSettled + kTiny;
+  return shift_tolerance(rule, arguments, errors_at(arguments, noise, steepest(arguments, noise, slope), 1.0));
+}
+
+double progressive_tolerance(const SumRule& rule, const OctaveArguments& given, const FloatBounds& noise,
+                             const FloatBounds& slope) {
+  OctaveArguments arguments = given;
+  arguments.exact_positions = false;  // of what moves, none is
+  return shift_tolerance(rule, arguments, progressive_errors(rule, arguments, noise, slope));
 }
 
 // A sum of values. In a footprint each weight has a factor more.
-double value_tolerance(const SumRule& rule, const OctaveArguments& arguments, const FloatBounds& noise) {
+double value_tolerance(const SumRule& rule, const OctaveArguments& arguments, const FloatBounds& noise,
+                       const FloatBounds&) {
   const double limit = is_clamped(rule.step) ? std::min(noise.limit, 1.0) : noise.limit;
   const Errors errors = errors_at(arguments, noise, noise.lipschitz, limit);
   Errors factor_errors;
@@ -306,35 +315,79 @@ double value_tolerance(const SumRule& rule, const OctaveArguments& arguments, co
   return mean_error(rule, arguments, limit, errors, factor_errors);
 }
 
+// --- Proofs by name ---
+//
+// No switch has a default: a step or a mean that is new has no proof, and is refused by its name.
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw std::logic_error("tools/lib/proof/sums/bounds.cpp has no proof of the " + what +
+                         ": write it, and name it in the switch");
+}
+
+std::string name_of(SumStep step) {
+  switch (step) {
+#define SUM_STEP(name) \
+  case SumStep::name: return #name;
+#include "library/sums.inc"
+  }
+  return "without a name";
+}
+
+std::string name_of(SumMean mean) {
+  switch (mean) {
+#define SUM_MEAN(name) \
+  case SumMean::name: return #name;
+#include "library/sums.inc"
+  }
+  return "without a name";
+}
+
+// The next octave's weight, if a step changes it, is in mean_error.
+Proof proof_of(SumStep step) {
+  switch (step) {
+    case SumStep::noise: return {false, as_they_are, value_tolerance};
+    case SumStep::size: return {false, as_they_are, value_tolerance};
+    case SumStep::bounded_size: return {true, as_they_are, value_tolerance};
+    case SumStep::ridge: return {true, ridges, value_tolerance};
+    case SumStep::height: return {true, heights, value_tolerance};
+    case SumStep::wave: return {true, waves, value_tolerance};
+    case SumStep::bent: return {true, as_they_are, value_tolerance};
+    case SumStep::fbm_d: return {false, as_they_are, value_tolerance};
+    case SumStep::eroded: return {false, as_they_are, eroded_tolerance};
+    case SumStep::warp: return {true, as_they_are, warp_tolerance};
+    case SumStep::warp_progressive: return {true, as_they_are, progressive_tolerance};
+  }
+  refuse("step " + name_of(step));
+}
+
 //   billows = 2*mean - 1
 //   t = clamp(2*mean + 0.25, 0, 1);  density = t*t*(3 - 2*t)
 //
 // The clamp leaves no more than 1, whatever the limit; the smoothstep has slopes up to 3/2 and three roundings,
-// relative to a value of at most 1.
+// relative to a value of at most 1. A bounded mean is cut off, which brings no two values further apart.
 double end_tolerance(SumMean end, double error) {
-  if (end == SumMean::density) return 1.5 * (2.0 * error + kUnit) + 3.001 * kUnit;
-  if (end == SumMean::billows) return 2.0 * error + kUnit * (1.0 + 2.0 * error);
-  return error;
+  switch (end) {
+    case SumMean::as_it_is: return error;
+    case SumMean::bounded: return error;
+    case SumMean::density: return 1.5 * (2.0 * error + kUnit) + 3.001 * kUnit;
+    case SumMean::billows: return 2.0 * error + kUnit * (1.0 + 2.0 * error);
+  }
+  refuse("mean " + name_of(end));
 }
 
 }  // namespace
 
-bool has_jacobian(SumStep step) {
-  return step == SumStep::eroded || step == SumStep::warp || step == SumStep::warp_progressive;
-}
+bool has_jacobian(SumStep step) { return proof_of(step).tolerance != value_tolerance; }
 
-bool is_clamped(SumStep step) {
-  return step != SumStep::noise && step != SumStep::size && step != SumStep::eroded;
-}
+bool is_clamped(SumStep step) { return proof_of(step).is_clamped; }
 
 double octave_tolerance(const SumRule& rule, const OctaveArguments& arguments, const FloatBounds& noise,
                         const FloatBounds& slope) {
+  const Proof proof = proof_of(rule.step);
   if (arguments.from_cell && !(arguments.lacunarity >= 0.0 && arguments.lacunarity <= 255.0)) return kInfinite;
   if (count_of(arguments) == 0) return end_tolerance(rule.mean, 0.0);
-  if (!has_jacobian(rule.step)) return end_tolerance(rule.mean, value_tolerance(rule, arguments, noise));
-  if (!in_domain(arguments)) return kInfinite;
-  if (rule.step == SumStep::eroded) return eroded_tolerance(rule, arguments, noise, slope);
-  return warp_tolerance(rule, arguments, noise, slope);
+  if (has_jacobian(rule.step) && !in_domain(arguments)) return kInfinite;
+  return end_tolerance(rule.mean, proof.tolerance(rule, arguments, noise, slope));
 }
 
 //   in the plane, with the Jacobian (c, s):  D_x = D_x + (c*g_x + s*g_y);  D_y = D_y + (c*g_y - s*g_x)
@@ -342,7 +395,9 @@ double octave_tolerance(const SumRule& rule, const OctaveArguments& arguments, c
 //   value = D / total
 //
 // The products of a column with a gradient have magnitudes whose sum is at most the product of lengths (Cauchy).
-double octave_slope_tolerance(const OctaveArguments& arguments, const FloatBounds& noise, const FloatBounds& slope) {
+double octave_slope_tolerance(const SumRule& rule, const OctaveArguments& arguments, const FloatBounds& noise,
+                              const FloatBounds& slope) {
+  if (rule.step != SumStep::fbm_d) refuse("derivatives of the step " + name_of(rule.step));
   if (arguments.from_cell && !(arguments.lacunarity >= 0.0 && arguments.lacunarity <= 255.0)) return kInfinite;
   if (count_of(arguments) == 0) return 0.0;
   if (!in_domain(arguments)) return kInfinite;

@@ -56,10 +56,11 @@ bool is_clamped(SumStep step);
 // The largest error of an octave sum over a noise, against the exact sums of docs/reference/contract.md at the same
 // floats; of a sum of vectors, that of a component. `slope` are the bounds of the derivative of the noise: an erosion
 // and a warp need them. From a cell the sum is defined for a lacunarity in [0, 255]; the error is infinite where no
-// error is bounded.
+// error is bounded. A step or a mean without a proof throws, and so do the functions above.
 double octave_tolerance(const SumRule& rule, const OctaveArguments& arguments, const FloatBounds& noise,
                         const FloatBounds& slope);
-// The same of a component of the derivative of an fBm.
-double octave_slope_tolerance(const OctaveArguments& arguments, const FloatBounds& noise, const FloatBounds& slope);
+// The same of a component of the derivative of the sum.
+double octave_slope_tolerance(const SumRule& rule, const OctaveArguments& arguments, const FloatBounds& noise,
+                              const FloatBounds& slope);
 
 }  // namespace hn

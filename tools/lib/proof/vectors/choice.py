@@ -10,8 +10,9 @@ from collections.abc import Hashable, Iterator, Mapping, Sequence
 
 COUNT = 50
 USUAL = 15  # of them, whatever they have
-ZERO = 8    # at most, of rows whose results are all 0, unless there are too few others: noise is 0 at whole positions,
-            # and so may a port be that is nothing else
+# At most, of rows whose results are all 0, unless there are too few others: noise is 0 at whole positions, and so may a
+# port be that is nothing else.
+ZERO = 8
 AXES = "xyzw"
 NAMED = (0, 1, -1, 2**31 - 1, -2**31, 2**31, 2**32 - 1)  # integers that count by themselves
 SIZES = (2.0**-20, 1, 16, 2.0**10, 2.0**19, 2.0**23, 2.0**31)  # beyond 2^23 a float has no fraction

@@ -82,7 +82,7 @@ class Group:
 
     def questions(self) -> list[str]:
         """A line for each row, for the program that prints bounds."""
-        if self.arithmetic != "fast":
+        if self.arithmetic in ("exact", "fixed"):
             return []
         return [f"{self.configuration} {self.function.id} {hexadecimal(words)}" for words in self.golden.inputs]
 

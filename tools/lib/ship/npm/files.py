@@ -16,7 +16,7 @@ from typing import NamedTuple
 from base.tree import GLSL, ROOT, glsl_files
 from catalog.tables.glsl import public_files
 from ship.npm.twin import Failed, compiled
-from ship.packing import of_npm, own_files, put
+from ship.packing import Files, of_npm, own_files, put
 from ship.page import of_package
 from translate.single_file.files import in_order, minified, parts, text
 from translate.settings import Settings
@@ -173,7 +173,7 @@ def checked_names(found: Iterable[str]) -> None:
         raise ValueError("two files of the package have one name")
 
 
-def package(module: bytes) -> dict[str, str]:
+def package(module: bytes) -> Files:
     """All files, by their paths; `module` is the twin in WebAssembly."""
     settings = {folder: Settings(arithmetic) for folder, arithmetic in ARITHMETICS.items()}
     modules = {folder: Module(GLSL, '#include "hashnoise.glsl"\n', one) for folder, one in settings.items()}
@@ -182,6 +182,7 @@ def package(module: bytes) -> dict[str, str]:
     found["package.json"] = of_npm((PACKAGE / "package.json").read_text(encoding="utf-8"), "hashnoise")
     found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
     found["README.md"] = of_package(ROOT / "docs" / "guide" / "javascript.md")
+    found["field.wasm"] = module  # for hosts that compile no module while they run
     packed = base64.b64encode(module).decode("ascii")
     found["twin.js"] = f"""{MADE}// The twin in WebAssembly, {len(module):,} bytes.
 const packed = "{packed}";

@@ -35,7 +35,6 @@ from measure.noise import record as of_noises
 from measure.silicon import command as of_circuits
 from measure.uniform import command as of_uniform
 from ship.blender import files as blender
-from ship.glsl_noise import files as glsl_noise
 from ship.isf import files as isf
 from ship.materialx import files as materialx
 from ship.readme import files, gallery, hashes, numbers, picture
@@ -95,7 +94,6 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             ("packages/unity/README.md", "tools/make readme: nodes", unity.node_table()),
             ("packages/unreal/README.md", "tools/make readme: nodes", unreal.node_table()),
             ("packages/isf/README.md", "tools/make readme: looks", isf.look_table()),
-            ("packages/glsl-noise/README.md", "tools/make readme: files", glsl_noise.file_table()),
             *((MOVING, *named) for named in ports.page_tables(ports.read()))]
 
 
@@ -116,8 +114,8 @@ def problems(check: bool) -> list[str]:
     elif right != readme:
         found.append(f"{README}: the size of the single file is not what it should be; run tools/make readme")
     found += [f"{README}: it must state {quote!r}"
-              for quote in (*of_gpus.quotes(of_gpus.costs()), *numbers.cost_quotes(), numbers.golden_quote(),
-                             of_commands.times_quote(times)) if quote not in readme]
+              for quote in (*numbers.cost_quotes(), numbers.golden_quote(), of_commands.times_quote(times))
+              if quote not in readme]
     return found
 
 

@@ -12,7 +12,7 @@ from catalog.tables.markdown import table
 CORES = 2
 # By command: its build in the table, and the arrays of packages in tools/lib/base/setup.sh.
 COMMANDS = {"conform": ("conform", ("conform_packages",)),
-            "test": ("test", ("conform_packages", "test_packages", "language_packages"))}
+            "test": ("test", ("conform_packages", "test_packages"))}
 Times = Mapping[str, tuple[float, float, float]]  # by command: seconds for its packages, its build and its run
 
 

@@ -106,7 +106,7 @@ class Makes(Project):
             done = self.call("--only", CHEAP, out=out)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(done.stdout, f"{out}\n")
-            self.assertIn("Without check, npm, python, rust, wesl, glsl-noise, unity, unreal, blender, materialx, isf, godot, playground, snippets.", done.stderr)
+            self.assertIn("Without check, npm, python, rust, wesl, unity, unreal, blender, materialx, isf, godot, playground, snippets.", done.stderr)
         names = {path.name for path in self.out.iterdir()}
         self.assertEqual(names, {path.name for path in other.iterdir()})
         for name in names:

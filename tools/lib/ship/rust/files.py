@@ -31,6 +31,8 @@ NEEDED = ("place", "hash")
 HASHES = (("hn_hash", "hn_lattice", "hn_unorm", "hn_snorm"), 4)  # of every arithmetic
 STRUCT = re.compile(r"#\[derive\([^\n]*\)\]\npub struct (Place[1-4]) \{\n.*?\n\}\n\n?", re.DOTALL)
 OF_A_POSITION = re.compile(r"hn_tile\d")  # which a place has no method for: it takes Place2::of(p).tile(period)
+# Of clippy before Rust 1.66, by default: OfCrate.struct leaves Eq out.
+ALIKE = "#![allow(clippy::derive_partial_eq_without_eq)]\n\n"
 PLACE = "/// Where noise is evaluated: a cell, the fraction in it, and periods.\n"
 MAKERS = re.compile(r": hn_place and hn_tile make one \(tools/pick writes [^)]*\)")  # in the comment of a place
 MADE = "// Of hashnoise {}, by tools/pack rust. Copyright (c) 2026 The hashnoise authors; MIT License.\n"
@@ -105,7 +107,7 @@ def written(made: Made) -> str:
     structs = sorted(set(STRUCT.findall(shown)))
     if is_of_places:
         shown = STRUCT.sub(lambda found: PLACE + found[0], re.sub("(?m)^pub fn", "fn", shown))
-        return MADE.format(version()) + "\n" + shown.lstrip("\n") + must_use("".join(methods(n) for n in range(1, 5)))
+        return MADE.format(version()) + ALIKE + shown.lstrip("\n") + must_use("".join(methods(n) for n in range(1, 5)))
     used = f"use super::place::{{{', '.join(structs)}}};\n\n" if structs else ""
     return MADE.format(version()) + "\n" + used + must_use(STRUCT.sub("", shown)).lstrip("\n")
 

@@ -44,12 +44,14 @@ WORDS = {
                                    "Warps": ("domain warp", "domain warping", "domain distortion"),
                                    "Gullies": ("erosion",)},
     "docs/guide/cellular.md": {"Cellular noise: distances, cells and borders": ("Worley", "Worley noise", "Voronoi", "cells")},
-    "docs/guide/same-bits.md": {"The same bits on server and client": ("deterministic", "determinism", "multiplayer")},
+    "docs/guide/same-bits.md": {"The same bits on server and client": ("deterministic", "determinism", "multiplayer"),
+                                "A server": ("server", "Go", "golang", "Rust", "Java", "C#")},
 }
 # Pages that are not searched, since the page of their folder is: text to paste in all languages, and rows of measurements.
 NOT_SEARCHED = re.compile(r"docs/(?:reference/snippets/hn_\w+|measured/results/.+/\w+)\.md")
 # A page as the site has it.
 CHANGED = {"docs/guide/tutorial.md": live.with_pictures}
+PLAYGROUND = "`playground.html` of a release"  # in pages; the site has it, and a link in its place
 # The link of a page, but for its anchor.
 LINK = re.compile(r"(?<=\]\()(?!\w+:|#)([^)#\s]+)")
 
@@ -145,6 +147,8 @@ class Copy:
     def page(self, name: str, more: str = "") -> None:
         text = (self.root / name).read_text(encoding="utf-8")
         text = searched(name, CHANGED.get(name, str)(text))
+        to_playground = posixpath.relpath("playground.html", posixpath.dirname(name) or ".")
+        text = text.replace(PLAYGROUND, f'<a href="{to_playground}">playground.html</a>')
         text = LINK.sub(lambda link: self.target(name, link[1]), text) + more
         copied = self.folder / ("index.md" if name == "README.md" else name)
         copied.parent.mkdir(parents=True, exist_ok=True)

@@ -43,7 +43,7 @@ docs/two
 # Words of users, and the page that the search of the site has to show first.
 FIRST = {"seamless": "reference/noises", "persistence": "reference/fractals", "frequency": "reference/noises", "scale": "reference/noises",
          "domain warp": "reference/fractals", "Worley": "guide/cellular", "turbulence": "reference/fractals",
-         "octaves": "reference/fractals", "cellular": "guide/cellular"}
+         "octaves": "reference/fractals", "cellular": "guide/cellular", "golang": "guide/same-bits", "server": "guide/same-bits"}
 # Whatever a page loads by itself, from elsewhere.
 LOADED = re.compile('<(?:script|img|iframe)[^>]*\\bsrc="(?:https?:)?//|'
                     '<link[^>]*rel="(?:stylesheet|preload)"[^>]*href="(?:https?:)?//')
@@ -82,6 +82,11 @@ class Links(Tree):
                                                               "../code/a.c", "https://example.com"])
         self.assertEqual((self.copy / "code" / "README.md").read_text().splitlines()[-1], "- [a.c](a.c)")
         self.assertEqual((self.copy / "LICENSE").read_text(), "MIT\n")
+
+    def test_the_playground_of_a_release_is_that_of_the_site(self) -> None:
+        self.write("docs/one.md", f"# One\n\nOpen {pages.PLAYGROUND}.\n")
+        self.copied()
+        self.assertIn('Open <a href="../playground.html">playground.html</a>.', (self.copy / "docs" / "one.md").read_text())
 
 
 class Groups(unittest.TestCase):
@@ -192,6 +197,8 @@ class Whole(Tree):
         for name, _, _ in command.EXTRA:
             self.assertIn(f'href="{name}"', first)
             self.assertGreater((out / name).stat().st_size, 1000)
+        for name in ("index", "docs/guide/playground", "docs/guide/tutorial"):
+            self.assertIn('playground.html">playground.html</a>', (out / f"{name}.html").read_text(encoding="utf-8"))
         for page in out.rglob("*.html"):
             self.assertIsNone(LOADED.search(page.read_text(encoding="utf-8")), page)
         self.assertIsNotNone(LOADED.search('<script src="https://example.com/x.js">'))

@@ -22,6 +22,7 @@ from pathlib import Path
 from base.golden_values import ids
 from base.thorough import THOROUGH, in_thorough_runs
 from base.tree import ROOT, TOOLS
+from base.versions import take_newest
 from ship.packing import put
 from ship.wesl.files import PACKAGE, imported, package
 from translate.wgsl.device import Absent, Device
@@ -46,6 +47,7 @@ class Linker:
             raise Absent(f"{folder} has no packages: javascript.packages was skipped, or did not run")
         if kind == "cargo" and not shutil.which("cargo"):
             raise Absent("there is no cargo")
+        take_newest("cargo")
         self.use(package())
         if kind == "npm":
             shutil.copy(TESTS / "link.mjs", self.folder / "wesl")

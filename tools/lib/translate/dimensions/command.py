@@ -9,10 +9,6 @@ includes another noise of its dimension, or detail/octave.glsl, is built on nois
 for what is built on it. After them it includes every file that no other file includes. detail/undef_guards.h takes the
 guards of all files back, but that of config.glsl, so that C++ can include the text once more for other types.
 
-The headers of C++ stand between detail/macros_begin.h and detail/macros_end.h. The first puts away the macros of
-windows.h and others that have the name of anything in the text or in the headers (near, min, T), and the second brings
-them back.
-
 The text of the plane is by hand. Where another dimension has the same, but for the number of its axes, it is made: as a
 whole file, such as fbm3d.glsl, which is marked at its top, or below a line in one of these forms:
 
@@ -30,10 +26,10 @@ from __future__ import annotations
 
 import re
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from base.tree import GLSL, ROOT, glsl_files, included_from
+from base.tree import GLSL, glsl_files, included_from
 from base.usage import Parser
 from translate.dimensions.files import made as made_of_the_plane
 from translate.dimensions.rule import Unclear
@@ -42,37 +38,6 @@ DIMENSIONAL = re.compile(r"[a-z]\w*(\d)d\.glsl")
 UMBRELLA = re.compile(r"noise\dd\.glsl|hashnoise\.glsl")
 INCLUDE = re.compile(r'^#include "([^"]+)"$', re.MULTILINE)
 AGAIN = "detail/undef_guards.h"
-MACROS_BEGIN = "detail/macros_begin.h"
-MACROS_END = "detail/macros_end.h"
-HEADERS = sorted((ROOT / "include" / "hashnoise").glob("*.hpp"))
-# Names in a line that a macro could have: a macro's text in our files, and all of a line that is no
-# directive. A number's suffix is no name.
-DEFINITION = re.compile(r"#define \w+(\([^)]*\))?(.*)")
-NO_CODE = re.compile(r'//.*|"(?:\\.|[^"\\])*"')
-WORD = re.compile(r"\.?\d(?:[eEpP][+-]|[\w.'])*|\w+")
-# Names that stay: ours, those of compilers and the standard headers, which may be macros there, too, and those of
-# attributes, which tests define.
-NOT_THEIRS = re.compile(r"_|hn_|HN_|wasm_|v\w+q_\w|"
-                        r"(\w+_t|std|stderr|memcpy|abort|gnu|always_inline|maybe_unused|vector_size|visibility)$")
-# Macros of Arduino and others that break the standard headers, which our headers include.
-STANDARD = frozenset({"byte", "ceil", "cos", "exp", "log", "pow", "round", "sin", "swap"})
-# Programs that enable such warnings shall not see ours: the text compares floats where it means to.
-SILENT_BEGIN = """
-#if defined(__GNUC__) || defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wfloat-equal"
-#endif
-"""
-SILENT_END = """
-#if defined(__GNUC__) || defined(__clang__)
-#pragma GCC diagnostic pop
-#endif
-"""
-KEYWORDS = frozenset("""alignas alignof asm auto bool break case catch char class concept const constexpr continue
-    decltype default define defined delete do double else enum explicit extern false float for friend goto if inline int
-    long namespace new noexcept nullptr op operator private protected public requires return short signed sizeof static
-    static_assert static_cast struct switch template this throw true try type typedef typename undef union unsigned
-    using virtual void volatile while""".split())
 MARK = "Made by tools/make."
 OF_SUMS = "detail/octave.glsl"  # what includes it has the places of octaves
 
@@ -150,26 +115,6 @@ def again(files: Sequence[str]) -> str:
             f"// SPDX-License-Identifier: MIT\n\n{guards}")
 
 
-def names_in(text: str) -> set[str]:
-    """The names in a text of C++ or GLSL that a macro of somebody else could have."""
-    names: set[str] = set()
-    for line in NO_CODE.sub("", text.replace("\\\n", " ")).splitlines():
-        defined = DEFINITION.match(line)
-        code = defined[2] if defined else "" if line.startswith("#") else line
-        names |= {word for word in WORD.findall(code) if word[0].isalpha() and not NOT_THEIRS.match(word)}
-    return names - KEYWORDS
-
-
-def macros(texts: Iterable[str]) -> dict[str, str]:
-    """The files around the headers of C++, given the texts that the headers have and include."""
-    names = sorted(STANDARD.union(*map(names_in, texts)))
-    begin = "".join(f'#pragma push_macro("{name}")\n#undef {name}\n' for name in names)
-    end = "".join(f'#pragma pop_macro("{name}")\n' for name in names)
-    top = f"{MARK}\n// SPDX-License-Identifier: MIT\n\n"
-    return {MACROS_BEGIN: f"// hashnoise in C++: puts away macros of others, as far as macros_end.h. {top}{begin}{SILENT_BEGIN}",
-            MACROS_END: f"// hashnoise in C++: the end of what macros_begin.h began. {top}{end}{SILENT_END}"}
-
-
 def wrong(folder: Path) -> dict[str, str]:
     """The stale files of the folder: the text of each such file, empty for one that should not be there."""
     texts = {name: path.read_text(encoding="ascii") for name, path in glsl_files(folder).items()}
@@ -177,10 +122,8 @@ def wrong(folder: Path) -> dict[str, str]:
     made = umbrellas(texts | same) | same
     stale = {file: "" for file, text in texts.items() if is_umbrella(file, text) and file not in made}
     made[AGAIN] = again([file for file in {*texts, *made} if file not in stale])
-    made |= macros([*(texts | made).values(), *(path.read_text(encoding="ascii") for path in HEADERS)])
-    for file in (AGAIN, MACROS_BEGIN, MACROS_END):
-        if (folder / file).exists():
-            texts[file] = (folder / file).read_text(encoding="ascii")
+    if (folder / AGAIN).exists():
+        texts[AGAIN] = (folder / AGAIN).read_text(encoding="ascii")
     return stale | {file: text for file, text in made.items() if texts.get(file) != text}
 
 

@@ -121,6 +121,8 @@ class Lines(unittest.TestCase):
                          "  return f(a, b);\n// c\n    d;")
         long = f"  f({self.A * 3},\n    {self.B});"
         self.assertEqual(layout.joined(long), long)
+        self.assertEqual(layout.joined("hn_float f(hn_float p) {\n  return g(p,\n           p);\n}"),
+                         "hn_float f(hn_float p) { return g(p, p); }")
 
 
 SAME = "// The same in every dimension: tools/make writes it of a2d.glsl.\n"

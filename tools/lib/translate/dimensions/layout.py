@@ -9,6 +9,7 @@ from translate.parsing.lines import WIDTH
 
 COMMENT = re.compile(r"( *//   \w+  +| *// *)(?=\S)")  # and where its text begins
 ONE_LINE = re.compile(r"(\S.*\) \{) (.*;) \}")  # a function
+ONE_RETURN = re.compile(r"^(\S.*\) \{)\n {2}(return .*;)\n\}$", re.MULTILINE)  # a function that could be one line
 
 
 def places_to_break(line: str) -> Iterator[tuple[int, list[int]]]:
@@ -44,7 +45,7 @@ def joined(text: str) -> str:
         goes_on = lines[at].startswith("    ") and not re.search(r"[;{}]$|//|^#|^$", lines[at - 1])
         if goes_on and len(lines[at - 1]) + 1 + len(lines[at].lstrip()) <= WIDTH:
             lines[at - 1:at + 1] = [f"{lines[at - 1]} {lines[at].lstrip()}"]
-    return "\n".join(lines)
+    return ONE_RETURN.sub(lambda found: one if len(one := f"{found[1]} {found[2]} }}") <= WIDTH else found[0], "\n".join(lines))
 
 
 def with_short_lines(text: str) -> str:

@@ -72,25 +72,6 @@ class Umbrella(unittest.TestCase):
         self.assertIn("zone2d.glsl", self.includes("noise2d.glsl"))
         self.assertFalse((self.glsl / "zone.glsl").exists())
 
-    def test_macros_of_others_are_put_away_by_every_name_of_the_text(self):
-        path = self.glsl / "perlin1d.glsl"
-        path.write_text(path.read_text() + "HN_FN hn_float hn_i_new(hn_float wobble) { return wobble; }  // clutter\n")
-        self.assertEqual(self.run_main("--check"), (1, ["detail/macros_begin.h", "detail/macros_end.h"]))
-        self.assertEqual(self.run_main(), (0, []))
-        begin, end = ((self.glsl / f"detail/macros_{part}.h").read_text() for part in ("begin", "end"))
-        self.assertIn('#pragma push_macro("wobble")\n#undef wobble\n', begin)
-        self.assertIn('#pragma pop_macro("wobble")\n', end)
-        self.assertNotIn("clutter", begin)
-
-    def test_names_that_a_macro_may_have(self):
-        for text, names in (("hn_int near = x.y & 0xFFu;", {"near", "x", "y"}), ("#define HN_I_A(b) b min(c)", {"b", "min", "c"}),
-                            ("#if GL_ES\n#error no good\n#include <cmath>", set()), ('put("hello \\" there", 1.0f, 1e5f)', {"put"}),
-                            ("std::int32_t __m512i HN_FN hn_vec2 wasm_f32x4_sqrt vrndq_f32 stderr", set()),
-                            ("template <typename T> [[gnu::always_inline]] auto f()", {"T", "f"}),
-                            ("#define HN_I_B(op) \\\n  first op second", {"first", "second"})):
-            with self.subTest(text=text):
-                self.assertEqual(umbrella.names_in(text), names)
-
     def test_every_noise_is_declared_before_what_is_built_on_noise(self):
         (self.glsl / "a_sum2d.glsl").write_text('#include "perlin2d.glsl"\n')
         self.assertEqual(self.run_main(), (0, []))
@@ -151,7 +132,7 @@ class Umbrella(unittest.TestCase):
                     and any(re.fullmatch(r"\w+3d\.glsl", included) for included in self.includes(file))]
         self.assertIn("curl.glsl", in_space)
         self.assertEqual(self.run_main("--check"), (1, sorted([
-            *(f"detail/{file}.h" for file in ("macros_begin", "macros_end", "undef_guards")), "hashnoise.glsl",
+            "detail/undef_guards.h", "hashnoise.glsl",
             "noise3d.glsl", "noise4d.glsl", *in_space])))
         self.assertEqual(self.run_main(), (0, []))
         self.assertIn('#include "perlin4d.glsl"\n', (self.glsl / "noise4d.glsl").read_text())
@@ -159,7 +140,7 @@ class Umbrella(unittest.TestCase):
         self.assertFalse((self.glsl / "noise3d.glsl").exists())
 
     def test_a_change_by_hand_is_told(self):
-        for file in ("detail/macros_begin.h", "detail/undef_guards.h", "fbm.glsl", "noise2d.glsl", "noise3d.glsl", "hashnoise.glsl"):
+        for file in ("detail/undef_guards.h", "fbm.glsl", "noise2d.glsl", "noise3d.glsl", "hashnoise.glsl"):
             with self.subTest(file=file):
                 path = self.glsl / file
                 path.write_text(path.read_text() + "\n")

@@ -39,6 +39,23 @@ SPECIAL = ("hn_next2", "hn_fbm2", "hn_cellular2_nearest", "hn_cell_border2_neare
 
 ALL_RUNNERS = {**RUNNERS, "osl": OslRunner}
 TOGETHER = ("hn_perlin2", "hn_value3_place", "hn_tile3")  # in one text
+PAGE = (ROOT / "docs" / "guide" / "same-bits.md").read_text(encoding="utf-8")
+# A program that prints the height of the page, and the commands that build and run it.
+SERVERS = {
+    "go": ({"go.mod": "module example.com/game\n\ngo 1.18\n",
+            "main.go": 'package main\n\nimport (\n\t"example.com/game/hashnoise"\n\t"fmt"\n)\n\nfunc main() {\n'
+                       '\tvar x, y float32 = 37, -5\n\tfmt.Printf("%.9g", CALL)\n}\n'}, "go run ."),
+    "rust": ({"src/main.rs": 'mod hashnoise;\nfn main() { let (x, y) = (37f32, -5f32); print!("{:?}", CALL); }\n'},
+             "rustc --edition 2021 -A dead_code src/main.rs", "./main"),
+    "java": ({"Server.java": "class Server { public static void main(String[] a) { float x = 37, y = -5; "
+                             "System.out.print(CALL); } }\n"}, "javac HashNoise.java Server.java", "java Server"),
+    "csharp": ({"Server.cs": 'class Server { static void Main() { float x = 37, y = -5; System.Console.Write((CALL)'
+                             '.ToString("R")); } }\n'}, "mcs HashNoise.cs Server.cs", "mono HashNoise.exe"),
+    "c": ({"server.c": '#include "hashnoise.h"\n#include <stdio.h>\nint main(void) { float x = 37, y = -5; '
+                       'return printf("%.9g", (double)CALL) < 0; }\n'}, "gcc server.c -lm -o server", "./server"),
+    "javascript": ({"server.mjs": 'import { fbm2 } from "./hashnoise.mjs";\nconst [x, y] = [37, -5];\nconsole.log(CALL);\n'},
+                   "node server.mjs"),
+}
 
 
 @functools.cache
@@ -146,27 +163,47 @@ class Language(unittest.TestCase):
             with tempfile.TemporaryDirectory() as folder:
                 self.runner.run_exact(Path(folder))
 
+    def height_in_cpp(self, call: str) -> bytes:
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            written_to(folder, {"height.cpp": f"""#include <hashnoise/hashnoise.hpp>
+#include <cstdio>
+using namespace hashnoise;
+int main() {{ float x = 37, y = -5; std::printf("%.9g", {call}); return x == y; }}
+"""})
+            compile_program("the call of the page", folder / "height.cpp", folder / "height", "-O0",
+                            macros=["HN_ARITHMETIC=HN_FIXED"])
+            return struct.pack("<f", float(ran(folder, folder / "height")))
+
     def test_the_program_of_the_page_has_the_bits_of_the_library(self) -> None:
         """And a program with another seed does not."""
         if not isinstance(self.runner, JavaRunner):
             return  # the page has a program in Java
-        page = (ROOT / "docs" / "guide" / "same-bits.md").read_text()
-        pick, *build = re.findall(r"(?m)^    ((?:tools/pick|javac?) .*)", page)
-        program, = re.findall(r"(?ms)^```java\n(.*?)^```$", page)
-        call = re.search(r"with the bits of `(hn_fbm\(.*?, 7u\))`", page)[1]
+        pick, *build = re.findall(r"(?m)^    ((?:tools/pick|javac?) .*)", PAGE)
+        program, = re.findall(r"(?ms)^```java\n(.*?)^```$", PAGE)
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
-            cpp = (f"#include <hashnoise/hashnoise.hpp>\n#include <cstdio>\nusing namespace hashnoise;\n"
-                   f'int main() {{ std::printf("%.9g", {call}); }}\n')
-            written_to(folder, {"height.cpp": cpp})
-            compile_program("the call of the page", folder / "height.cpp", folder / "height", "-O0",
-                            macros=["HN_ARITHMETIC=HN_FIXED"])
-            expected = struct.pack("<f", float(ran(folder, folder / "height")))
+            expected = self.height_in_cpp(re.search(r"with the bits of `(hn_fbm\(.*?, 7u\))`", PAGE)[1])
             ran(folder, ROOT / pick.split()[0], *pick.split()[1:])
             for text_, same in ((program, True), (program.replace("0.5f, 7)", "0.5f, 8)"), False)):
                 written_to(folder, {"Server.java": text_})
                 *_, shown = [ran(folder, *line.split()) for line in build]
                 self.assertEqual(struct.pack("<f", float(shown)) == expected, same, shown)
+
+    def test_the_server_of_the_page_has_the_bits_of_the_shader(self) -> None:
+        language = next(name for name, runner in ALL_RUNNERS.items() if isinstance(self.runner, runner))
+        if language not in SERVERS:
+            return  # OSL is for no server
+        pick = re.search(r"\| `(tools/pick .*?)` with \|", PAGE)[1]
+        options, call = re.search(rf"\| `(--language {language} .*?)` \| `(.*?)` \|", PAGE).groups()
+        files, *build = SERVERS[language]
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            expected = self.height_in_cpp(re.search(r"the same height by `(.*?)`", PAGE)[1])
+            ran(folder, ROOT / pick.split()[0], *pick.split()[1:], *options.split())
+            written_to(folder, {file: text_.replace("CALL", call) for file, text_ in files.items()})
+            *_, shown = [ran(folder, *line.split()) for line in build]
+            self.assertEqual(struct.pack("<f", float(shown)), expected)
 
     def test_a_fault_of_the_printer_is_noticed(self) -> None:
         of = module("fixed", self.runner.syntax)

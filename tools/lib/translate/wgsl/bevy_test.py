@@ -19,6 +19,7 @@ from collections.abc import Collection
 from pathlib import Path
 
 from base.tree import ROOT, TOOLS
+from base.versions import take_newest
 from translate.wgsl.device import Absent, Device
 from translate.wgsl.evaluation import EPILOGUE
 from translate.wgsl.golden import differing, shaders_over
@@ -45,6 +46,7 @@ class Refused(Exception):
 def build(folder: Path) -> Path:
     if not shutil.which("cargo"):
         raise Absent("there is no cargo")
+    take_newest("cargo")
     done = subprocess.run(["cargo", "build", "--locked", "--quiet", "--manifest-path", COMPOSER / "Cargo.toml",
                            "--target-dir", folder], capture_output=True, text=True, check=False)
     if done.returncode != 0:

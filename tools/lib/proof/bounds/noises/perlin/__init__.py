@@ -7,7 +7,7 @@ from proof.bounds.floats import position_error
 from proof.bounds.gradients import OCTAHEDRAL, SINE, Gradient
 from proof.bounds.noises import ProvenBounds
 from proof.bounds.noises.perlin.exact import SCALE, lipschitz_bound, range_bound
-from proof.bounds.noises.perlin.fixed import error_parts, fixed_error, largest_intermediates, range_loss
+from proof.bounds.noises.perlin.fixed import error_parts, fixed_error, largest_intermediates, range_loss  # noqa: F401
 from proof.bounds.noises.perlin.floats import error_bound
 from proof.bounds.table import shortest
 

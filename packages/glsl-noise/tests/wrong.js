@@ -1,1 +1,0 @@
-export default "float snoise(vec3 p) { return flour(p.x); }";

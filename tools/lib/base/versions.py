@@ -1,0 +1,29 @@
+"""The versions of a program on the PATH, such as Debian's Rust and rustup's. tools/test puts Debian's programs first."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+from pathlib import Path
+
+
+def folders(program: str) -> list[str]:
+    """The folders of its versions, from the oldest to the newest."""
+    found: dict[tuple[int, ...], str] = {}
+    for folder in os.environ["PATH"].split(os.pathsep):
+        if os.access(path := Path(folder) / program, os.X_OK):
+            done = subprocess.run([path, "--version"], capture_output=True, text=True, check=False)
+            if done.returncode == 0 and (number := re.search(r"\d+(\.\d+)+", done.stdout)):
+                found.setdefault(tuple(map(int, number[0].split("."))), folder)
+    return [folder for _, folder in sorted(found.items())]
+
+
+def path_of(folder: str) -> str:
+    """A PATH that has its programs first."""
+    return os.pathsep.join((folder, os.environ["PATH"]))
+
+
+def take_newest(program: str) -> None:
+    if found := folders(program):
+        os.environ["PATH"] = path_of(found[-1])

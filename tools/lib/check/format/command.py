@@ -1,0 +1,84 @@
+"""Formats the sources: C++ and GLSL by clang-format, and Python by ruff.
+
+    tools/make format [--check] [FILE...]    all files, or these; with --check it changes none, and prints what it would
+
+.clang-format and the section tool.ruff of pyproject.toml have the rules. PyPI's packages of the versions that
+requirements.txt names are installed into build/format-environment at first, so each machine formats alike. Of Python
+ruff mends imports, blanks and empty lines, and finds mistakes. It does not break lines anew: as `ruff format` lays them
+out, the tree has 14,000 lines more.
+
+Exit status: 0 done, or (--check) nothing to do; 1 (--check) a file is not formatted, or ruff found what it cannot mend,
+or the formatters cannot be installed; 2 bad usage, 4 PyPI cannot be reached.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from base.pypi import SKIPPED, environment
+from base.tree import ROOT
+from base.usage import Parser
+
+ENVIRONMENT = ROOT / "build" / "format-environment"
+BY_CLANG_FORMAT = {".comp", ".cpp", ".frag", ".glsl", ".h", ".hlsl", ".hpp", ".metal", ".vert"}
+PYTHON = {".py", ".pyi"}
+
+
+def sources(top: Path = ROOT) -> list[Path]:
+    """The files by clang-format and by ruff, without folders of builds and hidden ones."""
+    found = []
+    for folder, folders, files in os.walk(top):
+        folders[:] = sorted(name for name in folders if not name.startswith((".", "build")) and name != "node_modules")
+        found += [Path(folder, name) for name in sorted(files) if Path(name).suffix in BY_CLANG_FORMAT | PYTHON]
+    return found
+
+
+def unformatted(files: Sequence[Path], check: bool, bin: Path) -> list[str]:
+    """What the formatters would change, in words, or could not mend."""
+    def by_clang_format(file: Path) -> str:
+        text = file.read_bytes()
+        made = subprocess.run([bin / "clang-format", f"--assume-filename={file}.cpp"], input=text,
+                              stdout=subprocess.PIPE, check=True).stdout
+        if made == text:
+            return ""
+        if not check:
+            file.write_bytes(made)
+            return ""
+        line = next(at for at, pair in enumerate(zip(text.splitlines(), [*made.splitlines(), None]), 1)
+                    if pair[0] != pair[1])
+        return f"{file}:{line}: clang-format changes it"
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        found = list(filter(None, pool.map(by_clang_format, [file for file in files if file.suffix in BY_CLANG_FORMAT])))
+    if python := [file for file in files if file.suffix in PYTHON]:
+        done = subprocess.run([bin / "ruff", "check", "--quiet", "--no-cache", "--output-format=concise",
+                               f"--config={ROOT / 'pyproject.toml'}", *(() if check else ("--fix",)), *python],
+                              capture_output=True, text=True, check=False)
+        found += (done.stdout + done.stderr).splitlines() if done.returncode else []
+    return found
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = Parser("tools/make format", __doc__)
+    parser.add_argument("--check", action="store_true", help="only print what it would change")
+    parser.add_argument("files", metavar="FILE", type=Path, nargs="*", help="these files alone")
+    options = parser.parse_args(arguments)
+    for file in options.files:
+        if not file.is_file() or file.suffix not in BY_CLANG_FORMAT | PYTHON:
+            parser.error(f"{file} is no file of C++, GLSL, HLSL, Metal or Python")
+    if status := environment(ENVIRONMENT, Path(__file__).with_name("requirements.txt")):
+        return 4 if status == SKIPPED else 1
+    found = unformatted(options.files or sources(), options.check, ENVIRONMENT / "bin")
+    print(*(line.replace(f"{ROOT}/", "") for line in found), sep="\n", end="\n" if found else "")
+    if found and options.check:
+        print("tools/make format formats them.")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

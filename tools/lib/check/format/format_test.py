@@ -1,0 +1,62 @@
+"""Tests of tools/make format, which is run by the test format.committed."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import tempfile
+import unittest
+from pathlib import Path
+
+from check.format import command
+
+# An ending of files, what the formatters refuse, and what they make of it.
+CHANGED = ((".cpp", "int  f( ) {return 1 ;}\n", "int f() { return 1; }\n"),
+           (".glsl", "float f(float x){return x;}\n", "float f(float x) { return x; }\n"),
+           (".hlsl", "float f(float x){return x;}\n", "float f(float x) { return x; }\n"),
+           (".py", "import sys\nimport os\nprint( os,sys)\n", "import os\nimport sys\n\nprint(os, sys)\n"))
+
+
+class Format(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        if command.main(["--check", __file__]) == 4:
+            raise unittest.SkipTest("PyPI cannot be reached, so there are no formatters")
+
+    def setUp(self):
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        (self.folder / ".clang-format").write_bytes((command.ROOT / ".clang-format").read_bytes())
+
+    def run_on(self, *arguments: object) -> tuple[int, str]:
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            return command.main([str(argument) for argument in arguments]), out.getvalue()
+
+    def test_what_is_not_formatted_is_reported_and_mended(self):
+        for ending, wrong, right in CHANGED:
+            file = self.folder / f"file{ending}"
+            with self.subTest(file=file.name):
+                file.write_text(wrong)
+                status, printed = self.run_on("--check", file)
+                self.assertEqual((status, file.read_text()), (1, wrong))
+                self.assertIn(f"{file}:1", printed)
+                self.assertEqual(self.run_on(file), (0, ""))
+                self.assertEqual(file.read_text(), right)
+                self.assertEqual(self.run_on("--check", file), (0, ""))
+
+    def test_a_mistake_that_cannot_be_mended_is_reported(self):
+        file = self.folder / "file.py"
+        file.write_text("print(unknown)\n")
+        status, printed = self.run_on(file)
+        self.assertEqual(status, 1)
+        self.assertIn("undefined-name", printed)
+
+    def test_the_sources_are_those_of_the_tree(self):
+        for name in ("a/b.glsl", "build/c.cpp", ".hidden/d.py", "a/node_modules/e.py", "a/f.txt", "g.py"):
+            (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (self.folder / name).touch()
+        self.assertEqual([path.relative_to(self.folder).as_posix() for path in command.sources(self.folder)],
+                         ["g.py", "a/b.glsl"])
+
+
+if __name__ == "__main__":
+    unittest.main()
