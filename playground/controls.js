@@ -11,7 +11,7 @@ import { gradientOf } from "./palette.js";
 import { StopList } from "./stoplist.js";
 import { kLockable } from "./surprise.js";
 import {
-  kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kRenderers, kSums, kTints, kViews, kWarps,
+  kAbout, kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kRenderers, kSums, kTints, kViews, kWarps,
 } from "./tables.js";
 
 // name: [label, step, from, to]. Without ends a slider has those of its setting.
@@ -112,6 +112,7 @@ export class Controls {
     for (const [name, setting] of Object.entries(kSliders)) this.makeSlider(name, ...setting);
     for (const [name, table] of Object.entries(kChoices)) this.makeChoices(name, table);
     for (const [name, words] of Object.entries(kTexts)) this.makeText(name, ...words);
+    for (const [name, about] of Object.entries(kAbout)) byId(`row-${name}`).title = about;
     this.makeSwatches();
     this.makeLanguages();
     this.makeJumps();
@@ -362,7 +363,7 @@ export class Controls {
     byId("heading-noise").textContent = whole.layers.length > 1 ? `Noise of layer ${this.layer + 1}` : "Noise";
     byId("label-weight").textContent = used.blend && state.blend === "mix" ? "Its part" : "Weight";
     for (const option of byId("noise").options) option.hidden = option.disabled = !noises.includes(option.value);
-    byId("label-noise").textContent = state.sum === "none" ? "Noise" : "of the noise";
+    byId("label-noise").textContent = state.sum === "none" ? "Noise" : "of noise";
     for (const name of Object.keys(kSelects)) byId(name).value = state[name];
     const dimensions = dimensionsOf(state);
     for (const input of byId("dimensions").querySelectorAll("input"))
@@ -402,6 +403,7 @@ export class Controls {
     byId("row-stops").hidden = colours.map !== "own";
     this.stops.show(colours);
     byId("map-own").parentElement.style.background = gradientOf({ map: "own", stops: colours.stops });
+    byId("note-noise").textContent = (state.sum === "none" ? kNoises[state.noise] : kSums[state.sum]).about;
     byId("note-arithmetic").textContent = kNotes[state.arithmetic];
     const { label, note } = kFiles[state.file];
     byId("note-file").textContent = note;

@@ -114,10 +114,10 @@ export const kKinds = {
     function: { label: "Functions" },
     shader: {
       ...kGlslMain,
-      label: "Whole shader, GLSL ES 3.00",
+      label: "Shader, GLSL ES 3.00",
       first: ["#version 300 es", "precision highp float;", "precision highp int;"],
     },
-    desktop: { ...kGlslMain, label: "Whole shader, GLSL 3.30", first: ["#version 330"] },
+    desktop: { ...kGlslMain, label: "Shader, GLSL 3.30", first: ["#version 330"] },
     shadertoy: {
       label: "Shadertoy",
       first: [],

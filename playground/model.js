@@ -1,6 +1,6 @@
 // The state: what is shown, as a list of layers and the settings of the whole picture.
 
-import { wrapped } from "./numbers.js";
+import { scaleWithin, wrapped } from "./numbers.js";
 import { possibleStops, stopsOfMap } from "./palette.js";
 import {
   kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kRenderers, kSums, kTints, kViews, kWarps,
@@ -158,8 +158,8 @@ function possibleSetting(name, given) {
   if (setting.fit) return setting.fit(given) ?? usual;
   if (typeof usual === "bigint") return typeof given === "bigint" ? wrapped(given) : usual;
   const value = typeof given !== "number" || Number.isNaN(given) ? usual : given;
-  const within = Math.min(Math.max(value, setting.from), setting.to);
-  return name === "cells" ? Number(within.toPrecision(6)) : rounded(within, setting);
+  if (name === "cells") return scaleWithin(value, setting);
+  return rounded(Math.min(Math.max(value, setting.from), setting.to), setting);
 }
 
 const possibleSettings = (usuals, given) =>

@@ -61,6 +61,9 @@ export function isBeyondPositions(text) {
   return number < -2147483648 || number >= 2147483648;
 }
 
+// A scale has six digits, but for its limits.
+export const scaleWithin = (cells, { from, to }) => Math.min(Number(Math.max(cells, from).toPrecision(6)), to);
+
 // Whether two texts are one number, however they are written.
 export function sameNumber(one, other) {
   const plain = (text) => {

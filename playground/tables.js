@@ -108,6 +108,21 @@ export const kBlends = {
   height: { label: "Where it is high below", sign: "high" },
   slope: { label: "Where it is steep below", sign: "steep" },
 };
+// The titles of the rows of settings.
+export const kAbout = {
+  ...kCatalog.settings,
+  sum: "Which fractal: octaves of the noise are summed, each finer and weaker than the one before.",
+  noise: "Which noise: the pattern, or what the fractal sums.",
+  strength: "How much the fractal does what it is named for.",
+  metric: "How distances to points are measured.",
+  warp: "Noise that moves each place before the pattern is computed there, and so bends the pattern.",
+  amplitude: "How far the warp moves a place at most, in cells.",
+  weight: "The values of the layer are multiplied by it.",
+  offset: "It is added to the values of the layer, behind the weight.",
+  hash: "The function that makes random numbers of cells. Another one makes another picture of the same kind.",
+  lean: "How far the slice leans towards the diagonal of the cells, in turns.",
+  contrast: "How steeply colours follow the values.",
+};
 export const kRenderers = { webgl2: "WebGL2", webgpu: "WebGPU" };
 
 // Colours from the lowest value to the highest, at even distances; between them they are mixed.

@@ -1,6 +1,6 @@
 // Where the picture is. Positions are whole numbers of parts of a cell, so that a pixel's cell and its place in the
 // cell are exact, however far out.
-import { kParts, wrapped } from "./numbers.js";
+import { kParts, scaleWithin, wrapped } from "./numbers.js";
 
 export const kPartsOfCell = Number(kParts);
 
@@ -74,7 +74,7 @@ export function panned(state, width, height, right, up) {
 
 // The state with `factor` times the cells, where what is at this pixel, counted from the middle, stays there.
 export function zoomed(state, width, height, factor, right, up, limits) {
-  const cells = Number(Math.min(Math.max(state.cells * factor, limits.from), limits.to).toPrecision(6));
+  const cells = scaleWithin(state.cells * factor, limits);
   const moved = stepOf(state, width, height) - stepOf({ ...state, cells }, width, height);
   return {
     cells,

@@ -30,8 +30,10 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "noise, at the planes where other lattice points begin to count."},
     {"finite",
      "At the points of `range`, and at subnormal, tiny and huge coordinates up to 3.4e38 (2^96 for octave sums of "
-     "floats), values are numbers in their range. Settings that are cut off are among the points, and for `fixed` NaN "
-     "and infinities. Where all coordinates are 2^23 or more, a gradient noise is 0."},
+     "floats), values are numbers in their range. Settings that are cut off are among the points. Where all "
+     "coordinates are 2^23 or more, a gradient noise is 0. With `fixed` infinities have the bits of the nearest float, "
+     "except for a phase, and NaN have a value in the range. So have octave sums with any arithmetic, also of up to "
+     "2^31 - 1 octaves, and where floats overflow; derivatives of floats are numbers."},
     {"seeds", "Fields of different seeds do not correlate, at 16,384 points."},
     {"mirror", "A field does not correlate with its reflections, at 16,384 points."},
     {"derivative",

@@ -32,7 +32,8 @@ TEST(Facets, AreEmptyWhereTheNameSaysNothing) {
 
 TEST(Facets, GoWithARuleOfGlsl) {
   EXPECT_TRUE(rule_of("hash.lattice2.pcg.exact.compute.gl430.golden").starts_with("GLSL 4.60 section 4.1.3"));
-  EXPECT_EQ(rule_of("noise2d.perlin.pcg.fixed.vertex.es300.twin"), rule_of("hash.word.pcg.exact.fragment.gl330.golden"));
+  EXPECT_EQ(rule_of("noise2d.perlin.pcg.fixed.vertex.es300.twin"),
+            rule_of("hash.word.pcg.exact.fragment.gl330.golden"));
   EXPECT_NE(rule_of("noise2d.perlin.pcg.precise.vertex.es320.twin").find("neither fused"), std::string::npos);
   EXPECT_NE(rule_of("noise2d.perlin.pcg.fast.vertex.es320.twin").find("round correctly"), std::string::npos);
   EXPECT_TRUE(rule_of("bugs.abs_of_int.any.exact.fragment.gl330.defined").starts_with("GLSL 4.60 section 8.3"));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "cases/value_checks.hpp"
@@ -72,7 +73,7 @@ double largest_of_gullies(const Function& function, const Configuration& configu
   const double gain = number(function, inputs, "gain");
   const auto octaves = static_cast<std::int32_t>(inputs[static_cast<std::size_t>(function.input("octaves"))]);
   double total = 0.0;
-  for (int i = 0; i < std::min(octaves, fixed ? 32 : octaves); ++i) {
+  for (int i = 0; i < std::min(octaves, 32); ++i) {
     total += std::pow(fixed ? std::clamp(gain, 0.0, 1.0) : gain, i);
   }
   return 1.00001 * std::clamp(number(function, inputs, "depth"), 0.0, 8.0) * total + (fixed ? 0x1p-12 : 0.0);
@@ -189,15 +190,40 @@ bool is_far_from_fractions(const Function& function, std::span<const std::uint32
                      [](std::uint32_t word) { return std::fabs(std::bit_cast<float>(word)) >= 8388608.0f; });
 }
 
-// Every float of every fourth point becomes a NaN or an infinity.
-void make_some_no_number(const Function& function, Words& inputs) {
-  constexpr std::uint32_t kNoNumbers[] = {0x7FC00000u, 0x7F800000u, 0xFF800000u};
+// Of every fourth point half of the floats become a NaN, an infinity, or more than floats of many octaves can hold, and
+// now and then an int of octaves is absurd. A phase stays: only it has no value for what is no number.
+Words with_absurd_numbers(const Function& function, Words inputs, Random random) {
+  constexpr std::uint32_t kNumbers[] = {0x7FC00000u, 0x7F800000u, 0xFF800000u, 0x447A0000u, 0x7149F2CAu};  // 1000, 1e30
+  constexpr std::uint32_t kOctaves[] = {33u, 128u, 0x7FFFFFFFu};
   for (std::size_t i = 0; i < inputs.size(); i += 4 * kInputWords) {
     for (std::size_t word = 0; word < function.inputs.size(); ++word) {
-      const bool is_float = function.inputs[word].type == WordType::f32;
-      if (is_float) inputs[i + word] = kNoNumbers[(i / (4 * kInputWords) + word) % 3];
+      const Column& column = function.inputs[word];
+      const bool is_number = column.type == WordType::f32 && column.name != "phase";
+      if (is_number && random.below(2) == 0) inputs[i + word] = kNumbers[random.below(std::size(kNumbers))];
+      if (column.name == "octaves" && random.below(32) == 0) inputs[i + word] = kOctaves[random.below(3)];
     }
   }
+  return inputs;
+}
+
+// Whether a point has one: GLSL leaves open what a driver computes with it.
+bool has_nan(const Function& function, std::span<const std::uint32_t> inputs) {
+  for (std::size_t word = 0; word < function.inputs.size(); ++word) {
+    const bool is_float = function.inputs[word].type == WordType::f32;
+    if (is_float && std::isnan(std::bit_cast<float>(inputs[word]))) return true;
+  }
+  return false;
+}
+
+// The same with what counts as equal with `fixed`: of a NaN the least float, and the nearest of an infinity.
+Words with_ends(const Function& function, Words inputs) {
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const std::size_t word = i % kInputWords;
+    if (word >= function.inputs.size() || function.inputs[word].type != WordType::f32) continue;
+    const float number = std::bit_cast<float>(inputs[i]);
+    if (!std::isfinite(number)) inputs[i] = number > 0.0f ? 0x7F7FFFFFu : 0xFF7FFFFFu;
+  }
+  return inputs;
 }
 
 }  // namespace
@@ -283,13 +309,13 @@ Outcome check_range(Session& session, const Evaluation& evaluation) {
 }
 
 // Wherever a float can point, values are numbers, keep to their range, and are 0 where no axis has a fraction: from
-// 2^23 on. Fixed arithmetic has a number even for what is none.
+// 2^23 on. So do those of fixed arithmetic, and those of octave sums, for what is no number.
 Outcome check_finite(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
   const bool fixed = evaluation.configuration.arithmetic == Arithmetic::fixed;
-  Words inputs = random_points(function, property_points(session, function), Random(session.seed, "finite"),
-                               fixed ? Extremes::integers : Extremes::floats);
-  auto outputs = evaluate(session, evaluation, inputs);
+  const Words inputs = random_points(function, property_points(session, function), Random(session.seed, "finite"),
+                                     fixed ? Extremes::integers : Extremes::floats);
+  const auto outputs = evaluate(session, evaluation, inputs);
   if (!outputs) return outputs.error();
   Comparison comparison(function, inputs);
   for (std::size_t word = 0; word < function.outputs.size(); ++word) {
@@ -301,14 +327,24 @@ Outcome check_finite(Session& session, const Evaluation& evaluation) {
       require_inside(comparison, in, value, zero ? Range{0.0f, 0.0f} : range);
     }
   }
-  if (!fixed) return comparison.finish();
-  make_some_no_number(function, inputs);
-  outputs = evaluate(session, evaluation, inputs);
-  if (!outputs) return outputs.error();
-  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
+  if (!fixed && !function.is_octave_sum()) return comparison.finish();
+  const Words absurd = with_absurd_numbers(function, inputs, Random(session.seed, "absurd"));
+  const Words ends = with_ends(function, absurd);
+  const auto values = evaluate(session, evaluation, absurd);
+  if (!values) return values.error();
+  const auto expected = fixed ? evaluate(session, evaluation, ends) : values;
+  if (!expected) return expected.error();
+  comparison.next_grid(absurd);
+  for (std::size_t i = 0; i < absurd.size() / kInputWords; ++i) {
     for (std::size_t word = 0; word < function.outputs.size(); ++word) {
-      const float value = std::bit_cast<float>(result(*outputs, i)[word]);
-      comparison.require(std::isfinite(value), point(inputs, i), value, "a number");
+      const auto in = point(absurd, i);
+      const float value = std::bit_cast<float>(result(*values, i)[word]);
+      if (!has_nan(function, in)) comparison.bits(in, result(*values, i)[word], result(*expected, i)[word], word);
+      if ((function.is_slope(word) || function.is_gullies()) && !fixed) {
+        comparison.require(std::isfinite(value), in, value, "a number");
+      } else {
+        require_inside(comparison, in, value, range_of(function, evaluation.configuration, point(ends, i), word));
+      }
     }
   }
   return comparison.finish();

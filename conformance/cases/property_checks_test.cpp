@@ -44,6 +44,16 @@ TEST_F(Extreme, AnOctaveSumIsHeldToItToo) {
   }
 }
 
+// Without the limit of a position, of a setting, or of a mean that is no number.
+TEST_F(Extreme, ASumThatLeavesItsRangeForAbsurdNumbersIsCaught) {
+  constexpr Replacement kFaults[] = {
+      {"fbm.fbm2.lattice.fixed.fragment.gl330.finite", "detail/arithmetic.glsl", "hn_float q = hn_i_in_cells(p);",
+       "hn_float q = p;"},
+      {"fbm.fbm2_cell.lattice.fixed.fragment.gl330.finite", "detail/octave.glsl", "min(max(0.0f, x), most)", "x"},
+      {"fbm.turbulence3.lattice.fast.fragment.gl330.finite", "detail/octave.glsl", "abs(mean) < 1.0e38f", "true"}};
+  for (const Replacement& fault : kFaults) expect_replaced_caught(fault);
+}
+
 // One that lies in the range of an fBm is beyond that of others.
 TEST_F(Extreme, SumsHaveRangesOfTheirOwn) {
   struct {

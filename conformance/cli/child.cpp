@@ -117,8 +117,7 @@ int run_on_driver(const Job& job, const Driver& driver) {
   if (driver.browser && job.task == Task::describe) return describe_in_browser(*driver.browser);
   if (driver.browser && job.task == Task::cases) return run_browser_cases(job, *driver.browser, *sources);
   const ReferenceCompiler reference;
-  const Suite suite{*sources, reference, job.suite.golden, job.suite.seed, job.suite.points,
-                    job.suite.thorough};
+  const Suite suite{*sources, reference, job.suite.golden, job.suite.seed, job.suite.points, job.suite.thorough};
   const auto cases = cases_with(job.ids);
   const auto examined = cases_with(job.examined);
   if (!cases || !examined) {

@@ -131,7 +131,7 @@ bool next_is_exact(Position& q, std::size_t axes, double lacunarity) {
 }
 
 bool positions_are_exact(Position q, std::size_t axes, double octaves, double lacunarity) {
-  for (int i = 1; i < octaves; ++i) {
+  for (int i = 1; i < std::min(octaves, 32.0); ++i) {
     if (!next_is_exact(q, axes, lacunarity)) return false;
   }
   return true;
@@ -179,9 +179,10 @@ OctaveArguments octave_arguments(const Function& function, std::span<const std::
   const bool whole = function.takes_cell() || tiled;  // it starts from a place
   if (whole) lacunarity = std::clamp(lacunarity, 0.0, 255.0);
   if (tiled) lacunarity = std::floor(lacunarity);  // a tile stays a tile
-  const auto octaves = function.takes_detail()
+  const double asked = function.takes_detail()
                            ? input("detail")
                            : static_cast<std::int32_t>(inputs[static_cast<std::size_t>(function.input("octaves"))]);
+  const double octaves = std::min(asked, 32.0);
   // A whole number times a whole lacunarity stays whole. A rotation that rounds down is counted, however little it is.
   const bool exact =
       whole ? start.exact && tiled
@@ -266,9 +267,11 @@ const NoiseBounds& bounds_of(const Function& function, const Configuration& conf
 double error_of(const Function& function, const Configuration& configuration, std::size_t output) {
   const NoiseBounds& bounds = bounds_of(function, configuration, output);
   switch (configuration.arithmetic) {
-    case Arithmetic::fixed: return bounds.fixed_error;
+    case Arithmetic::fixed:
+      return bounds.fixed_error;
     case Arithmetic::fast:
-    case Arithmetic::precise: return function.starts_from_integers() ? bounds.cell_error : bounds.error;
+    case Arithmetic::precise:
+      return function.starts_from_integers() ? bounds.cell_error : bounds.error;
   }
   throw std::logic_error(fmt::format("nothing is proven of {}", configuration.name));
 }
@@ -335,8 +338,8 @@ double perlin_worley_tolerance(OctaveArguments arguments) {
   constexpr double kUnit = 0x1p-23;
   const double wisps = std::min(octave_tolerance(OctaveSum::fbm, 3, arguments), 2.0);
   const NoiseBounds& distance = noise_bounds("cellular_d", 3, Gradient::octahedral);
-  const FloatBounds billow{3, 2.0 * distance.cell_error + kUnit, 2.0 * distance.error + kUnit,
-                           2.0 * distance.lipschitz, 2.0 * distance.limit - 1.0};
+  const FloatBounds billow{3, 2.0 * distance.cell_error + kUnit, 2.0 * distance.error + kUnit, 2.0 * distance.lipschitz,
+                           2.0 * distance.limit - 1.0};
   arguments.octaves = std::min(arguments.octaves, 3.0);
   const double billows = std::min(octave_tolerance(facts_of(OctaveSum::fbm).rule, arguments, billow, {}), 2.0);
   return std::min(wisps / 2.0 + billows / 2.0 + wisps * billows / 4.0 + 3.001 * kUnit, 1.0);

@@ -130,7 +130,7 @@ TEST(Twin, RangeIsUsed) {
   EXPECT_NEAR(largest3, 0.95f, 0.02f);
 }
 
-TEST(Twin, HugePositionsHaveNoUndefinedBehaviour) {
+TEST(Twin, HugeNumbersHaveNoUndefinedBehaviour) {
   using namespace hashnoise;
   for (const float x : {3e9f, -3e9f, std::numeric_limits<float>::max(), -std::numeric_limits<float>::max()}) {
     EXPECT_EQ(hn_perlin(vec2(x, x)), 0.0f);
@@ -138,6 +138,31 @@ TEST(Twin, HugePositionsHaveNoUndefinedBehaviour) {
   }
   for (const float x : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
     (void)hn_perlin(vec3(x, x, x));  // any value, but no trap and no fault under a sanitizer
+    EXPECT_EQ(hn_turbulence(vec2(x, 0.5f), 3, 2.0f, 0.5f, 7u), 0.0f);
+    EXPECT_EQ(hn_fbm_d(vec2(0.5f, x), 3, 2.0f, 0.5f, 7u), vec3(0.0f, 0.0f, 0.0f));
+  }
+  EXPECT_EQ(hn_fbm(vec2(1.3f, 2.7f), 14, 1000.0f, 0.5f, 7u), 0.0f);
+  EXPECT_EQ(hn_ridged(vec2(1.3f, 2.7f), 1000000000, 3.0f, 0.5f, 7u), hn_ridged(vec2(1.3f, 2.7f), 32, 3.0f, 0.5f, 7u));
+}
+
+TEST(Twin, WithFixedANanIsTheLeastFloat) {
+  const Configuration& fixed = configuration_named("lattice+fixed");
+  for (const std::string_view id :
+       {"noise2d.perlin", "fbm.fbm2", "fbm.fbm3_detail", "fbm.weighted2_cell", "fbm_d.eroded3", "warp.warp_progressive2",
+        "noise2d.gullies", "noise3d.cellular_three_full"}) {
+    const Function& function = find_function(id);
+    const auto inputs = random_points(function, 64, Random(1, id));
+    for (std::size_t word = 0; word < function.inputs.size(); ++word) {
+      if (function.inputs[word].type != WordType::f32) continue;
+      auto nans = inputs;
+      auto least = inputs;
+      for (std::size_t i = word; i < inputs.size(); i += kInputWords) {
+        nans[i] = 0x7FC00000u;
+        least[i] = 0xFF7FFFFFu;
+      }
+      EXPECT_EQ(evaluate_twin(function, fixed, nans), evaluate_twin(function, fixed, least))
+          << id << " " << function.inputs[word].name;
+    }
   }
 }
 

@@ -48,6 +48,7 @@
 #undef __GNUC__
 #undef __clang__
 #undef __SSE2__  // MSVC has no macro for it
+#undef __x86_64__
 #undef __FAST_MATH__
 #define _MSC_VER 1940
 

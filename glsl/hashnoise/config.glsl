@@ -15,7 +15,7 @@
 #define HN_CONFIG_GLSL
 
 #define HN_VERSION_MAJOR 1
-#define HN_VERSION_MINOR 0
+#define HN_VERSION_MINOR 1
 #define HN_VERSION_PATCH 0
 
 // ---------------------------------------------------------------------------------------------------------------------

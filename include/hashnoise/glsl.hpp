@@ -39,7 +39,7 @@
 // Namespaces that users need not name, and that linkers see. A program may have two versions, of a plugin and its host:
 // the first namespace has the major and the minor version, so that none of them gets the functions of the other. The
 // second has the major version, and holds what hashnoise::grid offers: its later minor versions serve a program, too.
-#define HN_I_NAMESPACE v1_0
+#define HN_I_NAMESPACE v1_1
 #define HN_I_LIBRARY v1
 
 namespace hashnoise::inline HN_I_NAMESPACE {

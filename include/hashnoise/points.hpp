@@ -11,12 +11,12 @@
 
 #include <array>
 #include <cmath>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace hashnoise::inline HN_I_LIBRARY {
@@ -99,13 +99,18 @@ constexpr auto coordinate(const Point& point, [[maybe_unused]] std::size_t axis)
   }
 }
 
-// D numbers, and no pointer to any.
+// Whether it has D numbers in it, and no pointer to any.
 template <typename Point, int D>
-concept PointOf = (D > 1) && std::is_class_v<Point> && std::is_trivially_copyable_v<Point> &&
-                  !requires(const Point& point) { point.subspan(0); } && requires(const Point& point) {
-                    requires std::floating_point<decltype(coordinate(point, 0))>;
-                    requires sizeof(Point) == sizeof(coordinate(point, 0)) * static_cast<std::size_t>(D);
-                  };
+constexpr bool is_point() {
+  if constexpr (D > 1 && std::is_class_v<Point> && std::is_trivially_copyable_v<Point>) {
+    using Number = decltype(coordinate(std::declval<const Point&>(), 0));
+    constexpr bool is_span = requires(const Point& point) { point.subspan(0); };
+    if constexpr (std::is_floating_point_v<Number> && !is_span) {
+      return sizeof(Point) == sizeof(Number) * static_cast<std::size_t>(D);
+    }
+  }
+  return false;
+}
 
 }  // namespace detail
 
@@ -118,8 +123,7 @@ template <int D>
 class Columns {
  public:
   template <typename Container>
-    requires detail::PointOf<typename Container::value_type, D>
-  explicit Columns(const Container& points) {
+  requires(detail::is_point<typename Container::value_type, D>()) explicit Columns(const Container& points) {
     for (std::size_t axis = 0; axis < columns_.size(); ++axis) {
       columns_[axis].reserve(points.size());
       for (const auto& point : points) columns_[axis].push_back(static_cast<float>(detail::coordinate(point, axis)));

@@ -33,11 +33,32 @@ ADDRESS = f"{address()}.git"
 # Files of the repository that a user's build needs.
 USED = ("CMakeLists.txt", "LICENSE", "glsl", "include", "meson.build", "packages/conan", "packages/vcpkg", "src",
         "tools/hashnoise-config.cmake.in", "tools/hashnoise-grid.pc.in", "tools/hashnoise.pc.in")
+# A library over hashnoise::grid, another over the headers, and who links the first: Perlin noise is 0 at whole positions.
+LAND = """#include <hashnoise/field.hpp>
+float land(float x) {
+  float value = 1.0f;
+  hashnoise::Field<2>(hashnoise::Settings{}).fill(hashnoise::Grid<2>{{x, 3.0f}, {1.0f, 1.0f}, {1, 1}}, {&value, 1});
+  return value;
+}
+"""
+LAND_OF_HEADERS = """#include <hashnoise/hashnoise.hpp>
+float land(float x) { return hashnoise::hn_perlin(hashnoise::vec2(x, 3.0f)); }
+"""
+MAIN = """#include <cstdio>
+float land(float x);
+int main() { std::printf("%g\\n", land(5.0f)); }
+"""
+USER = """cmake_minimum_required(VERSION 3.21)
+project(game LANGUAGES CXX)
+FIND
+add_executable(game main.cpp)
+target_link_libraries(game PRIVATE land)
+"""
 FUNCTIONS = ("noise2d.perlin", "noise3d.simplex", "fbm.fbm2")
 
 
 def section(title: str) -> str:
-    return re.search(rf"^## {title}\n(.*?)(?=^## |\Z)", PAGE, re.MULTILINE | re.DOTALL)[1]
+    return re.search(rf"^##+ {title}\n(.*?)(?=^##|\Z)", PAGE, re.MULTILINE | re.DOTALL)[1]
 
 
 def blocks(language: str, title: str) -> list[str]:
@@ -147,6 +168,7 @@ class CMake(Way):
 
     def test_from_a_copy(self):
         self.copied()
+        shutil.rmtree(self.game / "hashnoise" / ".git")  # as in a source archive
         self.write("CMakeLists.txt", blocks("cmake", "CMake")[1])
         self.assertEqual(self.differing(self.build()), {})
 
@@ -167,6 +189,34 @@ class CMake(Way):
         self.assertEqual(self.differing(self.game / "game"), {})
         self.assert_spirv(self.game / "noise.spv")
 
+    def test_a_library_of_yours(self):
+        project, config = blocks("cmake", "A library of yours")
+        land = self.folder / "land"
+        self.call(["git", "clone", "--quiet", ADDRESS, land / "hashnoise"])
+        (land / "CMakeLists.txt").write_text(project)
+        (land / "land-config.cmake").write_text(config)
+        (land / "land.cpp").write_text(LAND)
+        self.write("CMakeLists.txt", USER.replace("FIND", "find_package(land REQUIRED)"))
+        self.write("main.cpp", MAIN)
+        fast = ("-DCMAKE_BUILD_TYPE=Release", "-DHASHNOISE_INSTRUCTION_SETS=native", "-DHASHNOISE_QUICK_BUILD=ON")
+        self.cmake("-S", land, "-B", land / "build", *fast)
+        self.cmake("--build", land / "build")
+        self.cmake("--install", land / "build", "--prefix", "prefix")
+        self.assertEqual(self.call([self.build(f"-DCMAKE_PREFIX_PATH={self.game}/prefix")]), "0\n")
+        self.write("CMakeLists.txt", USER.replace(
+            "FIND", f"find_package(Threads REQUIRED)\ninclude({land}/build/land-targets.cmake)"))
+        self.assertEqual(self.call([self.build()]), "0\n")
+        # The other answer on the page is for sources that include the headers.
+        line, = (" ".join(command) for command in commands("A library of yours"))
+        self.assertIn("$<BUILD_INTERFACE:hashnoise::hashnoise>", line)
+        (land / "CMakeLists.txt").write_text(project.replace("set(HASHNOISE_INSTALL ON)\n", "").replace(
+            "target_link_libraries(land PRIVATE hashnoise::grid)", line).replace(" hashnoise-grid", ""))
+        (land / "land.cpp").write_text(LAND_OF_HEADERS)
+        self.cmake("-S", land, "-B", land / "without", *fast)
+        self.cmake("--build", land / "without")
+        self.cmake("--install", land / "without", "--prefix", "without")
+        self.assertFalse((self.game / "without" / "include").exists())
+
     def test_a_changed_constant_is_noticed(self):
         self.copied()
         text = self.game / "hashnoise" / "glsl" / "hashnoise" / "detail" / "word.glsl"
@@ -181,7 +231,7 @@ class OldestCMake(CMake):
     """By the oldest CMake that the page promises."""
 
     needs_environment = True
-    test_a_changed_constant_is_noticed = None
+    test_a_changed_constant_is_noticed = test_a_library_of_yours = None
 
     def call(self, command, folder=None, given="", path=""):
         return super().call(command, folder, given, str(self.environment / "bin"))

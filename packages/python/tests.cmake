@@ -24,6 +24,11 @@ add_test(NAME python.dask_cluster CONFIGURATIONS Thorough
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with dask_cluster.txt
                  ${package_environment} dask_cluster_test)
 set_tests_properties(python.dask python.dask_cluster PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)
+# The oldest NumPy of the package that this Python has.
+add_test(NAME python.oldest_numpy CONFIGURATIONS Thorough
+         COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with oldest.txt
+                 ${package_environment} arrays_test golden_test)
+set_tests_properties(python.oldest_numpy PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)
 # It builds a wheel once more.
 add_test(NAME python.manylinux CONFIGURATIONS Thorough
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py run ${package_environment} manylinux_test)

@@ -1,6 +1,11 @@
 // Which instructions this processor has. Each function is for one set of instructions that kernels are compiled for.
-// CMake runs the same questions to find what HASHNOISE_INSTRUCTION_SETS=native means (native.cpp).
+// CMake compiles them to find the architecture, and runs them for HASHNOISE_INSTRUCTION_SETS=native (native.cpp).
 #pragma once
+
+#if (defined(HASHNOISE_X86) && !defined(__x86_64__)) || (defined(HASHNOISE_NEON) && !defined(__aarch64__)) || \
+    (defined(HASHNOISE_X87) && !defined(__i386__))
+#error this is another architecture
+#endif
 
 namespace hashnoise::processor {
 

@@ -90,7 +90,7 @@ class ResolvedFbm {
       part_ = hn_i_last_part(given.limit, given_.octaves);
     }
     footprint_ = hn_i_footprint(given.limit);
-    total_ = hn_i_total(hn_i_octaves(given_.octaves), hn_i_gain(given.gain), part_);
+    total_ = hn_i_total(min(given_.octaves, Int(32)), hn_i_gain(given.gain), part_);
   }
 
   template <typename Position>
@@ -312,7 +312,7 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
   constexpr int kMoving = kIsRowOfTile ? 1 : D;  // axes
   const Batch b = batch;
   const Arguments<D> given(options);
-  const hn_i_num total = hn_i_total(hn_i_octaves(given.octaves), hn_i_gain(given.gain), HN_I_WEIGHT_ONE);
+  const hn_i_num total = hn_i_total(min(given.octaves, Int(32)), hn_i_gain(given.gain), HN_I_WEIGHT_ONE);
   const bool is_row = b.stride[D - 1] == 0;
   BlockPositions<D, kIsWhole> spots;
   Number value[kPointsAtOnce], carried[kPointsAtOnce], weight[kPointsAtOnce];
@@ -337,7 +337,7 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
     Options of_octave = options;
     double scale = 1.0;
     for (int number = 1;; ++number) {
-      const bool more = number < options.octaves;
+      const bool more = number < std::min(options.octaves, 32);
       each_axis<kMoving, D>([&](auto axis) HN_I_INLINED { spots.template keep<axis>(0, across, true); });
       if constexpr (kIsTiled) {
         each_axis<0, D>([&](auto axis) HN_I_INLINED { of_octave.period[axis] = along<axis>(across.place.period)[0]; });

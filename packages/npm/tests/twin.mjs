@@ -26,7 +26,7 @@ function evaluated({ dimensions, settings }, { inputs }, row) {
   const at = Object.fromEntries(inputs.map(([name, kind], i) => [name, meaning(kind, row.inputs[i])]));
   const along = (prefix) => ["x", "y", "z"].slice(0, dimensions).map((axis) => at[prefix + axis]);
   const chosen = { ...settings, seed: at.seed };
-  // A field refuses what HN_FIXED takes as the end: a fraction beyond its cell, more than 32 octaves, a gain above 1, a
+  // A field refuses what GLSL takes as the end: a fraction beyond its cell, more than 32 octaves, a gain above 1, a
   // lacunarity above 255 or, in a tile, with a fraction, and of a noise a period below 0. The seed of a fractal may become a positive one in a late
   // octave.
   if ("px" in at) chosen.period = along("p").map((period) => (settings.noise ? Math.max(period, 0) : period));

@@ -22,8 +22,8 @@ from base.tree import BOUNDS, GOLDEN, ROOT  # noqa: E402, F401  (other tests tak
 
 TYPES = {"f32": numpy.float32, "i32": numpy.int32, "u32": numpy.uint32, "f64": numpy.float64}
 METRICS = ("euclidean", "euclidean", "squared", "manhattan", "chebyshev", "hybrid")  # by HN_METRIC_...; 0 is Euclidean
-# Limits of the package. In GLSL values beyond count as the nearer end, and golden files have that, too; with
-# HN_FIXED more than 32 octaves are 32. Rows with fewer than 1 are left out.
+# Limits of the package. In GLSL values beyond count as the nearer end, and golden files have that, too. Rows with fewer
+# than 1 octave are left out.
 RANGES = {"octaves": (1, 32), "detail": (0, 32), "gain": (0, numpy.inf), "footprint": (0, numpy.inf), "jitter": (0, 1),
           "amplitude": (0, 64), "ping_pong": (0, 64), "weighted": (0, 1), "eroded": (0, 16)}
 # Columns of what the package does not have: the cell of the nearest point and the way to it, and whole numbers as

@@ -26,16 +26,20 @@ BUILD = "import scikit_build_core.build, sys; print(scikit_build_core.build.buil
 PAGE = "from ship.python.metadata import PAGE, of_package; print(of_package(PAGE), end='')"
 
 
+def built(place: Path, folder: str) -> Path:
+    done = subprocess.run([sys.executable, "-B", "-c", BUILD, folder], cwd=place, capture_output=True, text=True,
+                          check=False)
+    if done.returncode != 0:
+        raise RuntimeError(done.stderr)
+    return Path(folder) / done.stdout.splitlines()[-1]
+
+
 class Source(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         scratch = tempfile.TemporaryDirectory()
         cls.addClassCleanup(scratch.cleanup)
-        done = subprocess.run([sys.executable, "-B", "-c", BUILD, scratch.name], cwd=golden.ROOT, capture_output=True,
-                              text=True, check=False)
-        if done.returncode != 0:
-            raise RuntimeError(done.stderr)
-        cls.archive = Path(scratch.name) / done.stdout.splitlines()[-1]
+        cls.archive = built(golden.ROOT, scratch.name)
         with tarfile.open(cls.archive) as archive:
             archive.extractall(scratch.name)
         cls.root = Path(scratch.name) / cls.archive.name.removesuffix(".tar.gz")
@@ -64,6 +68,17 @@ class Source(unittest.TestCase):
             for name in re.findall(r"^ *include\((\S*/\S*)\)", path.read_text(encoding="utf-8"), re.M):
                 self.assertTrue((path.parent / name).is_file(), (path, name))
         self.assertEqual(self.missing_headers(), "")
+
+    def test_without_a_build_it_has_the_vectors(self):
+        """A clone makes them, and a source distribution has them."""
+        with tempfile.TemporaryDirectory() as folder:
+            with tarfile.open(self.archive) as ours, tarfile.open(built(self.root, folder)) as again:
+                self.assertEqual(ours.getnames(), again.getnames())
+            with mock.patch.object(metadata, "VECTORS", Path(folder, "none")), mock.patch("subprocess.run") as run:
+                provider = metadata.Provider()
+                provider.build_state("sdist")
+                provider.dynamic_metadata({}, {})
+            self.assertEqual(run.call_args[0][0][1:], [golden.ROOT / "tools" / "make", "vectors"])
 
     def test_a_file_that_is_missing_is_noticed(self):
         path = self.root / "glsl" / "hashnoise" / "perlin2d.glsl"

@@ -1,7 +1,6 @@
 // Prints a digest of every noise and every sum in HN_PRECISE and HN_FIXED, by the instructions that are named or by the
 // widest. It is the same on every processor. With --list it prints which instructions there are, the widest first.
 #include <algorithm>
-#include <bit>
 #include <cstdio>
 #include <exception>
 #include <hashnoise/field.hpp>
@@ -14,7 +13,7 @@ std::optional<hashnoise::InstructionSet> wanted;
 
 // FNV-1a of the words of all values.
 std::uint64_t digest_of(std::span<const float> values, std::uint64_t digest) {
-  for (const float value : values) digest = (digest ^ std::bit_cast<std::uint32_t>(value)) * 0x100000001B3u;
+  for (const float value : values) digest = (digest ^ hashnoise::floatBitsToUint(value)) * 0x100000001B3u;
   return digest;
 }
 

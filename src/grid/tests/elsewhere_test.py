@@ -1,9 +1,10 @@
 """The library on other machines and with other compilers: python3 elsewhere_test.py WHERE DIGESTS FOLDER
 
 It is compiled into FOLDER, which is kept, and run: for ARM, RISC-V and Windows with Debian's cross compilers, by qemu
-and wine, without vector extensions as MSVC would compile it, and with -Ofast. Its results have the digests that the
-native program DIGESTS prints, and so have those of conformance/testing/consumer/, which takes the header, lanes and a
-Field. Without the compiler or the emulator the test is skipped (status 77)."""
+and wine, for WebAssembly by Emscripten in Node.js, by Clang with libc++, without vector extensions as MSVC would
+compile it, and with -Ofast. Its results have the digests that the native program DIGESTS prints, and so have those of
+conformance/testing/consumer/, which takes the header, lanes and a Field. Without the compiler or the emulator the test
+is skipped (status 77)."""
 
 from __future__ import annotations
 
@@ -21,17 +22,21 @@ from measure.elsewhere import NEON, Place  # noqa: E402
 from msvc import WHOLE_AS_MSVC  # noqa: E402
 
 DIGESTS, FOLDER = (Path(path).resolve() for path in PATHS)
-# And the instructions of each. CMake takes "generic" for a processor that it does not know. Where nothing is forced
-# inline, a quarter of the time is enough to compile.
+# And the instructions of each. Where nothing is forced inline, a quarter of the time is enough to compile.
+QUICK = "-Dalways_inline=unused"
+HERE = ("sse4.1", "avx2", "avx512", "neon", "generic")
 PLACES = {
     "neon": (NEON, ("neon",)),
-    "riscv": (Place("riscv64-linux-gnu-g++", ("qemu-riscv64", "-L", "/usr/riscv64-linux-gnu"), "Linux", "riscv64",
-                    ("-Dalways_inline=unused",)), ("generic",)),
-    "windows": (Place("x86_64-w64-mingw32-g++-posix", ("wine",), "Windows", "x86_64", ("-static",)),
+    "riscv": (Place("riscv64-linux-gnu-g++", ("qemu-riscv64", "-L", "/usr/riscv64-linux-gnu"), "Linux", (QUICK,)),
+              ("generic",)),
+    "windows": (Place("x86_64-w64-mingw32-g++-posix", ("wine",), "Windows", ("-static",)),
                 ("sse4.1", "avx2", "avx512")),
-    "msvc": (Place("clang++", (), "Linux", "unknown", WHOLE_AS_MSVC), ("generic",)),
-    "fast_math": (Place("g++", (), os.uname().sysname, os.uname().machine, ("-Ofast", "-Dalways_inline=unused")),
-                  ("sse4.1", "avx2", "avx512", "neon", "generic")),
+    # Node.js has fetch, which 3.1.6 takes for a browser's; so the program has its WebAssembly in its own file.
+    "emscripten": (Place("em++", ("node",), "Emscripten", (QUICK, "-fexceptions"),
+                         ("-sALLOW_MEMORY_GROWTH", "-sSINGLE_FILE"), ("emcmake", "cmake")), ("generic",)),
+    "libcxx": (Place("clang++", (), flags=("-stdlib=libc++", QUICK)), HERE),
+    "msvc": (Place("clang++", (), flags=WHOLE_AS_MSVC), ("generic",)),
+    "fast_math": (Place("g++", (), flags=("-Ofast", QUICK)), HERE),
 }
 PLACE, SETS = PLACES[WHERE]
 BUILD = elsewhere.Build(PLACE, FOLDER)
@@ -39,12 +44,11 @@ BUILD = elsewhere.Build(PLACE, FOLDER)
 ENVIRONMENT = {**os.environ, "WINEPREFIX": str(FOLDER / "wine"), "WINEDEBUG": "-all"}
 # With -ffinite-math-only a compiler may leave out checks for such numbers.
 NO_NUMBER = """
-#include <bit>
 #include <cstdio>
 #include <hashnoise/field.hpp>
 #include <stdexcept>
 int main() {
-  const float number = std::bit_cast<float>(0x7FC00000u);
+  const float number = hashnoise::uintBitsToFloat(0x7FC00000u);
   float value = 0.0f;
   try {
     hashnoise::Field<1>(hashnoise::Settings{}).fill(hashnoise::Grid<1>{{number}, {1.0f}, {1}}, {&value, 1});

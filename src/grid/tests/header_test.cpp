@@ -3,8 +3,8 @@
 #define HN_ARITHMETIC HN_FIXED
 #include <gtest/gtest.h>
 
-#include <hashnoise/grid.hpp>
 #include <array>
+#include <hashnoise/grid.hpp>
 #include <span>
 #include <stdexcept>
 #include <type_traits>

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from base.tree import GOLDEN
 
+INFINITY = 0x7F800000  # the bits of the exponent of a float
 Columns = tuple[tuple[str, str], ...]  # names and types
 
 
@@ -48,18 +49,22 @@ class Golden:
     head      the lines before the rows
     inputs    a list of words for each row
     values    likewise, what must come out
+    finite    without the rows that have an infinity among the inputs: packages refuse it or return NaN
     """
 
-    def __init__(self, id: str, setting: str = "lattice+fixed", folder: Path = GOLDEN):
+    def __init__(self, id: str, setting: str = "lattice+fixed", folder: Path = GOLDEN, finite: bool = True):
         path = folder / f"{id}.golden"
         self.head = head_of(path)
         rows = _rows(path.read_text(encoding="ascii"), self.head.size)
         if len(rows) != self.head.rows or not rows:
             raise ValueError(f"{id}: the head states {self.head.rows} rows, and there are {len(rows)}")
         group = 1 + self.head.settings.index(setting)
-        chosen = [(row[0], row[group]) for row in rows if row[group] != "-"]
-        self.inputs, self.values = ([[int(word, 16) for word in row[side].split()] for row in chosen]
-                                    for side in (0, 1))
+        chosen = [[[int(word, 16) for word in side.split()] for side in (row[0], row[group])] for row in rows
+                  if row[group] != "-"]
+        if finite:
+            floats = [i for i, (_, kind) in enumerate(self.head.columns) if kind == "f32"]
+            chosen = [row for row in chosen if all(row[0][i] & INFINITY != INFINITY for i in floats)]
+        self.inputs, self.values = ([row[side] for row in chosen] for side in (0, 1))
 
     @property
     def expected(self) -> list[list[int]]:

@@ -44,16 +44,18 @@ readonly bake_packages=("${program_packages[@]}" libopenexr-dev)
 readonly npm_packages=(clang g++ libc++-dev-wasm32 libfmt-dev lld python3 wasi-libc)
 # Of the tests of examples/, which build raylib.
 readonly example_packages=(git libxcursor-dev libxi-dev libxinerama-dev libxrandr-dev vulkan-validationlayers x11-utils)
-# The packages behind python3-venv compile for ARM, and run the results; abigail-tools compare
-# binary interfaces. The last are compilers of the languages that tools/pick writes. Node.js is not among them:
-# tools/lib/base/node gets one that is new enough.
+# The packages behind python3-venv compile for ARM, and run the results; abigail-tools compare binary interfaces; Clang
+# compiles hashnoise::grid with libc++, too. The last are compilers of the languages that tools/pick writes. Node.js is
+# not among them: tools/lib/base/node gets one that is new enough.
 readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" "${example_packages[@]}" ccache libopenexr-dev
-  libclang-rt-dev libgtest-dev python3 python3-dev python3-jinja2 python3-numpy python3-pip python3-scipy python3-venv g++-aarch64-linux-gnu
-  qemu-user abigail-tools spirv-cross
+  libc++-dev libclang-rt-dev libgtest-dev python3 python3-dev python3-jinja2 python3-numpy python3-pip python3-scipy
+  python3-venv g++-aarch64-linux-gnu qemu-user abigail-tools spirv-cross
   cargo default-jdk-headless golang-go iverilog mono-mcs mono-runtime rust-clippy rustc rustfmt)
-# Of thorough tests: Microsoft's FXC, a program for Windows, and the compiler of what starts it; RISC-V's compiler; a
-# Debian that has nothing; what sees connections; what simulates circuits and synthesises them.
-readonly thorough_packages=(debootstrap g++-mingw-w64-x86-64 g++-riscv64-linux-gnu python3-matplotlib strace verilator wine wine64 yosys)
+# Of thorough tests: Microsoft's FXC, a program for Windows, and the compiler of what starts it; the compilers for
+# RISC-V and WebAssembly, and what libc++ links; a Debian that has nothing; what sees connections; what simulates
+# circuits and synthesises them.
+readonly thorough_packages=(debootstrap emscripten g++-mingw-w64-x86-64 g++-riscv64-linux-gnu libc++abi-dev
+  python3-matplotlib strace verilator wine wine64 yosys)
 
 # If the arguments behind -- have --help, prints the comment at the top of the command, and the program's list of its
 # options, and stops.

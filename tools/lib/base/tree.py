@@ -1,8 +1,10 @@
 """Where things are. A file that moves is named anew here."""
 
+import os
 import posixpath
 import re
 import shutil
+import subprocess
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -15,6 +17,23 @@ GOLDEN = CONFORMANCE / "expected" / "golden"
 FROZEN = GOLDEN.parent / "frozen.csv"
 INTERFACE = GOLDEN.parent / "interface.csv"
 VECTORS = ROOT / "build" / "vectors"  # proof.vectors makes them
+
+
+def files(root: Path = ROOT) -> list[str]:
+    """The names of the files of a repository. In an archive of it, which git does not know, they are all but what the
+    build and Python make."""
+    if (root / ".git").exists() and shutil.which("git"):
+        done = subprocess.run(["git", "-C", root, "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+                              stdout=subprocess.PIPE, text=True, check=False)
+        if done.returncode == 0:
+            return sorted(name for name in done.stdout.split("\0") if (root / name).is_file())
+    found = []
+    for folder, folders, names in os.walk(root):
+        place = os.path.relpath(folder, root)
+        folders[:] = [name for name in folders if name not in (".git", "__pycache__") and
+                      not (place == "." and (name == "out" or name.startswith("build")))]
+        found += [posixpath.normpath(posixpath.join(place.replace(os.sep, "/"), name)) for name in names]
+    return sorted(found)
 
 
 def glsl_files(library: Path = GLSL) -> dict[str, Path]:

@@ -1,4 +1,4 @@
-"""The versions of a program on the PATH, such as Debian's Rust and rustup's. tools/test puts Debian's programs first."""
+"""The versions of a program on the PATH, where tools/test puts Debian's programs first."""
 
 from __future__ import annotations
 

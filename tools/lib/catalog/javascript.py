@@ -240,6 +240,11 @@ def drawn(catalog: Catalog) -> tuple[list[Noise], list[Sum]]:
             [sum_ for sum_ in catalog.sums if sum_.shape == "value" and sum_.takes_noise])
 
 
+def shown(function: Function) -> str:
+    """Its sentence, for a page that shows its dimensions elsewhere."""
+    return function.about.replace(", {dimensions}", "").replace("`", "")
+
+
 def may_draw(noise: Noise, option: str) -> bool:
     """Of points that go round there is nothing: at a phase of 0 they are not those of the noise without one."""
     return option != "phase" or "jitter" not in noise.options
@@ -251,21 +256,22 @@ def playground(catalog: Catalog) -> str:
     def of_noise(noise: Noise) -> dict[str, Any]:
         return {"dimensions": dimensions_of(noise, 4), **{option: True for option in noise.options if may_draw(noise, option)},
                 **({"steep": True} if f"{noise.name}_d" in slopes else {}),
-                **({"range": noise.ranges["value"][0]} if "value" in noise.ranges else {})}
+                **({"range": noise.ranges["value"][0]} if "value" in noise.ranges else {}), "about": shown(noise)}
 
     def of_sum(sum_: Sum) -> dict[str, Any]:
         strength = {"strength": {"usual": sum_.strength.default, "most": sum_.strength.most}} if sum_.strength else {}
         return {"dimensions": dimensions_of(sum_, 4), **strength, **({"steep": True} if sum_.of == "slopes" else {}),
                 **({"step": step} if (step := sum_.step_of_loops.removeprefix("hn_add").removeprefix("_")) else {}),
                 **({"mean": sum_.mean} if sum_.mean else {}),
-                **({"range": sum_.range} if sum_.range == (0, 1) else {})}
+                **({"range": sum_.range} if sum_.range == (0, 1) else {}), "about": shown(sum_)}
 
     noises, sums = drawn(catalog)
     return "".join([
         "// Made by tools/make catalog. Of a steep noise there are slopes, and a steep sum needs them.\n",
         "export const kCatalog = {\n", "  noises: {\n",
         rows({noise.name: of_noise(noise) for noise in noises}, "    "), "  },\n", "  sums: {\n",
-        rows({sum_.name: of_sum(sum_) for sum_ in sums}, "    "), "  },\n", f"  metrics: {literal(catalog.metrics)},\n", "};\n"])
+        rows({sum_.name: of_sum(sum_) for sum_ in sums}, "    "), "  },\n", f"  metrics: {literal(catalog.metrics)},\n", "  settings: {\n",
+        rows({name: f"{catalog.settings[name].about.capitalize()}." for name in (*NUMBERS, "phase")}, "    "), "  },\n", "};\n"])
 
 
 def files(catalog: Catalog) -> dict[Path, str]:

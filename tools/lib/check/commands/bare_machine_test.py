@@ -7,7 +7,7 @@ options, such as -R rust, tools/test alone is run, with these. FOLDER-packages k
 and where CCACHE_DIR or build/ccache has what the same compiler made, it is used.
 
 Exit status: 0 the commands pass and skip what CONTRIBUTING.md names, 1 not, 77 this is not root on a Debian, or
-debootstrap is missing.
+debootstrap or git's folder is missing.
 """
 
 from __future__ import annotations
@@ -59,7 +59,8 @@ class Judgement(unittest.TestCase):
         self.assertEqual(faults(0, "100% tests passed, 0 tests failed out of 7\n9 more tests run\n", ""), [])
 
     def test_faults_are_found(self) -> None:
-        passed = "1/2 Test #1: a ...   Passed   0.01 sec\n2/2 Test  #2: c ...***Skipped\n100% tests passed, 0 tests failed out of 2\n"
+        passed = ("1/2 Test #1: a ...   Passed   0.01 sec\n2/2 Test  #2: c ...***Skipped\n"
+                  "100% tests passed, 0 tests failed out of 2\n")
         shown = f"{passed}Skipped, in whole or in part:\n  a: there is no b\n  c: d\n9 more tests run\n"
         page = "These are:\n\n- `c`, which wants `d`\n- `e`, which does not run here\n"
         self.assertEqual(faults(0, shown, ""), ["  a: there is no b", "  c: d"])
@@ -85,8 +86,8 @@ class BareMachine(unittest.TestCase):
         cls.top.mkdir(parents=True)
         cls.packages = cls.top.with_name(f"{cls.top.name}-packages")
         cls.packages.mkdir(exist_ok=True)
-        subprocess.run(["debootstrap", "--variant=minbase", "--include=ca-certificates,git", f"--cache-dir={cls.packages}",
-                        "bookworm", cls.top], stdout=subprocess.DEVNULL, check=True)
+        subprocess.run(["debootstrap", "--variant=minbase", "--include=ca-certificates,git",
+                        f"--cache-dir={cls.packages}", "bookworm", cls.top], stdout=subprocess.DEVNULL, check=True)
         shutil.copy("/etc/resolv.conf", cls.top / "etc")
         if CERTIFICATES.exists():
             shutil.copy(CERTIFICATES, cls.top / CERTIFICATES.relative_to("/"))
@@ -101,10 +102,11 @@ class BareMachine(unittest.TestCase):
         """The status and the output of a command in the clone, which also stands in the log of ctest."""
         cache = os.environ.get("CCACHE_DIR", str(ROOT / "build" / "ccache"))
         environment = {"HOME": "/root", "LANG": "C.UTF-8", "PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "TERM": "dumb",
-                       **{name: value for name, value in os.environ.items() if name in VARIABLES or name.startswith("CCACHE_")}}
+                       **{name: value for name, value in os.environ.items()
+                          if name in VARIABLES or name.startswith("CCACHE_")}}
         mounted = [self.packages, ARCHIVES, cache, cache]
-        enter = ["unshare", "--mount", "--pid", "--fork", "--kill-child", "bash", "-euc", OUTSIDE, INSIDE, self.top, ROOT]
-        done = subprocess.run([*enter, *mounted, "--", *command], env=environment, stdin=subprocess.DEVNULL,
+        enter = ["unshare", "--mount", "--pid", "--fork", "--kill-child", "bash", "-euc", OUTSIDE, INSIDE]
+        done = subprocess.run([*enter, self.top, ROOT, *mounted, "--", *command], env=environment, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
         print(done.stdout)
         return done.returncode, done.stdout
@@ -122,7 +124,8 @@ class BareMachine(unittest.TestCase):
 if __name__ == "__main__":
     BareMachine.top = Path(sys.argv.pop(1)).resolve()
     BareMachine.options = sys.argv[1:]
-    if os.geteuid() or not Path("/etc/debian_version").exists() or not shutil.which("debootstrap"):
-        print("skipped: this takes root on a Debian, and debootstrap: apt-get install debootstrap")
+    if (os.geteuid() or not all(map(os.path.exists, ("/etc/debian_version", ROOT / ".git")))
+            or not shutil.which("debootstrap")):
+        print("skipped: this takes root on a Debian, a clone, and debootstrap: apt-get install debootstrap")
         sys.exit(SKIPPED)
     unittest.main(argv=sys.argv[:1], verbosity=2)

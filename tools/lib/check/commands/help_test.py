@@ -21,7 +21,8 @@ COMMANDS = {"bake": ("src/bake/hn-bake", "--help"), "conform": (CONFORM, "run --
 # By tools/lib/base/scientific-python, which finds no Python here that has what they import.
 SCIENTIFIC = {"make bounds": "proof/bounds", "measure hashes": "measure/hashes", "measure noise": "measure/noise",
               "measure uniform": "measure/uniform"}
-OF_MAKE = ("base/needs.py", "base/modules.py", "base/tree.py", "base/usage.py", "check/make/command.py",
+OF_MAKE = ("base/ending.py", "base/needs.py", "base/modules.py", "base/tree.py", "base/usage.py",
+           "check/make/command.py",
            "check/make/graph.py", "check/make/parts.py", "catalog/copies.py")
 
 

@@ -158,7 +158,7 @@ class Files(unittest.TestCase):
         self.assertIn(LIB / "catalog" / "model.py", files_of("playground"))
 
     def test_a_command_is_read_by_a_python_that_is_too_old(self):
-        for name in (*of_python(), "lib/base/needs.py", "lib/measure/command.py"):
+        for name in (*of_python(), "lib/base/ending.py", "lib/base/needs.py", "lib/measure/command.py"):
             with self.subTest(name):
                 text = (TOOLS / name).read_text(encoding="utf-8")
                 ast.parse(text, feature_version=(3, 6) if name in USERS else (3, 8))

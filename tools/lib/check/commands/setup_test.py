@@ -1,8 +1,8 @@
 """Tests of tools/lib/base/setup.sh: what a command shows before it runs.
 
 Scripts stand in for cmake, ninja, apt-get and dpkg-query, so that nothing is installed or built. A line is due every
-fifth of a second here, in place of every ten seconds, and a step lasts until it has shown some, however busy the machine
-is.
+fifth of a second here, in place of every ten seconds, and a step lasts until it has shown some, however busy the
+machine is.
 """
 
 from __future__ import annotations
@@ -28,7 +28,8 @@ TICK = 0.2
 LINES = 3
 STEPS = 6  # the list of packages, their download and installation, the configuration, and two of the build
 # A step ends when the test has read so many lines of it, or after a while: a second, unless HN_PATIENCE has more.
-SLOW = 'n=0; until [ -e "$HN_READ" ] || [ $n -ge "${HN_PATIENCE:-20}" ]; do sleep 0.05; n=$((n + 1)); done; rm -f "$HN_READ"'
+SLOW = ('n=0; until [ -e "$HN_READ" ] || [ $n -ge "${HN_PATIENCE:-20}" ]; do sleep 0.05; n=$((n + 1)); done; '
+        'rm -f "$HN_READ"')
 COMMANDS = ("conform", "bake", "measure clock", "measure cpu", "measure paper", "test")
 TABLE = """kind,name,value,before
 speed,loop,0.1,

@@ -39,7 +39,7 @@ def sources(top: Path = ROOT) -> list[Path]:
 
 
 def unformatted(files: Sequence[Path], check: bool, bin: Path) -> list[str]:
-    """What the formatters would change, in words, or could not mend."""
+    """The changes that the formatters would make, in words, and what they could not mend."""
     def by_clang_format(file: Path) -> str:
         text = file.read_bytes()
         made = subprocess.run([bin / "clang-format", f"--assume-filename={file}.cpp"], input=text,

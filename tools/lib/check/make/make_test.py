@@ -158,8 +158,8 @@ class Toy(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.root = Path(scratch.name)
         for file in ("tools/make", *(f"tools/lib/{name}" for name in (
-                "base/needs.py", "base/modules.py", "base/tree.py", "base/usage.py", "check/make/command.py",
-                "check/make/graph.py", "check/make/parts.py",
+                "base/ending.py", "base/needs.py", "base/modules.py", "base/tree.py", "base/usage.py",
+                "check/make/command.py", "check/make/graph.py", "check/make/parts.py",
                 "catalog/copies.py"))):
             self.put(file, (ROOT / file).read_text())
         (self.root / "tools/make").chmod(0o755)

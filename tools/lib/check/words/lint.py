@@ -7,12 +7,11 @@ from __future__ import annotations
 
 import fnmatch
 import re
-import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from base.tree import ROOT
+from base.tree import ROOT, files
 
 # Folders whose comments and messages are still to be rewritten. Empty this tuple once they are.
 NOT_YET: tuple[str, ...] = ()
@@ -97,11 +96,8 @@ def ending(name: str) -> str:
 
 
 def faults_of_tree(root: Path = ROOT, prefix: str = "") -> Iterator[str]:
-    files = subprocess.run(["git", "-C", root, "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
-                           stdout=subprocess.PIPE, text=True, check=True).stdout.split("\0")
-    for name in sorted(filter(None, files)):
-        if name.startswith(prefix) and not name.startswith(NOT_YET) and not MADE_FILES.search(name) and ending(name) in BY_ENDING \
-                and (root / name).is_file():
+    for name in files(root):
+        if name.startswith(prefix) and not name.startswith(NOT_YET) and not MADE_FILES.search(name) and ending(name) in BY_ENDING:
             text = (root / name).read_text(encoding="utf-8", errors="replace")
             if name.endswith(".md") or name == "llms.txt":
                 yield from faults(name, text)

@@ -20,7 +20,7 @@ Finds the scale and the factor with which a call of ours looks like one of anoth
                            [--glsl-noise DIR] [--pictures DIR] [--out DIR | --check]
 
 Each option is the path of a copy of yours; its help names which file or folder of it. Peers without an option are left
-out. Unity's Shader Graph has none, since it is measured by a port of ours.
+out. Unity's Shader Graph and the snippets of Inigo Quilez have none, since ports of ours are measured.
 
 It leaves likeness.csv in DIR. docs/measured/results/llvmpipe/likeness.csv is such a file; tools/make readme makes the
 tables of docs/guide/moving.md of it. It needs libOSMesa.

@@ -20,8 +20,8 @@ from measure.likeness.table import BILLOW, ROWS, UNKNOWN, Row
 from translate.single_file.files import text
 
 RECORD = ROOT / "docs" / "measured" / "results" / "llvmpipe" / "likeness.csv"
-# A manual shows these, so there is no copy of a library to name.
-PORTS = {"unity": Path(__file__).with_name("unity.glsl")}
+# Pages show these, so there is no copy of a library to name.
+PORTS = dict.fromkeys(("unity", "quilez"), Path(__file__).with_name("ports.glsl"))
 # A scale or a factor so near to 1 is left out: nobody sees it.
 NEAR = 0.05
 # So far may the deviation and the size of a port be from theirs: what was left out, and 1% for the places that are

@@ -241,4 +241,20 @@ def _unity() -> Iterator[Row]:
     yield row("Simple Noise", "my_fbm({p}, 3, 2.0, 0.5, {seed})", own_sum("my_fbm", "fbm", "hn_value").replace("#", "2"))
 
 
-ROWS = (*_fastnoiselite(), *_godot(), *_webgl_noise(), *_lygia(), *_materialx(), *_unity())
+# --- Snippets by Inigo Quilez -----------------------------------------------------------------------------------------
+
+
+def _quilez() -> Iterator[Row]:
+    """Value noise in [0, 1], and sums of five octaves with the weights 1/2, 1/4, ..."""
+    before = own_sum("my_fbm", "fbm", "hn_value")
+    for axes in (2, 3):
+        for theirs, name, ours in (("`noise(x)`, value noise", "value_noise", "hn_value({p}, {seed})"),
+                                   ("`fbm(x)` of it", "value_sum", "my_fbm({p}, 5, 2.0, 0.5, {seed})")):
+            yield Row("Quilez", "quilez", theirs, "", f"{name}(p)", axes, f"{{offset}}{{factor}}{ours}",
+                      before=before.replace("#", str(axes)))
+        # The mean of theirs moves the whole picture alike, and is left out.
+        yield Row("Quilez", "quilez", "`4.0 * vec2(fbm(...), ...)`, a warp by it", "", "4.0 * (value_sum(p) - 0.484)", axes,
+                  "hn_warp({p}, 5, 2.0, 0.5, {factor}4.0, {seed})", UNKNOWN, part=".x")
+
+
+ROWS = (*_fastnoiselite(), *_godot(), *_webgl_noise(), *_lygia(), *_materialx(), *_unity(), *_quilez())

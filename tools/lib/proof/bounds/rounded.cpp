@@ -10,6 +10,7 @@
 
 #include "../../../../glsl/hashnoise/config.glsl"
 
+#include <bit>
 #include <cmath>
 #include <cstdio>
 #include <vector>

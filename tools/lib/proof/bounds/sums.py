@@ -25,6 +25,7 @@ SHIFT_MAX = {1: 11 / 32, 2: 19 / 32, 3: 23 / 32, 4: 27 / 32}  # the largest comp
 ROTATIONS = (math.hypot(25, 20) / 32, max(math.hypot(29, 13) / 32, 1.0), math.hypot(25, 20) / 32)
 WHOLE = 2.0**-24  # the unit of whole positions
 
+
 @dataclass(frozen=True)
 class Sum:
     """An octave sum and its arguments, in the range that the contract takes them in: a period has made the lacunarity a
@@ -47,14 +48,14 @@ class Sum:
 
     @property
     def count(self) -> int:
-        return math.ceil(self.octaves) if self.octaves >= 2**-32 else 0
+        return math.ceil(min(self.octaves, 32)) if self.octaves >= 2**-32 else 0
 
     @property
     def weights(self) -> list[float]:
         """gain^i; the last one is smaller with a detail."""
         powers = [self.gain**i for i in range(self.count)]
         if self.count > 1:
-            powers[-1] *= self.octaves - (self.count - 1)
+            powers[-1] *= min(self.octaves, 32) - (self.count - 1)
         return powers
 
     @property

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from catalog.tables.configurations import Configuration
 from catalog.tables.functions import Column, Function
 from proof.golden.generator import Row, fnv1a64, generator_of, to_f32
-from proof.golden.rows import rows_of
+from proof.golden.rows import rows_of, with_infinities
 from proof.oracle.functions import evaluator, knobs_of
 from proof.oracle.gradients import Real
 
@@ -105,6 +105,9 @@ class GoldenFile:
     def rows(self) -> tuple[list[Row], list[Row]]:
         """The rows that every setting has, and those that only fixed arithmetic has, from a generator that is seeded
         with the function's name alone."""
+        return with_infinities(self.function, *self.finite_rows())
+
+    def finite_rows(self) -> tuple[list[Row], list[Row]]:
         fixed = any(values.configuration.fixed for values in self.values)
         return rows_of(self.function, fixed, self.settings, generator_of(self.function.id))
 

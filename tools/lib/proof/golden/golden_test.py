@@ -23,12 +23,13 @@ from base.golden_values import Golden, ids
 from base.thorough import THOROUGH, in_thorough_runs
 from catalog.model import CatalogError
 from catalog.tables.configurations import read_configurations
-from catalog.tables.functions import NOISES, OCTAVE_SUMS, Column, Function, read_functions
+from catalog.tables.functions import NOISES, OCTAVE_SUMS, SPREADS, Column, Function, read_functions
 from proof.golden import cellular_rows, gullies_rows, period_rows, phasor_rows, simplex_rows, sum_rows
 from proof.golden import command as golden
 from proof.golden.files import Digest, GoldenFile, Sample, Values, golden_files, line
 from proof.golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of, to_f32
-from proof.oracle import curl, feature_points, jacobians, gradients, kernels, noises, rotation, sums, words
+from proof.golden.rows import CLAMPED
+from proof.oracle import curl, feature_points, gradients, jacobians, kernels, noises, rotation, sums, words
 from proof.oracle.functions import evaluator, knobs_of, values_of
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import signed
@@ -85,14 +86,14 @@ def rows_with(id: str, setting: str = "") -> list[tuple]:
 @functools.cache
 def rows_of(id: str) -> tuple[list[tuple], list[tuple]]:
     """Which take a while to make."""
-    return FILES[id].rows()
+    return FILES[id].finite_rows()
 
 
 @functools.cache
 def rows_in(id: str, values: Values) -> int:
     """How many a committed file has. golden.regenerated_is_committed makes the rows of all anew, which takes a
     while."""
-    return len(Golden(id, values.name).inputs)
+    return len(Golden(id, values.name, finite=False).inputs)
 
 
 class GoldenContents(unittest.TestCase):
@@ -142,6 +143,16 @@ class GoldenContents(unittest.TestCase):
                     read = Golden(id, values.name)  # whose bits are those of floats
                     for (_, kind), results in zip(read.head.results, zip(*read.expected)):
                         self.assertTrue(kind == "i32" or 0x80000000 not in results, id)
+
+    def test_infinities_have_rows_where_they_have_values(self) -> None:
+        for id, file in FILES.items():
+            function, inputs = file.function, Golden(id, file.values[-1].name, finite=False).inputs
+            for column, values in zip(function.inputs, zip(*inputs)):
+                has = column.name in {*CLAMPED, "radius"} and function.form not in SPREADS and (
+                    column.name, function.bound) != ("footprint", gullies_rows.BOUND)
+                if column.type == "f32":
+                    found = {word for word in values if word & 0x7F800000 == 0x7F800000}
+                    self.assertEqual(found, {0xFF800000, 0x7F800000} if has else set(), (id, column.name))
 
     def test_only_fixed_arithmetic_has_further_inputs(self) -> None:
         for id, file in FILES.items():
@@ -240,7 +251,7 @@ class GoldenContents(unittest.TestCase):
     def test_a_function_that_the_oracle_does_not_have(self) -> None:
         function = FUNCTIONS["noise2d.perlin"]
         for change, message in (({"bound": "merlin"}, r"noise2d\.perlin: .*write .*/oracle/noises/merlin\.py"),
-                                ({"family": "octave_sum"}, "the oracle has no noise2d\.perlin")):
+                                ({"family": "octave_sum"}, r"the oracle has no noise2d\.perlin")):
             file = GoldenFile(replace(function, **change), [setting for setting in SETTINGS if setting.name == "lattice"])
             with self.assertRaisesRegex(CatalogError, message):
                 file.text()
@@ -544,7 +555,7 @@ class GoldenContents(unittest.TestCase):
             for row in rows_with(function.id, "lattice+fixed"):
                 options, _, periods = self.of_row(function, row)
                 growth = abs(options.gain * sums.growth_of(options, periods))
-                powers = [growth**i for i in range(sums.fixed_count_of(options))]
+                powers = [growth**i for i in range(sums.count_of(options))]
                 sizes.append(sum(powers))
                 moves.append(sums.clamped(options.amplitude, 0, 64) * max(powers, default=0))
             self.assertTrue(60 < max(sizes) <= 64, function.id)

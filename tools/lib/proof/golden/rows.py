@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+import math
+from collections.abc import Container, Sequence
+from operator import itemgetter
 
 import catalog.model
+from catalog.model import AXES
 from catalog.tables.configurations import Configuration
 from catalog.tables.functions import SPREADS, Function
 from proof.golden import (
@@ -262,6 +265,24 @@ def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration],
         return of.plain(function, generator), of.fixed(function, FIXED_COORDINATES, generator) if fixed else []
     return (plain_rows(function, settings, generator),
             rows_of_fixed(function, settings, generator) if fixed else [])
+
+
+# Numbers that fixed arithmetic clamps: infinities have values there.
+CLAMPED = {*AXES, *(f"f{axis}" for axis in AXES), "jitter", "lacunarity", "gain", "strength", "amplitude", "detail",
+           "footprint"}
+
+
+def with_infinities(function: Function, every: list[Row], of_fixed: list[Row]) -> tuple[list[Row], list[Row]]:
+    """And with infinities, where these have a value: in place of the least and of the greatest number of a column."""
+    def infinite(rows: list[Row], names: Container[str]) -> list[Row]:
+        columns = [i for i, column in enumerate(function.inputs) if column.type == "f32" and column.name in names]
+        return [(*row[:i], end, *row[i + 1:]) for i in columns for end, row in (
+            (-math.inf, min(rows, key=itemgetter(i))), (math.inf, max(rows, key=itemgetter(i))))]
+
+    names = CLAMPED - {"footprint"} if function.bound == gullies_rows.BOUND else CLAMPED
+    if of_fixed and function.form not in SPREADS:
+        of_fixed = of_fixed + infinite(of_fixed, names)
+    return every + infinite(every, ("radius",)), of_fixed
 
 
 def with_phases(rows: list[Row], function: Function, waves: Sequence[float], generator: Generator) -> list[Row]:

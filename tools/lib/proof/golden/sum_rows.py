@@ -211,6 +211,9 @@ def plain(function: Function, generator: Generator) -> list[Row]:
         octaves = generator.integer(2 if count == 2 else 1, count)
         gain = generator.pick((0.5, 0.5, 0.25, 0.75, 1.0, 0.0, 1.5 if octaves < 4 else 0.625))
         rows.append(drawn(function, octaves, lacunarity, gain, generator))
+    # More octaves than count.
+    rows.append(split(function, (0.375,) * n) + (0,) * (n * function.has_period) +
+                settings(function, 40, 1.0, 0.75, 40.5 if name == "detail" else 0.125) + (7,))
     return rows
 
 

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from catalog.tables.configurations import Configuration
 from catalog.tables.functions import NOISES, OCTAVE_SUMS, Function
 from proof.oracle import (
-    jacobians,
     gradients,
     gullies,
     integers,
+    jacobians,
     noises,
     numbers,
     perlin_worley,
@@ -63,8 +64,22 @@ def knobs_of(configuration: Configuration) -> Knobs:
     return Knobs(configuration.hash, configuration.gradient == "sine")
 
 
+LARGEST = (2 - 2.0**-23) * 2.0**127  # a float
+
+
+def finite(x: Real) -> Real:
+    """Where an infinity has a value it counts as the nearer end of a range, and no range is larger than that of
+    floats."""
+    return math.copysign(LARGEST, x) if isinstance(x, float) and math.isinf(x) else x
+
+
 def evaluator(function: Function, fixed: bool) -> Evaluate:
     """The function in fixed arithmetic, or exactly: of the knobs and a row of inputs."""
+    of = _evaluator_of(function, fixed)
+    return lambda knobs, row: of(knobs, list(map(finite, row)))
+
+
+def _evaluator_of(function: Function, fixed: bool) -> Evaluate:
     n, family = function.axes, function.family
     if function.id in OF_WORDS:
         return lambda _, row: OF_WORDS[function.id](*row)

@@ -32,7 +32,7 @@ class EveryFunction(unittest.TestCase):
     def check(self) -> None:
         """Other programs find the values of golden files, too."""
         for values in values_of_files():
-            function, golden = values.function, Golden(values.function.id, values.name)
+            function, golden = values.function, Golden(values.function.id, values.name, finite=False)
             kinds = [column.type for column in function.inputs]
             step = max(1, (len(golden.inputs) - 1) // (ROWS - 1))
             for words, expected in list(zip(golden.inputs, golden.values))[::step]:

@@ -295,7 +295,7 @@ def fixed_moved(place: FixedPlace, u: Sequence[int], q: int) -> FixedPlace:
 def fixed_warp_progressive(noise: Noise, knobs: Knobs, place: FixedPlace, options: Options, seed: int,
                            periods: Sequence[int] = ()) -> tuple[int, ...]:
     vectors, octave, total = [], (place, periods, seed), sum(sums.fixed_weights(options))
-    for jacobian in itertools.islice(fixed_jacobians_of(len(place), options, periods), sums.fixed_count_of(options)):
+    for jacobian in itertools.islice(fixed_jacobians_of(len(place), options, periods), sums.count_of(options)):
         vectors.append(fixed_vector(noise, knobs, octave))
         at, *rest = octave
         moved = fixed_moved(at, jacobian.times(vectors[-1]), (fixed_amplitude(options) << 18) // total)

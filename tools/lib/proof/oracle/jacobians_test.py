@@ -11,9 +11,9 @@ from unittest import mock
 
 from proof.golden.generator import Generator, generator_of
 from proof.oracle import jacobians, noises, sums
-from proof.oracle.jacobians import Plane, Space
 from proof.oracle.gradients import Knobs, Real
 from proof.oracle.integers import NOISE_UNIT, signed
+from proof.oracle.jacobians import Plane, Space
 from proof.oracle.noises import Noise
 from proof.oracle.sums import Options, in_cell
 from proof.oracle.words import MASK, SEED_STEP
@@ -148,7 +148,7 @@ class LargestNumbers(unittest.TestCase):
         """The largest slope along each axis: octaves that all point the way in which their Jacobians do. The lengths of
         their
         gradients are the rise, divided by the sum of the Jacobians."""
-        count, ends = sums.fixed_count_of(options), list(itertools.product((-1, 1), repeat=n))
+        count, ends = sums.count_of(options), list(itertools.product((-1, 1), repeat=n))
         found = list(itertools.islice(jacobians.fixed_jacobians_of(n, options, periods), count))
         place = [(0, 0)] * n
         growth = sum((options.gain * options.lacunarity)**i for i in range(count))

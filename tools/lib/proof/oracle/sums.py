@@ -83,9 +83,14 @@ def in_cell(cell: Sequence[int], f: Sequence[Real]) -> Place:
     return [c + Fraction(x) for c, x in zip(cell, f)]
 
 
+def most_octaves(options: Options) -> Fraction:
+    """More than 32 count as 32."""
+    return min(Fraction(options.octaves), Fraction(32))
+
+
 def count_of(options: Options) -> int:
     """How many octaves there are."""
-    return 0 if options.octaves < Fraction(1, 2**32) else math.ceil(options.octaves)
+    return 0 if options.octaves < Fraction(1, 2**32) else math.ceil(most_octaves(options))
 
 
 def growth_of(options: Options, periods: Sequence[int]) -> Fraction:
@@ -121,7 +126,7 @@ def weights(options: Options) -> list[Fraction]:
     count = count_of(options)
     found = [Fraction(options.gain)**i for i in range(count)]
     if count > 1:
-        found[-1] *= Fraction(options.octaves) - (count - 1)
+        found[-1] *= most_octaves(options) - (count - 1)
     return found
 
 
@@ -254,7 +259,7 @@ def fixed_following(octave: FixedOctave, factor: Fraction) -> FixedOctave:
 def fixed_octaves_of(place: FixedPlace, options: Options, seed: int,
                      periods: Sequence[int] = ()) -> Iterator[FixedOctave]:
     octave = (place, periods, seed)
-    for _ in range(fixed_count_of(options)):
+    for _ in range(count_of(options)):
         yield octave
         octave = fixed_following(octave, lacunarity_of(options, periods))
 
@@ -264,10 +269,6 @@ def fixed_at(noise: Noise, knobs: Knobs, octave: FixedOctave) -> tuple[int, ...]
     place, periods, seed = octave
     return noise.fixed_in_cell(noise.lattice(knobs, seed, periods), [cell for cell, _ in place],
                                [r >> 4 for _, r in place])
-
-
-def fixed_count_of(options: Options) -> int:
-    return min(count_of(options), 32)
 
 
 def product(a: int, b: int) -> int:
@@ -285,11 +286,11 @@ def in_weights(x: Real, high: int = 1) -> int:
 def fixed_weights(options: Options) -> list[int]:
     """Of the total, in units of 2^-18."""
     found, a = [], 2**18
-    for _ in range(fixed_count_of(options)):
+    for _ in range(count_of(options)):
         found.append(a)
         a = product(a, in_weights(options.gain))
     if len(found) > 1:
-        found[-1] = product(found[-1], in_weights(min(Fraction(options.octaves), 32) - (len(found) - 1)))
+        found[-1] = product(found[-1], in_weights(most_octaves(options) - (len(found) - 1)))
     return found
 
 

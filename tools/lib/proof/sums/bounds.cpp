@@ -114,7 +114,7 @@ double detail_total(const OctaveArguments& arguments) {
   double total = 0.0;
   const int count = count_of(arguments);
   for (int i = 0; i < count; ++i) {
-    const double part = i > 0 && i == count - 1 ? arguments.octaves - i : 1.0;
+    const double part = i > 0 && i == count - 1 ? std::min(arguments.octaves, 32.0) - i : 1.0;
     total += std::pow(arguments.gain, i) * part;
   }
   return total;
@@ -327,7 +327,8 @@ double value_tolerance(const SumRule& rule, const OctaveArguments& arguments, co
 std::string name_of(SumStep step) {
   switch (step) {
 #define SUM_STEP(name) \
-  case SumStep::name: return #name;
+  case SumStep::name:  \
+    return #name;
 #include "library/sums.inc"
   }
   return "without a name";
@@ -336,7 +337,8 @@ std::string name_of(SumStep step) {
 std::string name_of(SumMean mean) {
   switch (mean) {
 #define SUM_MEAN(name) \
-  case SumMean::name: return #name;
+  case SumMean::name:  \
+    return #name;
 #include "library/sums.inc"
   }
   return "without a name";
@@ -345,17 +347,28 @@ std::string name_of(SumMean mean) {
 // The next octave's weight, if a step changes it, is in mean_error.
 Proof proof_of(SumStep step) {
   switch (step) {
-    case SumStep::noise: return {false, as_they_are, value_tolerance};
-    case SumStep::size: return {false, as_they_are, value_tolerance};
-    case SumStep::bounded_size: return {true, as_they_are, value_tolerance};
-    case SumStep::ridge: return {true, ridges, value_tolerance};
-    case SumStep::height: return {true, heights, value_tolerance};
-    case SumStep::wave: return {true, waves, value_tolerance};
-    case SumStep::bent: return {true, as_they_are, value_tolerance};
-    case SumStep::fbm_d: return {false, as_they_are, value_tolerance};
-    case SumStep::eroded: return {false, as_they_are, eroded_tolerance};
-    case SumStep::warp: return {true, as_they_are, warp_tolerance};
-    case SumStep::warp_progressive: return {true, as_they_are, progressive_tolerance};
+    case SumStep::noise:
+      return {false, as_they_are, value_tolerance};
+    case SumStep::size:
+      return {false, as_they_are, value_tolerance};
+    case SumStep::bounded_size:
+      return {true, as_they_are, value_tolerance};
+    case SumStep::ridge:
+      return {true, ridges, value_tolerance};
+    case SumStep::height:
+      return {true, heights, value_tolerance};
+    case SumStep::wave:
+      return {true, waves, value_tolerance};
+    case SumStep::bent:
+      return {true, as_they_are, value_tolerance};
+    case SumStep::fbm_d:
+      return {false, as_they_are, value_tolerance};
+    case SumStep::eroded:
+      return {false, as_they_are, eroded_tolerance};
+    case SumStep::warp:
+      return {true, as_they_are, warp_tolerance};
+    case SumStep::warp_progressive:
+      return {true, as_they_are, progressive_tolerance};
   }
   refuse("step " + name_of(step));
 }
@@ -367,10 +380,14 @@ Proof proof_of(SumStep step) {
 // relative to a value of at most 1. A bounded mean is cut off, which brings no two values further apart.
 double end_tolerance(SumMean end, double error) {
   switch (end) {
-    case SumMean::as_it_is: return error;
-    case SumMean::bounded: return error;
-    case SumMean::density: return 1.5 * (2.0 * error + kUnit) + 3.001 * kUnit;
-    case SumMean::billows: return 2.0 * error + kUnit * (1.0 + 2.0 * error);
+    case SumMean::as_it_is:
+      return error;
+    case SumMean::bounded:
+      return error;
+    case SumMean::density:
+      return 1.5 * (2.0 * error + kUnit) + 3.001 * kUnit;
+    case SumMean::billows:
+      return 2.0 * error + kUnit * (1.0 + 2.0 * error);
   }
   refuse("mean " + name_of(end));
 }

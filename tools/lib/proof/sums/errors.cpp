@@ -16,7 +16,7 @@ double largest_shift(int axes) { return kLargestShift[static_cast<std::size_t>(a
 }  // namespace
 
 int count_of(const OctaveArguments& arguments) {
-  return arguments.octaves < 0x1p-32 ? 0 : static_cast<int>(std::ceil(arguments.octaves));
+  return arguments.octaves < 0x1p-32 ? 0 : static_cast<int>(std::ceil(std::min(arguments.octaves, 32.0)));
 }
 
 double rounding_of(int operations) { return std::pow(1.0 + kUnit, operations) - 1.0; }

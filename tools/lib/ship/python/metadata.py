@@ -4,10 +4,13 @@ clone and in a source distribution."""
 from __future__ import annotations
 
 import re
+import shutil
+import subprocess
+import sys
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
-from base.tree import ROOT
+from base.tree import ROOT, TOOLS, VECTORS
 from ship.page import of_package
 
 PAGE = ROOT / "docs" / "guide" / "python.md"
@@ -36,6 +39,14 @@ def of_nanobind() -> dict[str, str]:
     return {"nanobind.txt": own, "robin_map.txt": re.sub(r"^ \* ?", "", notice[1], flags=re.MULTILINE)}
 
 
+def take_vectors() -> None:
+    """Makes what pyproject.toml takes along, unless it is there; a source distribution has it in a folder of its own."""
+    if (ROOT / "vectors").is_dir():
+        shutil.copytree(ROOT / "vectors", VECTORS, dirs_exist_ok=True)
+    elif not VECTORS.is_dir():
+        subprocess.run([sys.executable, TOOLS / "make", "vectors"], stdout=subprocess.DEVNULL, check=True)
+
+
 class Provider:
     """The interface of dynamic-metadata 0.3."""
 
@@ -46,6 +57,8 @@ class Provider:
 
     def dynamic_metadata(self, settings: dict[str, object], project: dict[str, object]) -> dict[str, object]:
         names = ["LICENSE"]
+        if self.is_source:
+            take_vectors()
         for name, text in {} if self.is_source else of_nanobind().items():
             LICENSES.mkdir(parents=True, exist_ok=True)
             (LICENSES / name).write_text(text, encoding="utf-8")

@@ -16,6 +16,7 @@ from pathlib import Path
 from unittest import mock
 
 from base.tree import ROOT, TOOLS, address, version
+from base.tree import files as files_of
 from catalog import copies
 from measure.results.sets import GoldenSets, write
 from proof.vectors.files import vectors_folder
@@ -28,16 +29,15 @@ COPIED = ("CMakeLists.txt", "LICENSE", "catalog/asked.toml", "conformance/expect
 PLACE = "https://example.org/a-place"
 # Of the project, or of a page of a registry on it.
 DIGESTS = f"docs/measured/results/devices/versions/{version()}.csv"
-ADDRESS = "https://[A-Za-z0-9_./-]+/hashnoise[A-Za-z0-9_-]*"
+ADDRESS = re.compile(rb"https://[A-Za-z0-9_./-]+/hashnoise[A-Za-z0-9_-]*")
 REGISTRIES = ("https://pypi.org/", "https://www.npmjs.com/", "https://crates.io/")
 CHEAP = "single,parts,vectors,headers,source"
 
 
 def other_addresses(root: Path) -> list[str]:
-    """Of files in git that end like the project's, and are others."""
-    found = subprocess.run(["git", "-C", root, "grep", "-IoE", ADDRESS], stdout=subprocess.PIPE, text=True, check=False)
-    lines = [line.split(":", 1) for line in found.stdout.splitlines()]
-    return [f"{name}: {other} must be {address()}, which conformance/web/address.js has" for name, other in lines
+    """Addresses in files that end like the project's, and are others."""
+    found = [(name, other.decode()) for name in files_of(root) for other in ADDRESS.findall((root / name).read_bytes())]
+    return [f"{name}: {other} must be {address()}, which conformance/web/address.js has" for name, other in found
             if other.endswith("/hashnoise") and other != address() and not other.startswith(REGISTRIES)]
 
 
@@ -205,17 +205,6 @@ class Refuses(Project):
         self.refused(1, rf"all the same\n{DIGESTS}: it must have the checksums of the golden files; .*\n\Z",
                      "--only", "single")
 
-    def test_each_file_has_the_address_of_the_project(self):
-        """It changes when the project gets a public place: then each file that has another is named here."""
-        if not (ROOT / ".git").exists():
-            self.skipTest(f"{ROOT} is no git repository")
-        self.assertEqual(other_addresses(ROOT), [])
-        other = address().replace("://", "://old.")
-        (self.root / "page.md").write_text(f"{other}.git {address()} {address()}_wgsl https://pypi.org/project/hashnoise")
-        self.git(self.root, "add", "page.md")
-        self.assertEqual(other_addresses(self.root), [
-            f"page.md: {other} must be {address()}, which conformance/web/address.js has"])
-
     def test_a_version_that_the_changelog_does_not_have(self):
         with self.assertRaisesRegex(files.NoRelease, "has no part on 7.0.0"):
             files.notes("## 0.7.0 (2026-01-01)\n\n- Something.\n", "7.0.0")
@@ -255,6 +244,17 @@ class Refuses(Project):
         with mock.patch.object(files, "HN_CONFORM", ROOT / "build" / "nowhere" / "hn-conform"), \
                 self.assertRaisesRegex(files.NoRelease, "there is no build/nowhere/hn-conform.*tools/conform builds it"):
             files.Release.check(mock.Mock(folder=self.out))
+
+
+class Addresses(unittest.TestCase):
+    def test_each_file_has_that_of_the_project(self):
+        """It changes when the project gets a public place: then each file that has another is named here."""
+        self.assertEqual(other_addresses(ROOT), [])
+        root = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        other = address().replace("://", "://old.")
+        (root / "page.md").write_text(f"{other}.git {address()} {address()}_wgsl https://pypi.org/project/hashnoise")
+        self.assertEqual(other_addresses(root), [
+            f"page.md: {other} must be {address()}, which conformance/web/address.js has"])
 
 
 class Version(unittest.TestCase):

@@ -6,10 +6,10 @@ import os
 import posixpath
 import re
 import shutil
-import subprocess
 from collections.abc import Iterable
 from pathlib import Path
 
+from base.tree import files
 from ship.website import live
 
 # The parts of the site beside its pages, in the order in which a reader needs them. A page of docs/ is in one group.
@@ -58,10 +58,8 @@ LINK = re.compile(r"(?<=\]\()(?!\w+:|#)([^)#\s]+)")
 
 def pages(root: Path) -> list[str]:
     """The pages of a site: the README, what lies in docs/, and a few others."""
-    found = subprocess.run(["git", "-C", root, "ls-files", "-z", "--cached", "--others", "--exclude-standard", "*.md"],
-                           capture_output=True, text=True, check=True).stdout.split("\0")
-    return sorted(name for name in found if name and (root / name).exists() and
-                  (name.startswith("docs/") or PACKAGE.fullmatch(name) or name.removesuffix(".md") in ("README", *TOP)))
+    return [name for name in files(root) if name.endswith(".md") and
+            (name.startswith("docs/") or PACKAGE.fullmatch(name) or name.removesuffix(".md") in ("README", *TOP))]
 
 
 def ungrouped(names: Iterable[str]) -> list[str]:
@@ -138,11 +136,10 @@ class Copy:
         return posixpath.join(link, "README.md")
 
     def list_folder(self, name: str) -> None:
-        files = subprocess.run(["git", "-C", self.root / name, "ls-files", "-z"], capture_output=True, text=True,
-                               check=True).stdout.split("\0")
-        for file in filter(None, files):
+        inside = [file.removeprefix(f"{name}/") for file in files(self.root) if file.startswith(f"{name}/")]
+        for file in inside:
             self.keep(f"{name}/{file}")
-        (self.folder / name / "README.md").write_text(listing(name, filter(None, files)), encoding="utf-8")
+        (self.folder / name / "README.md").write_text(listing(name, inside), encoding="utf-8")
 
     def page(self, name: str, more: str = "") -> None:
         text = (self.root / name).read_text(encoding="utf-8")

@@ -14,9 +14,11 @@ from translate.pick.evaluate import Module
 from translate.pick.values import SIZES, scalar_of, vector_of
 
 HEAD = """#include <bit>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
 #include <random>
 
 #include "hashnoise/hashnoise.hpp"
@@ -25,11 +27,18 @@ namespace hashnoise {
 // Structs are compared part by part, since there may be gaps between the parts.
 template <typename T>
 bool differs(const T& a, const T& b) { return std::memcmp(&a, &b, sizeof a) != 0; }
+
+// Seldom a NaN or an infinity, which have bits with HN_FIXED alone.
+std::optional<float> no_number(unsigned drawn) {
+  constexpr float kNoNumbers[] = {NAN, INFINITY, -INFINITY};
+  if (HN_ARITHMETIC != HN_FIXED || drawn % 64 != 0) return {};
+  return kNoNumbers[drawn / 64 % 3];
+}
 """
 # From where to where settings are drawn: beyond their ranges, too. Others are positions and fractions.
 RANGES = {"lacunarity": (0.5, 4), "gain": (0, 1.5), "jitter": (-0.2, 1.2), "detail": (-0.5, 7), "footprint": (0, 0.5),
           "amplitude": (0, 2), "strength": (0, 3), "phase": (-2, 2), "f": (0, 1)}
-OCTAVES, METRIC = "int(g() % 9) - 1", "int(g() % 3)"
+OCTAVES, METRIC = "(g() % 64 ? int(g() % 9) - 1 : int(g() >> 1))", "int(g() % 3)"
 
 
 def made(type_: str, component: str) -> str:
@@ -62,7 +71,8 @@ def drawn(parameter: Parameter) -> str:
     if scalar_of(type_) == "float":
         low, high = RANGES.get(name, (-60, 60))
         far = " * (g() % 4 ? 1.0f : 10000.0f)" if name == "p" else ""
-        return made(type_, f"(r({low}, {high}){far})")
+        draw = "r" if name == "phase" else "any"  # a phase that is no number has no value
+        return made(type_, f"({draw}({low}, {high}){far})")
     return {"octaves": OCTAVES, "metric": METRIC}.get(name) or made(type_, f"{scalar_of(type_)}(g())")
 
 
@@ -112,7 +122,8 @@ def _drawing(seed: str, body: str, points: int, end: str = "  }", start: str = "
     """A block of the program that does so at points that it draws."""
     return f"""  {{
     std::mt19937 g({seed});
-    [[maybe_unused]] const auto r = [&g](double a, double b) {{ return float(a + (b - a) * (g() / 4294967296.0)); }};
+    const auto r = [&g](double a, double b) {{ return float(a + (b - a) * (g() / 4294967296.0)); }};
+    [[maybe_unused]] const auto any = [&](double a, double b) {{ return no_number(g()).value_or(r(a, b)); }};
 {start}    for (int i = 0; i < {points}; i++) {{
       {body}
     }}

@@ -1,4 +1,5 @@
-// The noises of two nodes of Unity's Shader Graph 12.1, in our words: its manual shows them in HLSL.
+// Noises that pages of others show, in our words: two nodes of Unity's Shader Graph 12.1, and sums of value noise as
+// snippets have them, which do not divide by the sum of their weights.
 
 vec2 direction(vec2 corner) {
   corner = mod(corner, 289.0);
@@ -31,3 +32,29 @@ float value_noise(vec2 p) {
 }
 
 float simple_noise(vec2 p) { return 0.125 * value_noise(p) + 0.25 * value_noise(p / 2.0) + 0.5 * value_noise(p / 4.0); }
+
+float value_noise(vec3 p) {
+  vec3 corner = floor(p), f = fract(p);
+  vec3 blend = f * f * (3.0 - 2.0 * f);
+  float slices[2];
+  for (int z = 0; z < 2; ++z) {
+    vec2 next = corner.xy + 37.0 * (corner.z + float(z)) * vec2(1.0, 3.0);
+    vec2 low = vec2(random(next), random(next + vec2(0.0, 1.0)));
+    vec2 high = vec2(random(next + vec2(1.0, 0.0)), random(next + vec2(1.0, 1.0)));
+    vec2 both = mix(low, high, blend.x);
+    slices[z] = mix(both.x, both.y, blend.y);
+  }
+  return mix(slices[0], slices[1], blend.z);
+}
+
+float value_sum(vec2 p) {
+  float sum = 0.0;
+  for (float weight = 0.5; weight > 0.02; weight *= 0.5, p = 2.0 * p + 31.7) sum += weight * value_noise(p);
+  return sum;
+}
+
+float value_sum(vec3 p) {
+  float sum = 0.0;
+  for (float weight = 0.5; weight > 0.02; weight *= 0.5, p = 2.0 * p + 31.7) sum += weight * value_noise(p);
+  return sum;
+}
