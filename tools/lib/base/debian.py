@@ -57,6 +57,9 @@ class Program(NamedTuple):
 PROGRAMS = {
     # Debian 12 has 1.2, which compiles no HLSL.
     "vkd3d-compiler": Program(["vkd3d-compiler"]),
+    # The newest of what goes between compilers.
+    "glslangValidator": Program(["glslang-tools"]), "spirv-cross": Program(["spirv-cross"]),
+    "spirv-opt": Program(["spirv-tools"]),
     # It loads what it shows windows with, and draws by Mesa's drivers for processors.
     "godot": Program(
         ["godot", "mesa-vulkan-drivers", "libgl1-mesa-dri", "libgl1", "libegl1", "libgles2", "libvulkan1",

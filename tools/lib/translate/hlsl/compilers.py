@@ -43,6 +43,12 @@ class Compiled(NamedTuple):
     messages: str
 
 
+def refusal(made: Compiled) -> str:
+    """Why it does not compile, or not in silence; nothing if it does."""
+    messages = made.messages.replace("DXIL.dll not found", "").strip()
+    return messages or ("" if made.code else "no code")
+
+
 def _for_this_machine() -> None:
     if platform.system() != "Linux" or platform.machine() != "x86_64":
         raise Missing(f"the compilers are for Linux on x86-64, not for {platform.system()} on {platform.machine()}")
@@ -89,6 +95,14 @@ def dxc() -> Path:
     program = folder / "dxc"
     _built(program, HERE / "dxc.cpp", "g++", "-std=c++17", "-fms-extensions", "-isystem", folder,
            f'-DHN_LIBRARY="{folder / DXC_LIBRARY}"', f'-DHN_PACKAGE="{DXC}"')
+    return program
+
+
+def dxc_of_windows(folder: Path) -> Path:
+    """A program for Windows over the dxcompiler.dll of this folder."""
+    program = folder / "dxc.exe"
+    _built(program, HERE / "dxc.cpp", "x86_64-w64-mingw32-g++", "-std=c++17", "-O1", "-static", "-isystem",
+           dxc().parent, '-DHN_LIBRARY="dxcompiler.dll"', '-DHN_PACKAGE="webgpu"')
     return program
 
 

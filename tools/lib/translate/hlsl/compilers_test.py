@@ -1,4 +1,4 @@
-"""Microsoft's compilers take the HLSL of the library, of files and of picks, and what they make has the golden values.
+"""Microsoft's compilers take the HLSL of the library and of files, and what they make has the golden values.
 
     python3 -m translate.hlsl.compilers_test dxc|fxc HN_CONFORM
 
@@ -10,25 +10,26 @@ from __future__ import annotations
 import functools
 import os
 import re
+import resource
 import shlex
 import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
-from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 from base.debian import Missing, program
-from base.tree import GLSL, TOOLS
-from translate.hlsl.compilers import Compiled, Fxc, compile_by_dxc, dxc
+from base.tree import GLSL, ROOT, TOOLS
+from translate.hlsl.compilers import Compiled, Fxc, compile_by_dxc, dxc, refusal
 from translate.pick import command
-from translate.pick.languages_test import module as split_module
 from translate.pick.program import Program, chosen, read
 from translate.pick.shading import LANGUAGES
-from translate.pick.shading_runners import Case, HlslRunner
 
 SKIPPED = 77
+PAGE = (ROOT / "docs" / "guide" / "languages.md").read_text(encoding="utf-8")
+CODE = re.findall(r"^```hlsl\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
+COMPUTE, = (text for text in CODE if "numthreads" in text)
 LAVAPIPE = Path("/usr/share/vulkan/icd.d")
 MAIN = """
 float4 main(float2 uv : TEXCOORD0) : SV_Target {
@@ -62,19 +63,6 @@ def library(arithmetic: str) -> str:
         subprocess.run([sys.executable, TOOLS / "pick", "whole", "--language", "hlsl", "--strip", "--out", file],
                        check=True, capture_output=True)
         return f"#define HN_ARITHMETIC HN_{arithmetic.upper()}\n{file.read_text(encoding='ascii')}"
-
-
-def picked(arithmetic: str, first: int, step: int) -> dict[str, str]:
-    """Each function, from this one on, in a shader that calls it."""
-    of = split_module(arithmetic)
-    whole = read(GLSL, {**command.settings(arithmetic, "lattice"), **LANGUAGES["hlsl"].library})
-    runner = object.__new__(HlslRunner)  # its texts alone
-    precise = arithmetic == "precise"
-    found = {}
-    for name, function in list(of.forms.items())[first::step]:
-        text = Program(whole, chosen(whole, [name])).text(LANGUAGES["hlsl"], precise)
-        found[f"{name}.{arithmetic}"] = text + runner.entry_of(Case(of, function, text, b"", 0), 1)
-    return found
 
 
 class Compiler:
@@ -135,7 +123,7 @@ class ByFxc(Compiler):
             for i in range(0, len(names), 50):  # to start it takes a second
                 files = [Path(folder) / f"{name}.hlsl" for name in names[i:i + 50]]
                 for name, file in zip(names[i:i + 50], files):
-                    file.write_text(re.sub(r"\[\[vk::binding\(\d\)\]\] ", "", texts[name]), encoding="ascii")
+                    file.write_text(texts[name], encoding="ascii")
                 made = self.fxc.compile(files, {"pixel": "ps_5_0", "compute": "cs_5_0"}[stage])
                 found |= dict(zip(names[i:i + 50], made))
         return found
@@ -154,22 +142,12 @@ class Hlsl(unittest.TestCase):
 
     def refused(self, texts: dict[str, str], stage: str = "pixel") -> dict[str, str]:
         """Texts that do not compile, or not in silence."""
-        return {name: made.messages or "no code" for name, made in self.compiler.compile(texts, stage).items()
-                if made.messages.replace("DXIL.dll not found", "").strip() or not made.code}
+        return {name: said for name, made in self.compiler.compile(texts, stage).items() if (said := refusal(made))}
 
     def test_the_whole_library(self) -> None:
         texts = {arithmetic: library(arithmetic) + MAIN for arithmetic in command.ARITHMETICS}
         self.assertEqual(self.refused(texts), {})
         self.assertEqual([*self.refused({"wrong": texts["fast"].replace("hn_fbm_d(uv", "hn_fbn_d(uv")})], ["wrong"])
-
-    def test_every_picked_function(self) -> None:
-        jobs = [(arithmetic, first, 8) for arithmetic in command.ARITHMETICS for first in range(8)]
-        with ProcessPoolExecutor() as pool:
-            texts = {name: text for found in pool.map(picked, *zip(*jobs)) for name, text in found.items()}
-        self.assertGreater(len(texts), 3 * 400)
-        self.assertEqual(self.refused(texts, "compute"), {})
-        wrong = {name: text.replace("asuint(", "asuimt(") for name, text in picked("fast", 7, 200).items()}
-        self.assertEqual(set(self.refused(wrong, "compute")), set(wrong))
 
     def run_suite(self, glsl: Path, filter_: str) -> tuple[int, str]:
         drivers = sorted(LAVAPIPE.glob("lvp_icd*.json"))
@@ -201,7 +179,9 @@ class Dxc(Hlsl):
         included = f'#include "hashnoise/hashnoise.hlsl"\n{MAIN}'
         texts = {arithmetic: f"#define HN_ARITHMETIC HN_{arithmetic.upper()}\n{included}"
                  for arithmetic in command.ARITHMETICS}
+        texts |= {f"page{i}": text for i, text in enumerate(CODE) if "numthreads" not in text}
         self.assertEqual(self.refused(texts), {})
+        self.assertEqual(self.refused({"page": COMPUTE}, "compute"), {})
 
 
 class FxcOnly(Hlsl):
@@ -209,6 +189,21 @@ class FxcOnly(Hlsl):
         """docs/guide/languages.md has the way that works. If this fails, there is another."""
         said = self.refused({"including": f'#include "hashnoise/hashnoise.hlsl"\n{MAIN}'})
         self.assertIn("X1507", said["including"])
+
+    def test_a_loop_that_is_unrolled_is_long(self) -> None:
+        """It prints the seconds of a processor that the page has."""
+        for arithmetic in ("fast", "fixed"):
+            noise = command.picked(["hn_fbm3"], command.Choice("hlsl", arithmetic))
+            sizes = []
+            for attribute in ("[loop]", "[unroll]"):
+                text = COMPUTE.replace('#include "hashnoise/hashnoise.hlsl"\n', noise).replace("[loop]", attribute)
+                before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+                made = self.compiler.compile({"shader": text}, "compute")["shader"]
+                seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+                print(f"{arithmetic}, {attribute}: {seconds:.1f} s, {len(made.code)} bytes")
+                self.assertEqual(refusal(made), "")
+                sizes.append(len(made.code))
+            self.assertGreater(sizes[1], 4 * sizes[0])
 
     def test_the_floor_of_a_value_is_there(self) -> None:
         texts = {"plain": library("fast").replace("#define HN_I_FXC", "") + FLOOR.format("hn_unorm(words[id.x])")}

@@ -4,7 +4,7 @@ the linters of each language are silent.
     python3 -m translate.pick.combinations_test PACKAGES       the folder that lib/base/javascript/environment.py makes, for TypeScript
 
 By default some functions of different noises at once, and the two that were wrong. In a thorough run each function
-alone, all functions of a noise at once, each two of them in a language by turns, and all functions at once; and OSL,
+alone, all functions of a noise at once, each two of them in languages by turns, and all functions at once; and OSL,
 which Blender compiles, of a package of 374 MB.
 
 Exit status: 0 all is right, 1 not, 77 all that could be tried is right, but a compiler is not installed.
@@ -31,7 +31,7 @@ from translate.pick.c import C
 from translate.pick.osl_runner import OslRunner
 from translate.pick.program import read
 from translate.pick.runners import RUNNERS, NotInstalled, NotRun, Runner, ran, written_to
-from translate.pick.shading_runners import device
+from translate.pick.shading_runners import device, pairs_of
 from translate.wgsl.device import Absent
 
 SKIPPED = 77
@@ -195,9 +195,12 @@ def groups() -> Iterator[tuple[str, Names]]:
 
 
 def pairs() -> Iterator[tuple[str, Names, str]]:
-    """Of functions of a noise, each in an arithmetic and a language by turns."""
+    """Of functions of a noise, each in an arithmetic and a language by turns; in the same dimensions in each shading
+    language."""
     found = (pair for names in all_names().values() for pair in itertools.combinations(names, 2))
     yield from ((ARITHMETICS[turn % 2], pair, LANGUAGES[turn // 2 % len(LANGUAGES)]) for turn, pair in enumerate(found))
+    alike = pairs_of(itertools.chain(*all_names().values()))
+    yield from (("fast", pair, language) for pair in alike for language in SHADING)
 
 
 class Text(NamedTuple):

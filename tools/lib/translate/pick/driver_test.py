@@ -28,22 +28,18 @@ from base.thorough import THOROUGH
 from base.tree import GLSL
 from catalog.tables.functions import read_functions
 from translate.parsing.syntax import Function
-from translate.pick.calling import Form
 from translate.pick.command import settings
 from translate.pick.comparison import RANGES
 from translate.pick.evaluate import Module
 from translate.pick.program import Program, chosen, read
 from translate.pick.shading import LANGUAGES
-from translate.pick.shading_runners import pairs_of
+from translate.pick.shading_runners import GlslRunner, pairs_of
 from translate.names import is_public
 
 # The structs are those of the library.
 WITHOUT_STRUCTS = replace(LANGUAGES["glsl"], structs=False)
 SOME = ("perlin2d.glsl", "cellular2d.glsl", "value_d3d.glsl")
 LOWEST = "#version 300 es\nprecision mediump float;\nprecision mediump int;\nprecision lowp sampler2D;\n"
-FORM = Form(LANGUAGES["glsl"], struct="{type}({fields})",
-            read={"float": "uintBitsToFloat({})", "int": "int({})", "uint": "{}", "bool": "({} & 1u) != 0u"},
-            write={"float": "floatBitsToUint({})", "int": "uint({})", "uint": "{}", "bool": "{} ? 1u : 0u"})
 # The words of a pixel are drawn by PCG's hash, and those that come back are mixed to one, the color.
 MAIN = """
 out highp vec4 color;
@@ -73,7 +69,7 @@ WHOLE = {"octaves": "word % 9u", "metric": "word % 6u", "period": "word % 9u"}
 
 def call_of(module: Module, function: Function) -> str:
     """Lines that draw what is passed to the function, and mix what comes back. The module is split."""
-    lines, taken, given = FORM.call(module, function)
+    lines, taken, given = GlslRunner.form.call(module, function)
     drawn = [(path[-1] if path and path[-1].isalpha() and len(path[-1]) > 1 else parameter.at.text, type_)
              for parameter in function.parameters if module.passed(parameter)
              for path, type_ in module.parts(parameter.type)]

@@ -35,9 +35,9 @@ def written(shown: str, syntax: type[Syntax] = Rust) -> str:
 class InRust(unittest.TestCase):
     CASES = (
         # Numbers have no type of their own, where they have a method.
-        ("uint hn_f(uint h, int n) { return (floatBitsToUint(1.0f) ^ h) * (7u - h) + (3u * h) + uint(min(5, n)); }",
+        ("uint hn_f(uint h, int n) { return (floatBitsToUint(0.1f) ^ h) * (7u - h) + (3u * h) + uint(min(5, n)); }",
          "pub fn f1(h: u32, n: i32) -> u32 {\n"
-         "    let n2 = (1.0_f32.to_bits() ^ h).wrapping_mul(7_u32.wrapping_sub(h));\n"
+         "    let n2 = (0.1_f32.to_bits() ^ h).wrapping_mul(7_u32.wrapping_sub(h));\n"
          "    n2.wrapping_add(h.wrapping_mul(3)).wrapping_add(n.min(5) as u32)\n}"),
         # Branches have values, and those that set something else as well.
         ("vec2 hn_f(vec2 p, int m) { vec2 r = p; float k; if (m < 2) { r = vec2(p.y, 3.0f); k = p.y * p.y; } else "
@@ -69,7 +69,7 @@ class InRust(unittest.TestCase):
         ("float hn_f(float a) { return a * 6.2831853f + a * -2.998046875f + a * 1.57079090f; }",
          "pub fn f1(a: f32) -> f32 {\n    a * core::f32::consts::TAU + a * -2.9980469 + a * 1.5707909\n}"),
         ("float hn_f(float a) { return (1.0f - 1.0f) * a + (a - a) * 3.0f; }",
-         "pub fn f1(a: f32) -> f32 {\n    0.0 * a + 0.0 * 3.0\n}"),
+         "pub fn f1(a: f32) -> f32 {\n    0.0 * a + 0.0\n}"),
         ("float hn_f(float a, float b, float c, float d, float e, float f, float g, float h) "
          "{ return a + b + c + d + e + f + g + h; }",
          "#[allow(clippy::too_many_arguments)]\npub fn f1(a: f32, b: f32, c: f32, d: f32, e: f32, f: f32, g: f32, "

@@ -65,6 +65,23 @@ class Runner:
         raise NotImplementedError
 
 
+class GlslRunner(Runner):
+    """Its texts alone: of Vulkan, and of GLSL ES 3.10."""
+    form = Form(LANGUAGES["glsl"], struct="{type}({fields})",
+                read={"float": "uintBitsToFloat({})", "int": "int({})", "uint": "{}", "bool": "({} & 1u) != 0u"},
+                write={"float": "floatBitsToUint({})", "int": "uint({})", "uint": "{}", "bool": "{} ? 1u : 0u"})
+    entry = """
+layout(local_size_x = {group}) in;
+layout(std430, binding = 0) readonly buffer Inputs {{ uint inputs[]; }};
+layout(std430, binding = 1) buffer Outputs {{ uint outputs[]; }};
+void main() {{
+  uint at = {taken}u * gl_GlobalInvocationID.x, to = {given}u * gl_GlobalInvocationID.x;
+  if (gl_GlobalInvocationID.x < {points}u) {{
+{lines}  }}
+}}
+"""
+
+
 class WgslRunner(Runner):
     form = Form(LANGUAGES["wgsl"],
                 read={"float": "bitcast<f32>({})", "int": "bitcast<i32>({})", "uint": "{}", "bool": "{} != 0u"},

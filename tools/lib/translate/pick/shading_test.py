@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from unittest import mock
 
-from base.thorough import THOROUGH, in_thorough_runs
+from base.thorough import THOROUGH
 from base.tree import GLSL
 from translate.pick import command, printer
 from translate.pick.evaluate import Module
@@ -23,7 +23,7 @@ from translate.pick.languages_test import POINTS, SKIPPED, difference, functions
 from translate.pick.languages_test import module as split_module
 from translate.pick.program import Program, chosen, read
 from translate.pick.shading import LANGUAGES
-from translate.pick.shading_runners import RUNNERS, Case, Runner, WgslRunner, pairs_of
+from translate.pick.shading_runners import RUNNERS, Case, Runner, WgslRunner
 from translate.wgsl.device import Absent
 from translate.wgsl.golden import Page, shaders_over
 
@@ -122,21 +122,6 @@ class Wgsl(unittest.TestCase):
         one, other = self.runner.run(cases, POINTS)
         self.assertEqual(one, other)
         self.assertNotEqual(one, back)
-
-    @in_thorough_runs
-    def test_every_function_compiles(self) -> None:
-        for arithmetic in ("fast", "fixed"):
-            for name in module(arithmetic).forms:
-                with self.subTest(name=name, arithmetic=arithmetic):
-                    self.runner.device.compile(text("wgsl", arithmetic, name))
-
-    def test_functions_compile_together(self) -> None:
-        """Pairs of a family, and all in one text: by default some."""
-        names = list(module("fast").forms)
-        pairs = pairs_of(names)[::1 if THOROUGH else 400]
-        for together in (*pairs, names if THOROUGH else names[::40]):
-            with self.subTest(together):
-                self.runner.device.compile(text("wgsl", "fast", *together))
 
     def test_the_compilation_can_fail(self) -> None:
         with self.assertRaises(Exception):

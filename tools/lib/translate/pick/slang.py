@@ -17,10 +17,11 @@ STAGES = {"vertex": 1, "fragment": 5, "compute": 6}  # of SlangStage
 
 
 class Slang:
-    def __init__(self) -> None:
-        libraries = sorted(installed(PACKAGE, "--no-deps").glob("slangpy/libslang-compiler.so*"))
+    def __init__(self, package: str = PACKAGE) -> None:
+        folder = installed(package, "--no-deps")
+        libraries = sorted([*folder.glob("slang*/libslang-compiler.so*"), *folder.glob("slang*/bin/libslang.so")])
         if not libraries:
-            raise Absent(f"{PACKAGE} has no compiler here")
+            raise Absent(f"{package} has no compiler here")
         self._slang = ctypes.CDLL(str(libraries[0]))
         for name, result, parameters in (
                 ("CreateSession", ctypes.c_void_p, [ctypes.c_char_p]),

@@ -1,0 +1,362 @@
+"""Translators that people have take each text of tools/pick: the oldest and the newest of each.
+
+    python3 -m translate.pick.translators_test [TOOL]...     by default all
+
+A row of TRANSLATORS is a tool in a version, with how it is had and the languages it takes. By default the tools of
+Debian 12 take some functions; in a thorough run all tools take all functions in all arithmetics, which takes hours.
+Each must refuse a text with a fault, too.
+
+Exit status: 0 they do, 1 they do not, 77 what could be tried is right, but a tool cannot be had here.
+"""
+
+from __future__ import annotations
+
+import functools
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from pathlib import Path
+from typing import NamedTuple
+
+from base.debian import Missing, program
+from base.javascript.environment import NODE
+from base.thorough import THOROUGH
+from base.tree import GLSL, ROOT
+from translate.hlsl.compilers import DXC, FXC, compile_by_dxc, dxc, dxc_of_windows, fxc, refusal
+from translate.pick import command
+from translate.pick.program import Program, chosen, read
+from translate.pick.runners import NotRun
+from translate.pick.shading import LANGUAGES
+from translate.pick.shading_runners import Case, GlslRunner, HlslRunner, WgslRunner
+from translate.pick.slang import PACKAGE, Slang
+from translate.wgsl.device import WGPU, Absent, installed
+
+SKIPPED = 77
+# Before a text, the runner that calls it, and how a file with it is called.
+FORMS = {"glsl": ("#version 310 es\n", GlslRunner, "comp"), "glsl-desktop": ("#version 450\n", GlslRunner, "comp"),
+         "hlsl": ("", HlslRunner, "hlsl"), "slang": ("", HlslRunner, "slang"), "wgsl": ("", WgslRunner, "wgsl")}
+PRECISE = ("glsl-desktop", "hlsl")
+# Texts that these refuse; older and newer ones take them.
+KNOWN = dict.fromkeys(("naga 22.0.0", "wgpu 0.22.2"), "fn f() -> i32 { return i32(1048576.0); }")
+
+Refused = dict[Path, str]  # messages, by the file
+Take = Callable[[Sequence[Path]], Refused]
+
+
+class Translator(NamedTuple):
+    tool: str
+    version: str
+    languages: Sequence[str]
+    get: Callable[[], Take]  # raises Missing or Absent
+    by_default: bool = False  # what setup installs
+
+
+def one_by_one(refused: Callable[[Path], str]) -> Take:
+    def take(files: Sequence[Path]) -> Refused:
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            return {file: said for file, said in zip(files, pool.map(refused, files)) if said}
+    return take
+
+
+def each(commands: Callable[[Path], Sequence[Sequence[str | Path]]]) -> Take:
+    """By commands that succeed, one after the other, in silence but for what they write to standard output."""
+    def refused(file: Path) -> str:
+        for words in commands(file):
+            done = subprocess.run([str(word) for word in words], cwd=file.parent, capture_output=True, text=True,
+                                  errors="replace", check=False)
+            if done.returncode != 0 or "WARNING" in done.stdout:
+                return f"{done.stdout}{done.stderr}" or f"{words[0]} ended with {done.returncode}"
+        return ""
+
+    return one_by_one(refused)
+
+
+def at_once(words: Callable[[Sequence[Path]], Sequence[str | Path]], variables: Mapping[str, str] = {}) -> Take:
+    """By a program that prints `refused FILE: MESSAGE` in a line for each, and `done` in the end."""
+    def take(files: Sequence[Path]) -> Refused:
+        found: Refused = {}
+        for i in range(0, len(files), 100):
+            done = subprocess.run([str(word) for word in words(files[i:i + 50])], env={**os.environ, **variables},
+                                  capture_output=True, text=True, check=False)
+            if not re.search(r"^done$", done.stdout, re.MULTILINE):
+                raise RuntimeError(f"{done.stdout}{done.stderr}"[-2000:])
+            lines = re.findall(r"^refused (.*?): (.*)$", done.stdout, re.MULTILINE)
+            found |= {Path(file): said for file, said in lines}
+        return found
+    return take
+
+
+def own(name: str) -> Path:
+    """A program of this machine."""
+    if path := shutil.which(name):
+        return Path(path)
+    raise Missing(f"there is no {name} here")
+
+
+def glslang(find: Callable[[str], Path]) -> Take:
+    validator = find("glslangValidator")
+    return each(lambda file: [[validator, *(("-D",) if file.suffix == ".hlsl" else ()), "-V", "-S", "comp", "-e",
+                               "main", "-o", file.with_suffix(".spv"), file]])
+
+
+def through_spirv(find: Callable[[str], Path]) -> Take:
+    """SPIR-V of Debian's glslang is optimized, and becomes GLSL ES, HLSL and Metal."""
+    first, optimizer, cross = own("glslangValidator"), find("spirv-opt"), find("spirv-cross")
+
+    def commands(file: Path) -> list[list[str | Path]]:
+        made, less = file.with_suffix(".spv"), file.with_suffix(".less")
+        return [[first, "-V", "-o", made, file], [optimizer, "-O", "--validate-after-all", made, "-o", less],
+                *([cross, less, *options, "--output", file.with_suffix(".out")] for options in (
+                    ("--es", "--version", "310"), ("--hlsl", "--shader-model", "50"), ("--msl",)))]
+    return each(commands)
+
+
+def naga(version: str, *options: str) -> Take:
+    """Of crates.io, in MSL, HLSL and SPIR-V."""
+    folder = ROOT / "build" / f"naga-{version}"
+    if not (folder / "bin" / "naga").exists():
+        done = subprocess.run([own("cargo"), "install", "naga-cli", "--version", version, "--locked", "--root", folder],
+                              capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise Missing(f"naga-cli {version} cannot be installed: {done.stderr[-300:]}")
+    kinds = ("spv", "metal", "hlsl")
+    return each(lambda file: [[folder / "bin" / "naga", *(options if file.suffix == ".comp" else ()), file,
+                               *(file.with_suffix(f".{kind}") for kind in kinds)]])
+
+
+BY_WGPU = """import sys, wgpu
+known = getattr(wgpu, "gpu", wgpu)
+adapter = getattr(known, "request_adapter_sync", None) or known.request_adapter
+adapter = adapter(power_preference="high-performance")
+device = (getattr(adapter, "request_device_sync", None) or adapter.request_device)()
+for file in sys.argv[1:]:
+    stage = "shader.comp" if file.endswith(".comp") else "shader"
+    try:
+        device.create_shader_module(code=open(file).read(), label=stage)
+    except Exception as error:
+        print(f"refused {file}: {' '.join(str(error).split())}")
+print("done")
+"""
+
+
+def wgpu(version: str) -> Take:
+    """naga, as wgpu has it, with a driver of Vulkan."""
+    folder = installed(f"wgpu=={version}")
+    return at_once(lambda files: [sys.executable, "-c", BY_WGPU, *files],
+                   {"PYTHONPATH": str(folder), "XDG_RUNTIME_DIR": "/tmp"})
+
+
+BY_DAWN = """import { readFileSync } from "node:fs";
+import { create } from "./index.js";
+globalThis.gpu = create(["backend=null"]);  // Dawn crashes when it is collected
+globalThis.adapter = await gpu.requestAdapter();
+globalThis.device = await adapter.requestDevice();
+for (const file of process.argv.slice(2)) {
+  const { messages } = await device.createShaderModule({ code: readFileSync(file, "utf8") }).getCompilationInfo();
+  const errors = messages.filter(({ type }) => type === "error").map(({ message }) => message.replaceAll(/\\s+/g, " "));
+  if (errors.length) console.log(`refused ${file}: ${errors}`);
+}
+console.log("done");
+process.exit(0);
+"""
+
+
+def of_npm(version: str) -> Path:
+    """The files of webgpu, which is Dawn."""
+    folder = ROOT / "build" / f"webgpu-{version}"
+    files = folder / "node_modules" / "webgpu"
+    if not files.exists():
+        words = [NODE, "npm", "install", "--prefix", folder, "--no-audit", "--no-fund", f"webgpu@{version}"]
+        done = subprocess.run(words, capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise Missing(f"webgpu {version} cannot be installed: {done.stderr[-300:]}")
+    return files
+
+
+def tint(version: str) -> Take:
+    """As Dawn has it, without a driver."""
+    files = of_npm(version)
+    script = files / "take.mjs"
+    script.write_text(BY_DAWN, encoding="ascii")
+    return at_once(lambda names: [NODE, "node", script, *names])
+
+
+def slang(package: str, targets: Sequence[str]) -> Take:
+    def take(files: Sequence[Path]) -> Refused:
+        compiler = Slang(package)
+        found = {}
+        for file in files:
+            try:
+                for target in targets:
+                    compiler.compiled(file.read_text(encoding="ascii"), target)
+            except NotRun as why:
+                found[file] = str(why)
+        return found
+    Slang(package)
+    return take
+
+
+def unbound(file: Path) -> Path:
+    """The file without attributes of Vulkan, at which the compilers warn in other code."""
+    text = file.read_text(encoding="ascii")
+    file.write_text(re.sub(r"\[\[vk::binding\(\d\)\]\] ", "", text), encoding="ascii")
+    return file
+
+
+def by_dxc() -> Take:
+    """To SPIR-V, which is valid, and to what Direct3D 12 takes."""
+    def refused(file: Path) -> str:
+        made = compile_by_dxc(file, "cs_6_0", "main", "-spirv", "-fspv-target-env=vulkan1.1")
+        code = file.with_suffix(".spv")
+        code.write_bytes(made.code)
+        return refusal(made) or validate([code]).get(code, "") or refusal(compile_by_dxc(unbound(file), "cs_6_0"))
+
+    dxc()
+    validate = each(lambda file: [[own("spirv-val"), "--target-env", "vulkan1.1", file]])
+    return one_by_one(refused)
+
+
+def by_dxc_of_windows() -> Take:
+    """To what Direct3D 12 takes, since Dawn's has no SPIR-V."""
+    variables = [f"{name}={fxc().environment[name]}" for name in ("WINEPREFIX", "WINEDEBUG")]
+    words = ["env", *variables, "wine", dxc_of_windows(of_npm("0.6.2") / "dist" / "win32-x64"), "-T", "cs_6_0"]
+    return each(lambda file: [[*words, "-Fo", file.with_suffix(".code").name, file.name]])
+
+
+def by_fxc() -> Take:
+    def take(files: Sequence[Path]) -> Refused:
+        found: Refused = {}
+        for i in range(0, len(files), 50):  # to start it takes a second
+            made = fxc().compile([*map(unbound, files[i:i + 50])], "cs_5_0")
+            found |= {file: said for file, one in zip(files[i:i + 50], made) if (said := refusal(one))}
+        return found
+    fxc()
+    return take
+
+
+def of_pypi(package: str) -> str:
+    return package.replace("==", " ")
+
+
+OF_GLSLANG = ("glsl", "glsl-desktop")
+OF_NAGA = ("wgsl", "glsl-desktop")
+STAGE = ("--input-kind", "glsl", "--shader-stage", "compute")
+TRANSLATORS = (
+    Translator("glslang", "12.0", OF_GLSLANG, lambda: glslang(own), by_default=True),
+    Translator("glslang", "Debian unstable", (*OF_GLSLANG, "hlsl"), lambda: glslang(program)),
+    Translator("SPIRV-Tools and SPIRV-Cross", "Debian 12", OF_GLSLANG, lambda: through_spirv(own), by_default=True),
+    Translator("SPIRV-Tools and SPIRV-Cross", "Debian unstable", OF_GLSLANG, lambda: through_spirv(program)),
+    Translator("naga", "0.14.0", OF_NAGA, lambda: naga("0.14.0")),
+    Translator("naga", "22.0.0", OF_NAGA, lambda: naga("22.0.0")),
+    Translator("naga", "30.0.1", OF_NAGA, lambda: naga("30.0.1", *STAGE)),
+    Translator("wgpu", "0.13.2", OF_NAGA, lambda: wgpu("0.13.2")),
+    Translator("wgpu", "0.22.2", OF_NAGA, lambda: wgpu("0.22.2")),
+    Translator(*of_pypi(WGPU).split(), OF_NAGA, lambda: wgpu(WGPU.partition("==")[2])),
+    Translator("Tint", "webgpu 0.4.0", ("wgsl",), lambda: tint("0.4.0")),
+    Translator("Tint", "webgpu 0.6.2", ("wgsl",), lambda: tint("0.6.2")),
+    Translator("Slang", "slangtorch 1.2.0", ("slang",), lambda: slang("slangtorch==1.2.0", ("hlsl",))),
+    Translator("Slang", of_pypi(PACKAGE), ("slang",), lambda: slang(PACKAGE, ("hlsl", "metal", "wgsl"))),
+    Translator("DXC", of_pypi(DXC), ("hlsl",), by_dxc),
+    Translator("DXC", "webgpu 0.6.2", ("hlsl",), by_dxc_of_windows),
+    Translator("FXC", of_pypi(FXC), ("hlsl",), by_fxc),
+)
+SMALL = ("hn_cellular2", "hn_place_at_cell2")
+
+
+def texts(languages: Sequence[str], arithmetic: str, first: int, step: int) -> dict[tuple[str, str], str]:
+    """Functions in shaders that call them, by their names and languages: by default some of them."""
+    split = read(GLSL, command.settings(arithmetic, "lattice"), splits=True)
+    names = list(split.forms)[first::step] if THOROUGH else SMALL
+    found = {}
+    for name in names:
+        programs: dict[tuple[str, ...], Program] = {}  # by the macros
+        for language in languages:
+            head, runner, _ = FORMS[language]
+            if arithmetic != "precise" or language in PRECISE:
+                macros = LANGUAGES[language].library
+                of = read(GLSL, {**command.settings(arithmetic, "lattice"), **macros})
+                if (*macros,) not in programs:
+                    programs[(*macros,)] = Program(of, chosen(of, [name]))
+                text = programs[(*macros,)].text(LANGUAGES[language], arithmetic == "precise")
+                case = Case(split, split.forms[name], text, b"", 0)
+                found[f"{name}_{arithmetic}", language] = head + text + object.__new__(runner).entry_of(case, 1)
+    return found
+
+
+@functools.cache
+def all_texts(languages: Sequence[str]) -> dict[tuple[str, str], str]:
+    arithmetics = command.ARITHMETICS if THOROUGH else ("fixed",)
+    jobs = [(languages, arithmetic, first, 16) for arithmetic in arithmetics for first in range(16 if THOROUGH else 1)]
+    with ProcessPoolExecutor() as pool:
+        return {key: text for found in pool.map(texts, *zip(*jobs)) for key, text in found.items()}
+
+
+class Taken(unittest.TestCase):
+    translator: Translator
+    take: Take
+    languages: Sequence[str]  # of all translators
+
+    def refused(self, language: str, shaders: Mapping[str, str]) -> dict[str, str]:
+        with tempfile.TemporaryDirectory() as folder:
+            files = [Path(folder) / f"{name}.{FORMS[language][2]}" for name in shaders]
+            for file, text in zip(files, shaders.values()):
+                file.write_text(text, encoding="ascii")
+            return {file.stem: said for file, said in type(self).take(files).items()}
+
+    def test_each_text(self) -> None:
+        for language in self.translator.languages:
+            shaders = {name: text for (name, of), text in all_texts(self.languages).items() if of == language
+                       and (self.translator.tool not in ("naga", "wgpu") or not name.endswith("precise"))}
+            self.assertGreater(len(shaders), 600 if THOROUGH else 1)
+            found = self.refused(language, shaders)
+            print(f"{self.translator.tool} {self.translator.version}: {len(shaders) - len(found)} of {len(shaders)} "
+                  f"texts of {language}", flush=True)
+            with self.subTest(language):
+                self.assertEqual(found, {})
+
+    def test_a_fault_is_refused(self) -> None:
+        for language in self.translator.languages:
+            name, right = next((name, text) for (name, of), text in all_texts(self.languages).items()
+                               if of == language and name.startswith("hn_cellular2_"))
+            with self.subTest(language):
+                wrong = re.sub(r"\bhn_cellular\w*(?=\(v0)", "hn_absent", right)
+                self.assertNotEqual(wrong, right)
+                self.assertEqual([*self.refused(language, {name: right, "wrong": wrong})], ["wrong"])
+        if known := KNOWN.get(f"{self.translator.tool} {self.translator.version}"):
+            self.assertEqual([*self.refused("wgsl", {"known": known})], ["known"])
+
+
+class Page(unittest.TestCase):
+    def test_it_names_them(self) -> None:
+        page = (ROOT / "docs" / "guide" / "languages.md").read_text(encoding="utf-8")
+        rows = {one.tool: "" for one in TRANSLATORS}
+        for one in TRANSLATORS:
+            rows[one.tool] += f"{', ' if rows[one.tool] else ''}{one.version}"
+        wanted = [f"| {tool} | {versions} |" for tool, versions in rows.items()]
+        self.assertEqual([row for row in wanted if row not in page], [])
+
+
+def main(tools: Sequence[str]) -> int:
+    suite = unittest.defaultTestLoader.loadTestsFromTestCase(Page)
+    asked = [one for one in TRANSLATORS if (one.tool in tools if tools else THOROUGH or one.by_default)]
+    Taken.languages = tuple(language for language in FORMS if any(language in one.languages for one in asked))
+    absent = []
+    for one in asked:
+        try:
+            case = type(f"{one.tool} {one.version}", (Taken,), {"translator": one, "take": staticmethod(one.get())})
+            suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(case))
+        except (Absent, Missing) as why:
+            absent.append(f"skipped: {one.tool} {one.version}: {why}")
+    right = unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful()
+    print("\n".join(absent))
+    return 1 if not right else SKIPPED if absent else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
