@@ -52,7 +52,7 @@ CALLS = {"hn_unorm(words[id.x])": "hn_unorm", "hn_snorm(words[id.x])": "hn_snorm
          f"hn_random({POINT}, 7u)": "hn_random1", f"hn_perlin(float2({POINT}, 0.5), 7u)": "hn_perlin2",
          f"hn_fbm(float2({POINT}, 0.5), 6, 2.0, 0.5, 7u)": "hn_fbm2",
          f"hn_cellular(float2({POINT}, 0.5), 7u).x": "hn_cellular2",
-         f"hn_fraction(int(words[id.x]), 7, 7)": "hn_fraction1"}
+         "hn_fraction(int(words[id.x]), 7, 7)": "hn_fraction1"}
 
 
 @functools.cache

@@ -27,6 +27,7 @@ from base.renderer import Renderer
 from base.thorough import THOROUGH
 from base.tree import GLSL
 from catalog.tables.functions import read_functions
+from translate.names import is_public
 from translate.parsing.syntax import Function
 from translate.pick.command import settings
 from translate.pick.comparison import RANGES
@@ -34,7 +35,6 @@ from translate.pick.evaluate import Module
 from translate.pick.program import Program, chosen, read
 from translate.pick.shading import LANGUAGES
 from translate.pick.shading_runners import GlslRunner, pairs_of
-from translate.names import is_public
 
 # The structs are those of the library.
 WITHOUT_STRUCTS = replace(LANGUAGES["glsl"], structs=False)
