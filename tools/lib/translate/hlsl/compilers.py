@@ -12,6 +12,7 @@ import functools
 import itertools
 import os
 import platform
+import re
 import shutil
 import subprocess
 import sys
@@ -45,7 +46,7 @@ class Compiled(NamedTuple):
 
 def refusal(made: Compiled) -> str:
     """Why it does not compile, or not in silence; nothing if it does."""
-    messages = made.messages.replace("DXIL.dll not found", "").strip()
+    messages = re.sub(r"warning: DXIL\.dll not found\..*", "", made.messages).strip()  # which signs
     return messages or ("" if made.code else "no code")
 
 
