@@ -26,12 +26,13 @@ from pathlib import Path
 EXAMPLES = Path(__file__).resolve().parent
 sys.path.insert(0, str(EXAMPLES.parent / "tools" / "lib"))
 
+from golden import Picture  # noqa: E402
+from screen import Absent, Screen  # noqa: E402
+
 from base import chromium, twin  # noqa: E402
 from base.png import read_png  # noqa: E402
 from base.tree import ROOT  # noqa: E402
 from base.versions import take_newest  # noqa: E402
-from golden import Picture  # noqa: E402
-from screen import Absent, Screen  # noqa: E402
 
 SKIPPED = 77
 PAGE = (ROOT / "docs" / "guide" / "engines.md").read_text(encoding="utf-8")

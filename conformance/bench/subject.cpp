@@ -80,14 +80,15 @@ std::vector<Subject> library_subjects() {
   }
   // A noise of the user's own, which costs nothing: what is left is the sum itself.
   for (const int dimensions : {2, 3}) {
-    subjects.push_back({fmt::format("fbm.fbm{}.own_noise", dimensions), dimensions,
-                        fmt::format("#include \"fbm{0}d.glsl\"\n"
-                                    "float own_fbm(hn_octaves{0} o) {{\n"
-                                    "  do hn_add(o, hn_position(o.place).x - float(o.place.cell.x)); while (hn_next(o));\n"
-                                    "  return hn_mean(o);\n"
-                                    "}}\n",
-                                    dimensions),
-                        "own_fbm(hn_octaves(p, 6, 2.0, 0.5, 0u))"});
+    subjects.push_back(
+        {fmt::format("fbm.fbm{}.own_noise", dimensions), dimensions,
+         fmt::format("#include \"fbm{0}d.glsl\"\n"
+                     "float own_fbm(hn_octaves{0} o) {{\n"
+                     "  do hn_add(o, hn_position(o.place).x - float(o.place.cell.x)); while (hn_next(o));\n"
+                     "  return hn_mean(o);\n"
+                     "}}\n",
+                     dimensions),
+         "own_fbm(hn_octaves(p, 6, 2.0, 0.5, 0u))"});
   }
   return subjects;
 }

@@ -83,7 +83,7 @@ struct Case {
   std::shared_ptr<const CaseKind> kind;
   Extent extent;
   bool for_es = false;  // a driver that has GLSL ES 3.00 alone runs it, too
-  std::string about;  // where it comes from, in lines for hn-conform list --about; mostly nothing
+  std::string about;    // where it comes from, in lines for hn-conform list --about; mostly nothing
 
   Case(CaseName name_, CaseKind kind_, Extent extent_ = Extent::every_driver, std::string about_ = {});
 
@@ -114,6 +114,6 @@ using Subjects = std::set<std::string_view>;  // ids of functions
 // The parts of all_cases, a file each.
 void add_compile_cases(std::vector<Case>& cases, Scope scope);
 void add_value_cases(std::vector<Case>& cases, Scope scope, const Subjects* subjects = nullptr);  // null: of all
-void add_bug_cases(std::vector<Case>& cases);  // bugs/
+void add_bug_cases(std::vector<Case>& cases);                                                     // bugs/
 
 }  // namespace hn

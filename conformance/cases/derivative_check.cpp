@@ -140,12 +140,11 @@ Outcome check_derivative(Session& session, const Evaluation& evaluation) {
       }
     } while (function.is_cellular() && !is_clear(function, configuration, words));
     for (const Place& place : places) {
-      stencils[i].push_back(function.is_cellular()
-                                ? difference_of_distances(place, searched(function, configuration, words).first)
-                            : function.is_simplex_noise()
-                                ? difference_to_both_sides(place, third_derivative(function, words, stencils[i].size()),
-                                                           error)
-                                : polynomial_through_cell(place));
+      stencils[i].push_back(
+          function.is_cellular() ? difference_of_distances(place, searched(function, configuration, words).first)
+          : function.is_simplex_noise()
+              ? difference_to_both_sides(place, third_derivative(function, words, stencils[i].size()), error)
+              : polynomial_through_cell(place));
     }
   }
   const auto derivatives = evaluate(session, evaluation, inputs);

@@ -11,8 +11,9 @@
 namespace hn {
 namespace {
 
-// The relations of every function in HN_FIXED, on the C++ twin: a run of pairs tries a part of them on a driver. Variants
-// of a shader are the same function there. With tools/test --thorough in all arithmetics, at as many points as on drivers.
+// The relations of every function in HN_FIXED, on the C++ twin: a run of pairs tries a part of them on a driver.
+// Variants of a shader are the same function there. With tools/test --thorough in all arithmetics, at as many points as
+// on drivers.
 TEST(Relations, HoldInTheTwin) {
   const bool thorough = std::getenv("HN_THOROUGH") != nullptr;
   std::size_t held = 0;

@@ -42,7 +42,8 @@ std::uint64_t twin_points(const Session& session, const Evaluation& evaluation) 
   std::uint64_t points = std::uint64_t{1} << (session.thorough ? 18 : 16);
   if (evaluation.function.is_costly()) points /= 4;
   if (!evaluation.configuration.default_but_for_arithmetic()) points /= 4;
-  if (evaluation.profile.name != main_profile(evaluation.configuration, false).name) points /= session.thorough ? 16 : 4;
+  if (evaluation.profile.name != main_profile(evaluation.configuration, false).name)
+    points /= session.thorough ? 16 : 4;
   return std::min<std::uint64_t>(points, session.most_points);
 }
 

@@ -29,8 +29,8 @@ struct Place {
   Metric metric;
   Word seed;
   bool pcg;
-  bool moves;                     // its points go round; the rest is how far
-  Word angle;                     // in units of 2^-32 turns
+  bool moves;                      // its points go round; the rest is how far
+  Word angle;                      // in units of 2^-32 turns
   std::array<Vector, 3> rotation;  // of fixed arithmetic, in units of 2^-16: the rows that rotate the place backwards
 };
 

@@ -17,7 +17,8 @@ namespace {
 TEST(OctaveTolerance, OfSlopesAndShiftsHasEdges) {
   EXPECT_EQ(octave_slope_tolerance(OctaveSum::fbm_d, 2, {1.0, 0, 2.0, 0.5, false}), 0.0);
   EXPECT_EQ(octave_tolerance(OctaveSum::warp, 3, {1.0, 0, 2.0, 0.5, false}), 0.0);
-  EXPECT_EQ(octave_slope_tolerance(OctaveSum::fbm_d, 2, {1.0, 20, 2.0, 1e20, false}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(octave_slope_tolerance(OctaveSum::fbm_d, 2, {1.0, 20, 2.0, 1e20, false}),
+            std::numeric_limits<double>::infinity());
   EXPECT_EQ(octave_tolerance(OctaveSum::warp_progressive, 2, {1.0, 8, 1e20, 1.0, false}),
             std::numeric_limits<double>::infinity());
   EXPECT_THROW(octave_slope_tolerance(OctaveSum::fbm, 2, {1.0, 1, 2.0, 0.5, false}), std::logic_error);

@@ -23,15 +23,18 @@ namespace hashnoise {
 namespace {
 
 float fbm_of_perlin(hn_octaves2 o) {
-  do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add(o, hn_perlin(o.place, o.seed));
+  while (hn_next(o));
   return hn_mean(o);
 }
 float ping_pong_of_perlin(hn_octaves3 o, float strength) {
-  do hn_add_ping_pong(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
+  do hn_add_ping_pong(o, hn_perlin(o.place, o.seed), strength);
+  while (hn_next(o));
   return hn_mean(o);
 }
 float fbm_of_simplex(hn_octaves2 o) {
-  do hn_add(o, hn_simplex(o.place, o.seed)); while (hn_next(o));
+  do hn_add(o, hn_simplex(o.place, o.seed));
+  while (hn_next(o));
   return hn_mean(o);
 }
 
@@ -148,8 +151,8 @@ TEST(Twin, HugeNumbersHaveNoUndefinedBehaviour) {
 TEST(Twin, WithFixedANanIsTheLeastFloat) {
   const Configuration& fixed = configuration_named("lattice+fixed");
   for (const std::string_view id :
-       {"noise2d.perlin", "fbm.fbm2", "fbm.fbm3_detail", "fbm.weighted2_cell", "fbm_d.eroded3", "warp.warp_progressive2",
-        "noise2d.gullies", "noise3d.cellular_three_full"}) {
+       {"noise2d.perlin", "fbm.fbm2", "fbm.fbm3_detail", "fbm.weighted2_cell", "fbm_d.eroded3",
+        "warp.warp_progressive2", "noise2d.gullies", "noise3d.cellular_three_full"}) {
     const Function& function = find_function(id);
     const auto inputs = random_points(function, 64, Random(1, id));
     for (std::size_t word = 0; word < function.inputs.size(); ++word) {

@@ -14,8 +14,8 @@ namespace hn {
 
 enum class Status {
   pass,
-  warning,  // every promise of the library holds; the message has what somebody should know
-  fail,     // the driver, or the library on it, is wrong
+  warning,      // every promise of the library holds; the message has what somebody should know
+  fail,         // the driver, or the library on it, is wrong
   unsupported,  // the driver cannot, and does not claim to
   crash,        // the process of the driver ended, or its context or device was lost
   timeout,      // the driver did not answer in time

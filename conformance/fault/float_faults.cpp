@@ -177,35 +177,35 @@ std::string constructor_shim(const ShimLanguage& language, std::string_view befo
 }
 
 void add_conversions(std::vector<Fault>& faults) {
-  faults.push_back(
-      {.name = "mediump_conversions",
-       .fault = "a constructor has the default precision, not that of its argument",
-       .reported = "NVIDIA 580; KhronosGroup/glslang 999, 1087",
-       .injected = "in ES, a float made of an integer or a float keeps 11 bits, unless the function begins with "
-                   "`precision highp float`",
-       .remark = "",
-       .shim =
-           [](const ShimLanguage& language) {
-             constexpr std::string_view kHalf = "unpackHalf2x16(packHalf2x16(vec2(a, 0.0))).x";
-             return constructor_shim(language, "precision highp float; ", kHalf, kHalf);
-           },
-       .rules = {.pattern = [](const Expression& node, const Rules::Render& render,
-                               Place& place) -> std::optional<std::string> {
-         if (called_with_one(node) != "float" || place.highp_by_default) return std::nullopt;
-         return fmt::format("hn_fault_float({})", render(node.parts[1]).whole());
-       }},
-       .concerns = [](const ShimLanguage& language) { return language.profile.es; }});
-  faults.push_back(
-      {.name = "uint_to_float",
-       .fault = "uint to float rounded wrongly",
-       .reported = "seen on several",
-       .injected = "float(uint) keeps 23 bits of numbers beyond 2^23",
-       .remark = "beyond 24 bits any rounding is allowed: a warning",
-       .shim =
-           [](const ShimLanguage& language) {
-             return constructor_shim(language, "", "float(a)", "float(a >= 0x800000u ? a & 0xFFFFFFFEu : a)");
-           },
-       .rules = {.functions = {{"float", "hn_fault_float"}}}});
+  faults.push_back({.name = "mediump_conversions",
+                    .fault = "a constructor has the default precision, not that of its argument",
+                    .reported = "NVIDIA 580; KhronosGroup/glslang 999, 1087",
+                    .injected =
+                        "in ES, a float made of an integer or a float keeps 11 bits, unless the function begins with "
+                        "`precision highp float`",
+                    .remark = "",
+                    .shim =
+                        [](const ShimLanguage& language) {
+                          constexpr std::string_view kHalf = "unpackHalf2x16(packHalf2x16(vec2(a, 0.0))).x";
+                          return constructor_shim(language, "precision highp float; ", kHalf, kHalf);
+                        },
+                    .rules = {.pattern = [](const Expression& node, const Rules::Render& render,
+                                            Place& place) -> std::optional<std::string> {
+                      if (called_with_one(node) != "float" || place.highp_by_default) return std::nullopt;
+                      return fmt::format("hn_fault_float({})", render(node.parts[1]).whole());
+                    }},
+                    .concerns = [](const ShimLanguage& language) { return language.profile.es; }});
+  faults.push_back({.name = "uint_to_float",
+                    .fault = "uint to float rounded wrongly",
+                    .reported = "seen on several",
+                    .injected = "float(uint) keeps 23 bits of numbers beyond 2^23",
+                    .remark = "beyond 24 bits any rounding is allowed: a warning",
+                    .shim =
+                        [](const ShimLanguage& language) {
+                          return constructor_shim(language, "", "float(a)",
+                                                  "float(a >= 0x800000u ? a & 0xFFFFFFFEu : a)");
+                        },
+                    .rules = {.functions = {{"float", "hn_fault_float"}}}});
   faults.push_back(
       {.name = "constants_folded_coarsely",
        .fault = "constant folding that differs from run time",

@@ -83,10 +83,10 @@ bool Function::is_octave_sum() const {
 }
 
 bool Function::is_further() const {
-  return is_one_of(family, {Family::further_gradient_noise, Family::octahedral_noise, Family::further_lattice_noise,
-                            Family::further_octave_sum, Family::octahedral_octave_sum, Family::simplex_noise,
-                            Family::curl, Family::cellular, Family::further_cellular, Family::utility,
-                            Family::distribution});
+  return is_one_of(family,
+                   {Family::further_gradient_noise, Family::octahedral_noise, Family::further_lattice_noise,
+                    Family::further_octave_sum, Family::octahedral_octave_sum, Family::simplex_noise, Family::curl,
+                    Family::cellular, Family::further_cellular, Family::utility, Family::distribution});
 }
 
 bool Function::is_derived() const { return bound.ends_with("_d") || bound.ends_with("_d_phase"); }

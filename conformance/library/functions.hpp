@@ -50,7 +50,7 @@ struct Function {
 
   bool exact() const { return bound == "exact"; }
   bool is_noise() const;
-  bool is_gradient_noise() const;  // it is 0 at lattice points
+  bool is_gradient_noise() const;                                            // it is 0 at lattice points
   bool is_simplex_noise() const { return family == Family::simplex_noise; }  // or phasor noise, of the same lattices
   bool is_cellular() const;
   bool is_octave_sum() const;

@@ -117,8 +117,7 @@ TEST(Source, WhatAnIncludeHasBroughtAlreadyIsLeftOutBelowIt) {
   EXPECT_EQ(count_of("int guarded;", once->text), 1u);
   EXPECT_EQ(count_of("int open;", once->text), 2u);  // the preprocessor would not leave it out
   // The first include of a shader may stand in a branch that is skipped, so the second brings everything again.
-  const auto twice =
-      expand(sources, profile_named("gl330"), "#if 0\n#include \"both\"\n#endif\n#include \"both\"\n");
+  const auto twice = expand(sources, profile_named("gl330"), "#if 0\n#include \"both\"\n#endif\n#include \"both\"\n");
   ASSERT_TRUE(twice);
   EXPECT_EQ(count_of("int guarded;", twice->text), 2u);
 }

@@ -102,10 +102,10 @@ Subject subject_of(const Entry& entry, int dimensions, Picture picture, std::uin
   // Without a seed the octaves are all of the same field.
   if (entry.form != Form::ours || period != 0) {
     const bool is_clouds = picture == Picture::clouds;
-    text += fmt::format("float paper_sum(hn_octaves{} o) {{\n  do {}(o, {}); while (hn_next(o));\n  return {}(o);\n}}\n",
-                        dimensions, is_clouds ? "hn_add" : "hn_add_turbulence",
-                        noise_at("hn_position(o.place)", entry, dimensions, period, "o.seed"),
-                        is_clouds ? "hn_density" : "hn_mean");
+    text += fmt::format(
+        "float paper_sum(hn_octaves{} o) {{\n  do {}(o, {}); while (hn_next(o));\n  return {}(o);\n}}\n", dimensions,
+        is_clouds ? "hn_add" : "hn_add_turbulence",
+        noise_at("hn_position(o.place)", entry, dimensions, period, "o.seed"), is_clouds ? "hn_density" : "hn_mean");
     expression = "paper_sum(hn_octaves(p, 6, 2.0, 0.5, 0u))";
   }
   return {fmt::format("{}.{}", id, name_of(picture)), dimensions, std::move(text), std::move(expression)};

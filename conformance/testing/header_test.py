@@ -151,6 +151,7 @@ MACROS = {
         require(x,y) ((void)(x));MIN(a,b) ((a)<(b)?(a):(b));MAX(a,b) ((a)>(b)?(a):(b));ABS(a) (a);I 1.0fi""",
 }
 
+
 def defined(names: str) -> str:
     return "".join(f"#define {name.strip()}\n" for name in names.replace("\n", ";").split(";"))
 

@@ -107,7 +107,8 @@ TEST(Browser, WrongValuesAreNoticedInWebGpu) {
   const std::vector<std::string> ids = {kWgsl, kWgslSum};
   for (const char* name : {"noise2d.perlin.golden", "fbm.fbm2.golden"}) {
     std::string text = *read_file(std::filesystem::path(HN_GOLDEN_DIRECTORY) / name);
-    for (auto at = text.find(" = 3f"); at != std::string::npos; at = text.find(" = 3f", at)) text.replace(at, 5, " = 40");
+    for (auto at = text.find(" = 3f"); at != std::string::npos; at = text.find(" = 3f", at))
+      text.replace(at, 5, " = 40");
     ASSERT_TRUE(write_file(golden.path() / name, text));
   }
   ASSERT_TRUE(run(story, ids, "webgpu", SourceSet::embedded(), golden.path()));

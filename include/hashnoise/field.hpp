@@ -66,8 +66,8 @@ struct OptionalInt : std::optional<int> {
 // has a period. In a major version this struct stays as it is, because programs pass it to a shared library: a setting
 // of a later version is a member of another struct, which another constructor of Field takes beside this one.
 struct Settings {
-  // "value", "simplex_d", ...: see noises(dimensions); if empty "perlin", or what the fractal takes in GLSL. The fractal
-  // perlin_worley has noises of its own, and takes none.
+  // "value", "simplex_d", ...: see noises(dimensions); if empty "perlin", or what the fractal takes in GLSL. The
+  // fractal perlin_worley has noises of its own, and takes none.
   std::string noise{};
   // The fractal type: "fbm", "ridged", "warp", ...: see fractals(dimensions); the noise itself if empty.
   std::string fractal{};

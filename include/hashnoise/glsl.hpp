@@ -131,14 +131,12 @@ struct Vector2 {
   HN_I_INLINE constexpr Vector2() : x(), y() {}
   HN_I_INLINE constexpr Vector2(T x_, T y_) : x(x_), y(y_) {}
   template <typename Scalar>
-  requires(detail::kComponents<Scalar> == 1)
-  HN_I_INLINE constexpr explicit Vector2(Scalar s)
+  requires(detail::kComponents<Scalar> == 1) HN_I_INLINE constexpr explicit Vector2(Scalar s)
       : Vector2(detail::convert<T>(s), detail::convert<T>(s)) {}
   template <typename U>
   HN_I_INLINE constexpr explicit Vector2(Vector2<U> v) : x(detail::convert<T>(v.x)), y(detail::convert<T>(v.y)) {}
   template <typename... Arguments>
-  requires(detail::fill<2, Arguments...>())
-  HN_I_INLINE constexpr explicit(sizeof...(Arguments) != 2)
+  requires(detail::fill<2, Arguments...>()) HN_I_INLINE constexpr explicit(sizeof...(Arguments) != 2)
       Vector2(const Arguments&... arguments)
       : x(detail::convert<T>(detail::component<0>(arguments...))),
         y(detail::convert<T>(detail::component<1>(arguments...))) {}
@@ -164,15 +162,13 @@ struct Vector3 {
   HN_I_INLINE constexpr Vector3() : x(), y(), z() {}
   HN_I_INLINE constexpr Vector3(T x_, T y_, T z_) : x(x_), y(y_), z(z_) {}
   template <typename Scalar>
-  requires(detail::kComponents<Scalar> == 1)
-  HN_I_INLINE constexpr explicit Vector3(Scalar s)
+  requires(detail::kComponents<Scalar> == 1) HN_I_INLINE constexpr explicit Vector3(Scalar s)
       : Vector3(detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s)) {}
   template <typename U>
   HN_I_INLINE constexpr explicit Vector3(Vector3<U> v)
       : x(detail::convert<T>(v.x)), y(detail::convert<T>(v.y)), z(detail::convert<T>(v.z)) {}
   template <typename... Arguments>
-  requires(detail::fill<3, Arguments...>())
-  HN_I_INLINE constexpr explicit(sizeof...(Arguments) != 3)
+  requires(detail::fill<3, Arguments...>()) HN_I_INLINE constexpr explicit(sizeof...(Arguments) != 3)
       Vector3(const Arguments&... arguments)
       : x(detail::convert<T>(detail::component<0>(arguments...))),
         y(detail::convert<T>(detail::component<1>(arguments...))),
@@ -214,8 +210,7 @@ struct Vector4 {
   HN_I_INLINE constexpr Vector4() : x(), y(), z(), w() {}
   HN_I_INLINE constexpr Vector4(T x_, T y_, T z_, T w_) : x(x_), y(y_), z(z_), w(w_) {}
   template <typename Scalar>
-  requires(detail::kComponents<Scalar> == 1)
-  HN_I_INLINE constexpr explicit Vector4(Scalar s)
+  requires(detail::kComponents<Scalar> == 1) HN_I_INLINE constexpr explicit Vector4(Scalar s)
       : Vector4(detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s), detail::convert<T>(s)) {}
   template <typename U>
   HN_I_INLINE constexpr explicit Vector4(Vector4<U> v)
@@ -224,8 +219,7 @@ struct Vector4 {
         z(detail::convert<T>(v.z)),
         w(detail::convert<T>(v.w)) {}
   template <typename... Arguments>
-  requires(detail::fill<4, Arguments...>())
-  HN_I_INLINE constexpr explicit(sizeof...(Arguments) != 4)
+  requires(detail::fill<4, Arguments...>()) HN_I_INLINE constexpr explicit(sizeof...(Arguments) != 4)
       Vector4(const Arguments&... arguments)
       : x(detail::convert<T>(detail::component<0>(arguments...))),
         y(detail::convert<T>(detail::component<1>(arguments...))),
@@ -260,25 +254,13 @@ struct Vector4 {
 };
 
 template <typename V, typename B>
-requires(detail::kComponents<V> > 1)
-HN_I_INLINE constexpr V& operator+=(V& a, const B& b) {
-  return a = a + b;
-}
+requires(detail::kComponents<V> > 1) HN_I_INLINE constexpr V& operator+=(V& a, const B& b) { return a = a + b; }
 template <typename V, typename B>
-requires(detail::kComponents<V> > 1)
-HN_I_INLINE constexpr V& operator-=(V& a, const B& b) {
-  return a = a - b;
-}
+requires(detail::kComponents<V> > 1) HN_I_INLINE constexpr V& operator-=(V& a, const B& b) { return a = a - b; }
 template <typename V, typename B>
-requires(detail::kComponents<V> > 1)
-HN_I_INLINE constexpr V& operator*=(V& a, const B& b) {
-  return a = a * b;
-}
+requires(detail::kComponents<V> > 1) HN_I_INLINE constexpr V& operator*=(V& a, const B& b) { return a = a * b; }
 template <typename V, typename B>
-requires(detail::kComponents<V> > 1)
-HN_I_INLINE constexpr V& operator/=(V& a, const B& b) {
-  return a = a / b;
-}
+requires(detail::kComponents<V> > 1) HN_I_INLINE constexpr V& operator/=(V& a, const B& b) { return a = a / b; }
 
 using vec2 = Vector2<float>;
 using vec3 = Vector3<float>;
@@ -308,17 +290,29 @@ using hn_uvec4 = uvec4;
 // namespace of users that uses this one, a function of theirs or of the standard library that fits as well comes first:
 // a compiler chooses a template behind other functions, and one with a pack behind other templates.
 template <std::same_as<float> T, detail::Never... None>
-HN_I_INLINE T floor(T x, None...) { return std::floor(x); }
+HN_I_INLINE T floor(T x, None...) {
+  return std::floor(x);
+}
 template <std::same_as<float> T, detail::Never... None>
-HN_I_INLINE T trunc(T x, None...) { return std::trunc(x); }
+HN_I_INLINE T trunc(T x, None...) {
+  return std::trunc(x);
+}
 template <std::same_as<float> T, detail::Never... None>
-HN_I_INLINE T sqrt(T x, None...) { return std::sqrt(x); }
+HN_I_INLINE T sqrt(T x, None...) {
+  return std::sqrt(x);
+}
 template <std::same_as<float> T, detail::Never... None>
-HN_I_INLINE T abs(T x, None...) { return std::fabs(x); }
+HN_I_INLINE T abs(T x, None...) {
+  return std::fabs(x);
+}
 template <detail::Number T, detail::Never... None>
-HN_I_INLINE constexpr T min(T x, T y, None...) { return y < x ? y : x; }
+HN_I_INLINE constexpr T min(T x, T y, None...) {
+  return y < x ? y : x;
+}
 template <detail::Number T, detail::Never... None>
-HN_I_INLINE constexpr T max(T x, T y, None...) { return x < y ? y : x; }
+HN_I_INLINE constexpr T max(T x, T y, None...) {
+  return x < y ? y : x;
+}
 HN_I_INLINE vec2 floor(vec2 v) { return {std::floor(v.x), std::floor(v.y)}; }
 HN_I_INLINE vec3 floor(vec3 v) { return {std::floor(v.x), std::floor(v.y), std::floor(v.z)}; }
 HN_I_INLINE vec4 floor(vec4 v) { return {std::floor(v.x), std::floor(v.y), std::floor(v.z), std::floor(v.w)}; }
@@ -335,9 +329,13 @@ HN_I_INLINE constexpr Vector3<T> abs(Vector3<T> v) {
   return {abs(v.x), abs(v.y), abs(v.z)};
 }
 template <std::same_as<uint> T, detail::Never... None>
-HN_I_INLINE constexpr float uintBitsToFloat(T bits, None...) { return __builtin_bit_cast(float, bits); }
+HN_I_INLINE constexpr float uintBitsToFloat(T bits, None...) {
+  return __builtin_bit_cast(float, bits);
+}
 template <std::same_as<float> T, detail::Never... None>
-HN_I_INLINE constexpr uint floatBitsToUint(T value, None...) { return __builtin_bit_cast(uint, value); }
+HN_I_INLINE constexpr uint floatBitsToUint(T value, None...) {
+  return __builtin_bit_cast(uint, value);
+}
 template <typename T>
 HN_I_INLINE constexpr auto uintBitsToFloat(Vector3<T> v) {
   return Vector3<decltype(uintBitsToFloat(v.x))>(uintBitsToFloat(v.x), uintBitsToFloat(v.y), uintBitsToFloat(v.z));

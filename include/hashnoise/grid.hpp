@@ -14,8 +14,8 @@
 // whose components go to planes of their own: `values` has all of the first component, then all of the second. `fill`
 // returns the least and the greatest number of the first component.
 //
-// Sizes that do not fit are a std::invalid_argument; with -fno-exceptions `fill` prints the error, and aborts. It checks
-// no origin, step or coordinate: of those that are not finite no value is defined.
+// Sizes that do not fit are a std::invalid_argument; with -fno-exceptions `fill` prints the error, and aborts. It
+// checks no origin, step or coordinate: of those that are not finite no value is defined.
 //
 // The instructions are those that the flags of the compiler allow. lanes.hpp describes what a noise over lanes may do,
 // and hashnoise.hpp which knobs there are.
@@ -229,39 +229,36 @@ template <int D, typename Noise>
 Range fill(const Grid<D>& grid, std::span<float> values, const Noise& noise) {
   if (!detail::has_points(grid.size, grid.first, values)) return {};
   const auto axes = detail::axes_of<D, detail::Positions>(grid.origin, grid.step, grid.size, grid.first);
-  return detail::fill_rows(
-      grid.size, values, [&](const auto& at, std::size_t i) HN_I_INLINED {
-        return noise(vector_of<PlaceOf<D>, D>([&](int axis) HN_I_INLINED {
-          const auto a = static_cast<std::size_t>(axis);
-          return a == 0 ? Float::load(axes[0].p.data() + i) : Float(axes[a].p[at[a]]);
-        }));
-      });
+  return detail::fill_rows(grid.size, values, [&](const auto& at, std::size_t i) HN_I_INLINED {
+    return noise(vector_of<PlaceOf<D>, D>([&](int axis) HN_I_INLINED {
+      const auto a = static_cast<std::size_t>(axis);
+      return a == 0 ? Float::load(axes[0].p.data() + i) : Float(axes[a].p[at[a]]);
+    }));
+  });
 }
 
 template <int D, typename Noise>
 Range fill(const CellGrid<D>& grid, std::span<float> values, const Noise& noise) {
   if (!detail::has_points(grid.size, grid.first, values)) return {};
   const auto axes = detail::axes_of<D, detail::CellsAndPlaces>(grid.cell, grid.f, grid.step, grid.size, grid.first);
-  return detail::fill_rows(
-      grid.size, values, [&](const auto& at, std::size_t i) HN_I_INLINED {
-        return noise(vector_of<CellOf<D>, D>([&](int axis) HN_I_INLINED {
-                       const auto a = static_cast<std::size_t>(axis);
-                       return a == 0 ? Int::load(axes[0].cell.data() + i) : Int(axes[a].cell[at[a]]);
-                     }),
-                     vector_of<PlaceOf<D>, D>([&](int axis) HN_I_INLINED {
-                       const auto a = static_cast<std::size_t>(axis);
-                       return a == 0 ? Float::load(axes[0].f.data() + i) : Float(axes[a].f[at[a]]);
-                     }));
-      });
+  return detail::fill_rows(grid.size, values, [&](const auto& at, std::size_t i) HN_I_INLINED {
+    return noise(vector_of<CellOf<D>, D>([&](int axis) HN_I_INLINED {
+                   const auto a = static_cast<std::size_t>(axis);
+                   return a == 0 ? Int::load(axes[0].cell.data() + i) : Int(axes[a].cell[at[a]]);
+                 }),
+                 vector_of<PlaceOf<D>, D>([&](int axis) HN_I_INLINED {
+                   const auto a = static_cast<std::size_t>(axis);
+                   return a == 0 ? Float::load(axes[0].f.data() + i) : Float(axes[a].f[at[a]]);
+                 }));
+  });
 }
 
 template <int D, typename Noise>
 Range fill(const Points<D>& points, std::span<float> values, const Noise& noise) {
   const std::size_t count = detail::common_length(points.p);
   const auto value = [&](std::size_t i) HN_I_INLINED {
-    return noise(vector_of<PlaceOf<D>, D>([&](int axis) HN_I_INLINED {
-      return detail::load_some(points.p[static_cast<std::size_t>(axis)], i);
-    }));
+    return noise(vector_of<PlaceOf<D>, D>(
+        [&](int axis) HN_I_INLINED { return detail::load_some(points.p[static_cast<std::size_t>(axis)], i); }));
   };
   detail::Writer<decltype(value)> writer(values, count);
   writer.write(0, count, value);

@@ -120,10 +120,8 @@ struct Four {
   HN_I_INLINE S operator[](int i) const { return i == 0 ? a : i == 1 ? b : i == 2 ? c : d; }
   HN_I_INLINE S& operator[](int i) { return i == 0 ? a : i == 1 ? b : i == 2 ? c : d; }
 
-#define HN_I_FOUR_NUMBERS(op)                                      \
-  HN_I_INLINE friend Four operator op(Four x, Four y) {            \
-    return {x.a op y.a, x.b op y.b, x.c op y.c, x.d op y.d};       \
-  }
+#define HN_I_FOUR_NUMBERS(op) \
+  HN_I_INLINE friend Four operator op(Four x, Four y) { return {x.a op y.a, x.b op y.b, x.c op y.c, x.d op y.d}; }
   HN_I_FOUR_NUMBERS(+)
   HN_I_FOUR_NUMBERS(-)
   HN_I_FOUR_NUMBERS(*)
@@ -137,9 +135,9 @@ struct Four {
   HN_I_INLINE friend Four operator-(Four x) { return {-x.a, -x.b, -x.c, -x.d}; }
   HN_I_INLINE friend Four operator-(S s, Four x) { return {s - x.a, s - x.b, s - x.c, s - x.d}; }
 
-#define HN_I_FOUR_ANSWERS(op)                                                                         \
-  HN_I_INLINE friend Four<std::int32_t> operator op(Four x, Four y) {                                 \
-    return {x.a op y.a ? -1 : 0, x.b op y.b ? -1 : 0, x.c op y.c ? -1 : 0, x.d op y.d ? -1 : 0};      \
+#define HN_I_FOUR_ANSWERS(op)                                                                    \
+  HN_I_INLINE friend Four<std::int32_t> operator op(Four x, Four y) {                            \
+    return {x.a op y.a ? -1 : 0, x.b op y.b ? -1 : 0, x.c op y.c ? -1 : 0, x.d op y.d ? -1 : 0}; \
   }
   HN_I_FOUR_ANSWERS(<)
   HN_I_FOUR_ANSWERS(>)
@@ -223,8 +221,7 @@ struct Lanes {
   HN_I_INLINE explicit Lanes(Vector vector) : v(vector) {}
   // s - 0 is s, also where s is -0; s + 0 would not be.
   template <typename T>
-  requires std::is_arithmetic_v<T>
-  HN_I_INLINE explicit(!std::same_as<S, T>) Lanes(T s)
+  requires std::is_arithmetic_v<T> HN_I_INLINE explicit(!std::same_as<S, T>) Lanes(T s)
       : v(number(static_cast<S>(s)) - Vector{}) {}
   // A number that does not fit is undefined, as it is in C++.
   template <typename T>

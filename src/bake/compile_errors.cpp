@@ -65,7 +65,8 @@ void replace_all(std::string& text, std::string_view old, std::string_view by) {
 // The types by GLSL's names, and functions without the namespaces that they are in.
 std::string in_glsl(std::string_view message) {
   std::string text(message.substr(0, message.find(" [-W")));
-  for (const std::string_view space : {"hashnoise::"sv, kVersion, "of_the_user::"sv, "const "sv}) replace_all(text, space, "");
+  for (const std::string_view space : {"hashnoise::"sv, kVersion, "of_the_user::"sv, "const "sv})
+    replace_all(text, space, "");
   for (const std::string_view knob : {"hash_", "gradient_", "arithmetic_"}) {
     for (std::size_t at = text.find(knob); at != std::string::npos; at = text.find(knob, at + 1)) {
       const std::size_t end = text.find("::", at);

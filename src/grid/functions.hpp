@@ -38,7 +38,7 @@ struct SumRow {
   int first_dimension, last_dimension;
   Shape shape;
   Shape of;
-  NoiseId usual_noise;      // kNoises if nobody chooses them
+  NoiseId usual_noise;        // kNoises if nobody chooses them
   std::string_view strength;  // what it calls that parameter; nothing if it has none
   float usual_strength;
   float most_strength;

@@ -98,9 +98,9 @@ struct NoiseKernels {
   Octave octave_full;  // with a period
 };
 struct SumKernels {  // whose `line` nobody calls
-  Loops at;    // at positions
-  Loops in;    // in cells
-  Loops tile;  // with a period, of both
+  Loops at;          // at positions
+  Loops in;          // in cells
+  Loops tile;        // with a period, of both
 };
 
 struct Kernels {

@@ -59,15 +59,12 @@ struct Arguments {
 
 template <int D>
 HN_I_INLINE Cell<D> cells_at(const Batch& b, int i) {
-  return vector_of<Cell<D>, D>([&](int axis) HN_I_INLINED {
-    return Int::load(b.cell[axis] + i * b.stride[axis]);
-  });
+  return vector_of<Cell<D>, D>([&](int axis) HN_I_INLINED { return Int::load(b.cell[axis] + i * b.stride[axis]); });
 }
 template <int D>
 HN_I_INLINE Fraction<D> fractions_at(const Batch& b, int i) {
-  return vector_of<Fraction<D>, D>([&](int axis) HN_I_INLINED {
-    return Float::load(b.place[axis] + i * b.stride[axis]);
-  });
+  return vector_of<Fraction<D>, D>([&](int axis)
+                                       HN_I_INLINED { return Float::load(b.place[axis] + i * b.stride[axis]); });
 }
 template <int D>
 HN_I_INLINE Place<D> place_in_cell(const Batch& b, int i) {

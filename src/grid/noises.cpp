@@ -58,12 +58,11 @@ struct ColumnsOf {
 #define HN_GRID_COLUMNS(noise, Columns)             \
   HN_GRID_COLUMNS_OF(noise##_plain, Columns, false) \
   HN_GRID_COLUMNS_OF(noise##_full, Columns, true)
-#define HN_GRID_COLUMNS_OF(noise, Columns, tiled) \
-  template <int D>                                \
-  requires(D == 2 || D == 3)                      \
-  struct ColumnsOf<D, noise> {                    \
-    using Type = Columns<D>;                      \
-    static constexpr bool kTiled = tiled;         \
+#define HN_GRID_COLUMNS_OF(noise, Columns, tiled)         \
+  template <int D>                                        \
+  requires(D == 2 || D == 3) struct ColumnsOf<D, noise> { \
+    using Type = Columns<D>;                              \
+    static constexpr bool kTiled = tiled;                 \
   };
 HN_GRID_COLUMNS(value, ValueColumns)
 HN_GRID_COLUMNS(perlin, PerlinColumns)
@@ -79,13 +78,11 @@ struct PiecesOf {
 };
 #ifdef HN_GRID_HAS_WINDOWS
 template <int D>
-requires(D == 2 || D == 3)
-struct PiecesOf<D, value_plain> {
+requires(D == 2 || D == 3) struct PiecesOf<D, value_plain> {
   using Type = ValuePieces<D>;
 };
 template <int D>
-requires(D == 2 || D == 3)
-struct PiecesOf<D, perlin_plain> {
+requires(D == 2 || D == 3) struct PiecesOf<D, perlin_plain> {
   using Type = PerlinPieces<D>;
 };
 #endif
@@ -248,9 +245,8 @@ NoiseKernels kernels_of() {
   constexpr bool kIsFlatOrInSpace = D == 2 || D == 3;
   constexpr bool kIsSearched = takes == grid::Inputs::kJitter && shape == grid::Shape::kValue;
   // Sums of noises with slopes, and of vectors, are in 2D and 3D.
-  constexpr bool kIsSummed =
-      shape == grid::Shape::kValue ||
-      ((shape == grid::Shape::kWithSlopes || shape == grid::Shape::kVector) && kIsFlatOrInSpace);
+  constexpr bool kIsSummed = shape == grid::Shape::kValue ||
+                             ((shape == grid::Shape::kWithSlopes || shape == grid::Shape::kVector) && kIsFlatOrInSpace);
   // Where it was measured to be faster: for others what the axes share is little of the whole.
   constexpr bool kIsFasterInRows =
       kIsFlatOrInSpace && ((shape == grid::Shape::kValue && !kIsSearched) || shape == grid::Shape::kTwoDistances);

@@ -37,10 +37,10 @@ class NoiseCall {
 template <typename Function>
 HN_I_INLINE void with_step(int id, const Function& function) {
   switch (id) {
-#define HN_CATALOG_STEP(Id, name, step, end)                                                              \
-  case grid::k##Id:                                                                                       \
-    return function([](const hn_i_octave_sum& s, Float n, [[maybe_unused]] Float strength)                \
-                        HN_I_INLINED { return step; },                                                    \
+#define HN_CATALOG_STEP(Id, name, step, end)                                               \
+  case grid::k##Id:                                                                        \
+    return function([](const hn_i_octave_sum& s, Float n, [[maybe_unused]] Float strength) \
+                        HN_I_INLINED { return step; },                                     \
                     std::bool_constant<grid::k##Id == grid::kWeighted>());
 #include "catalog.inc"
   }
@@ -139,7 +139,8 @@ class FbmD : public Slopes<D> {
   HN_I_INLINE auto at(Position p) const {
     auto o = octaves_at(p, this->given_);
     auto s = hn_slopes(o);
-    do hn_add(o, s, this->noise_.octave(o.place, o.seed)); while (hn_next(o));
+    do hn_add(o, s, this->noise_.octave(o.place, o.seed));
+    while (hn_next(o));
     return hn_mean(o, s);
   }
 };
@@ -152,7 +153,8 @@ class Erosion : public Slopes<D> {
   HN_I_INLINE auto at(Position p) const {
     auto o = octaves_at(p, this->given_);
     auto s = hn_slopes(o);
-    do hn_add_eroded(o, s, this->noise_.octave(o.place, o.seed), this->given_.strength); while (hn_next(o));
+    do hn_add_eroded(o, s, this->noise_.octave(o.place, o.seed), this->given_.strength);
+    while (hn_next(o));
     return hn_mean(o);
   }
 };
@@ -188,10 +190,12 @@ class PerlinWorley : public JacobianSum<3, Float> {
   template <typename Position>
   HN_I_INLINE Float at(Position p) const {
     auto wisps = octaves_at(p, given_);
-    do hn_add(wisps, noise_.octave(wisps.place, wisps.seed)); while (hn_next(wisps));
+    do hn_add(wisps, noise_.octave(wisps.place, wisps.seed));
+    while (hn_next(wisps));
     const Arguments<3>& given = given_;
     auto billows = hn_octaves(p, min(given.octaves, Int(3)), given.lacunarity, given.gain, hn_i_other_seed(given.seed));
-    do hn_add(billows, hn_i_billow_at(nearest_point(billows.place, billows.seed))); while (hn_next(billows));
+    do hn_add(billows, hn_i_billow_at(nearest_point(billows.place, billows.seed)));
+    while (hn_next(billows));
     return hn_i_value(hn_i_either(hn_i_bounded_octave(hn_mean(wisps)), hn_i_bounded_octave(hn_mean(billows))));
   }
 };
@@ -424,7 +428,8 @@ constexpr Loops octave_by_octave() {
 
 template <int D>
 void enter_sums(SumKernels (&sums)[grid::kSums][4]) {
-  const SumKernels any{octave_by_octave<D, FromPositions<D>>(), octave_by_octave<D, FromCells<D>>(),
+  const SumKernels any{octave_by_octave<D, FromPositions<D>>(),
+                       octave_by_octave<D, FromCells<D>>(),
                        {by_octaves<D, Tiles<D>>, by_octaves<D, Tiles<D>, true>, nullptr}};
   // Sums with Jacobians, and sums over noises of their own, have other kernels, and are entered after these.
 #define HN_CATALOG_STEP(Id, ...) sums[grid::k##Id][D - 1] = any;

@@ -55,22 +55,22 @@ void add_loops(std::vector<Bug>& bugs) {
          return Words{h, h, h};
        })});
   // Points beside each other leave it after different counts. Each component is iterated from its own start.
-  bugs.push_back({.function = bug_function("bugs.vector_behind_loop", {{"x", u32}, {"y", u32}, {"last", i32}},
-                                           {{"x", u32}, {"y", u32}},
-                                           "hn_uvec2 v = uvec2(a.x, a.y);\nhn_int i = 0;\n"
-                                           "do {\n  v = v * 1664525u + 1013904223u + uint(i);\n  i = i + 1;\n} "
-                                           "while (i <= min(int(a.z), 63));\n"
-                                           "return uvec4(v, 0u, 0u);"),
-                  .reference = "lavapipe of Mesa 22.3.6, found by this suite: a point that has left computes the vector "
-                               "once more while others go on. Mesa 26.2.6 does not",
-                  .specification = kLoops,
-                  .defined = true,
-                  .profiles = "gl330 es300 vulkan",
-                  .points = points({{7, 1, 0}, {7, 1, 1}, {7, 1, 2}, {7, 1, 5}, {7, 1, 20}, {7, 1, 63}},
-                                   [](const Words& in) {
-                                     const auto end = static_cast<std::int32_t>(in[2]) + 1;
-                                     return Words{iterated(in[0], 0, end), iterated(in[1], 0, end)};
-                                   })});
+  bugs.push_back(
+      {.function =
+           bug_function("bugs.vector_behind_loop", {{"x", u32}, {"y", u32}, {"last", i32}}, {{"x", u32}, {"y", u32}},
+                        "hn_uvec2 v = uvec2(a.x, a.y);\nhn_int i = 0;\n"
+                        "do {\n  v = v * 1664525u + 1013904223u + uint(i);\n  i = i + 1;\n} "
+                        "while (i <= min(int(a.z), 63));\n"
+                        "return uvec4(v, 0u, 0u);"),
+       .reference = "lavapipe of Mesa 22.3.6, found by this suite: a point that has left computes the vector "
+                    "once more while others go on. Mesa 26.2.6 does not",
+       .specification = kLoops,
+       .defined = true,
+       .profiles = "gl330 es300 vulkan",
+       .points = points({{7, 1, 0}, {7, 1, 1}, {7, 1, 2}, {7, 1, 5}, {7, 1, 20}, {7, 1, 63}}, [](const Words& in) {
+         const auto end = static_cast<std::int32_t>(in[2]) + 1;
+         return Words{iterated(in[0], 0, end), iterated(in[1], 0, end)};
+       })});
 }
 
 void add_initializers(std::vector<Bug>& bugs) {
@@ -103,24 +103,24 @@ void add_initializers(std::vector<Bug>& bugs) {
 }
 
 void add_vectors(std::vector<Bug>& bugs) {
-  bugs.push_back({.function = bug_function(
-                      "bugs.vector_plus_scalar_in_loop", {{"x", f32}, {"y", f32}, {"s", f32}, {"count", i32}},
-                      {{"x", f32}, {"y", f32}, {"z", u32}, {"w", u32}},
-                      "hn_vec2 v = vec2(float_of(a.x), float_of(a.y));\nhn_uvec2 u = uvec2(1u, 2u);\n"
-                      "hn_float s = float_of(a.z);\n"
-                      "for (hn_int i = 0; i < min(int(a.w), 64); ++i) {\n  v += s;\n  u += 3u;\n}\n"
-                      "return uvec4(bits_of(v.x), bits_of(v.y), u);"),
-                  .reference = "crbug 772651, WebGL conformance/glsl/bugs/vector-scalar-arithmetic-inside-loop",
-                  .specification = "GLSL 4.60 section 5.9: a scalar is added to each component; these sums are exact",
-                  .defined = true,
-                  .points = points({{word(1.0f), word(-2.0f), word(0.5f), 0},
-                                    {word(1.0f), word(-2.0f), word(0.5f), 3},
-                                    {word(0.25f), word(8.0f), word(-4.0f), 7}},
-                                   [](const Words& in) {
-                                     const float added = as_float(in[2]) * static_cast<float>(in[3]);
-                                     return Words{word(as_float(in[0]) + added), word(as_float(in[1]) + added),
-                                                  1u + 3u * in[3], 2u + 3u * in[3]};
-                                   })});
+  bugs.push_back(
+      {.function = bug_function("bugs.vector_plus_scalar_in_loop", {{"x", f32}, {"y", f32}, {"s", f32}, {"count", i32}},
+                                {{"x", f32}, {"y", f32}, {"z", u32}, {"w", u32}},
+                                "hn_vec2 v = vec2(float_of(a.x), float_of(a.y));\nhn_uvec2 u = uvec2(1u, 2u);\n"
+                                "hn_float s = float_of(a.z);\n"
+                                "for (hn_int i = 0; i < min(int(a.w), 64); ++i) {\n  v += s;\n  u += 3u;\n}\n"
+                                "return uvec4(bits_of(v.x), bits_of(v.y), u);"),
+       .reference = "crbug 772651, WebGL conformance/glsl/bugs/vector-scalar-arithmetic-inside-loop",
+       .specification = "GLSL 4.60 section 5.9: a scalar is added to each component; these sums are exact",
+       .defined = true,
+       .points = points({{word(1.0f), word(-2.0f), word(0.5f), 0},
+                         {word(1.0f), word(-2.0f), word(0.5f), 3},
+                         {word(0.25f), word(8.0f), word(-4.0f), 7}},
+                        [](const Words& in) {
+                          const float added = as_float(in[2]) * static_cast<float>(in[3]);
+                          return Words{word(as_float(in[0]) + added), word(as_float(in[1]) + added), 1u + 3u * in[3],
+                                       2u + 3u * in[3]};
+                        })});
   constexpr std::string_view kSwizzles = "ANGLE rewrite_repeated_assign_to_swizzled (NVIDIA, crbug 798117)";
   constexpr std::string_view kAssignments =
       "GLSL 4.60 section 5.8: an assignment stores, and its value is what was stored";

@@ -112,8 +112,8 @@ class MetalEvaluator final : public Evaluator {
 
   // -O1: what takes longer to compile than to run.
   std::vector<std::string> options() const {
-    return {"-std=c++14", "-O1", "-fPIC", "-ffp-contract=off", "-Wno-unknown-attributes",
-            "-I", folder_.path().string()};
+    return {"-std=c++14",           "-O1", "-fPIC", "-ffp-contract=off", "-Wno-unknown-attributes", "-I",
+            folder_.path().string()};
   }
 
   TemporaryFolder folder_;

@@ -19,7 +19,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "tools" / "lib"))
 
-from base.debian import Missing, program as from_debian  # noqa: E402
+from base.debian import Missing  # noqa: E402
+from base.debian import program as from_debian  # noqa: E402
 
 SKIPPED = 77
 OLDEST = (4, 4)

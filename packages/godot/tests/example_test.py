@@ -17,14 +17,14 @@ from pathlib import Path
 
 from engine import RENDERERS, Engine, Failure, main
 
+from base.png import read_png
+from base.tree import GLSL, ROOT
+from base.twin import compile_program
+from ship.godot.files import ADDON, TURN, package, recipe_texts
+from ship.packing import put
 from translate.pick.command import settings
 from translate.pick.program import Program, chosen, read
 from translate.pick.shading import LANGUAGES
-from base.png import read_png
-from ship.godot.files import ADDON, TURN, package, recipe_texts
-from ship.packing import put
-from base.tree import GLSL, ROOT
-from base.twin import compile_program
 
 HERE = Path(__file__).resolve().parent
 PAGE = ROOT / "docs" / "guide" / "godot.md"

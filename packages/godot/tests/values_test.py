@@ -19,14 +19,14 @@ import unittest
 from collections.abc import Callable, Iterable
 from pathlib import Path
 
-from engine import Engine, Failure, RENDERERS, main
+from engine import RENDERERS, Engine, Failure, main
 
 from base.golden_values import Golden, ids
-from translate.parsing.preprocessor import Preprocessor
-from ship.godot.files import ADDON, package
-from translate.single_file.godot import SUFFIX
-from catalog.tables.functions import Function, read_functions
 from base.tree import BOUNDS
+from catalog.tables.functions import Function, read_functions
+from ship.godot.files import ADDON, package
+from translate.parsing.preprocessor import Preprocessor
+from translate.single_file.godot import SUFFIX
 from translate.wgsl.evaluation import PROLOGUE
 
 HERE = Path(__file__).resolve().parent

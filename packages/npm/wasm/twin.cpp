@@ -216,10 +216,11 @@ Float octave(const Place<D>& place, Uint seed, Numbers& n) {
 
 template <int D>
 void sum(const Place<D>& place, Numbers& n) {
-  auto o = hn_octaves(place, Int(settings.octaves), Float(settings.lacunarity), Float(settings.gain),
-                      Uint(settings.seed));
+  auto o =
+      hn_octaves(place, Int(settings.octaves), Float(settings.lacunarity), Float(settings.gain), Uint(settings.seed));
   if constexpr (D == 1) {
-    do o.sum = with_value(o.sum, octave<D>(o.place, o.seed, n)); while (hn_next(o));
+    do o.sum = with_value(o.sum, octave<D>(o.place, o.seed, n));
+    while (hn_next(o));
   } else {
     auto slopes = hn_slopes(o);
     auto shifts = hn_shifts(o, settings.strength);

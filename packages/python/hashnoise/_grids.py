@@ -3,8 +3,22 @@
 import numpy as np
 
 from . import _core, _noises, _sums
-from ._evaluate import (AXES, checked_dtype, checked_out, checked_ranges, checked_threads, make_field, no_option,
-                        per_axis, real_number, ruled_number, single_number, suggesting, suggestion, whole_number)
+from ._evaluate import (
+    AXES,
+    checked_dtype,
+    checked_out,
+    checked_ranges,
+    checked_threads,
+    make_field,
+    no_option,
+    per_axis,
+    real_number,
+    ruled_number,
+    single_number,
+    suggesting,
+    suggestion,
+    whole_number,
+)
 
 MOST_POINTS = _core.rules["size"][1]
 

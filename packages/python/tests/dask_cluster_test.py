@@ -89,6 +89,7 @@ class Cluster(unittest.TestCase):
 
     def test_a_worker_that_computes_otherwise_is_noticed(self):
         array = hashnoise.dask.grid("fbm", SIZE, **OPTIONS, chunks=500)
+
         def spoil():
             import hashnoise.dask
             hashnoise.dask._grid = lambda *arguments, **options: 2 * hashnoise.grid(*arguments, **options)

@@ -12,6 +12,7 @@ from pathlib import Path
 import golden
 import hashnoise
 import numpy
+
 from base.tree import VECTORS  # (golden.py names the folder of base)
 
 

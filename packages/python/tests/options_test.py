@@ -110,7 +110,6 @@ class Options(unittest.TestCase):
         for name in sets:
             hashnoise.perlin(X, instruction_set=name)
 
-
     def test_ends_of_ranges(self):
         """Options beyond them are wrong; these are right."""
         for options in ({"octaves": 1}, {"octaves": 32}, {"period": 0}, {"period": 2**31 - 1}, {"seed": 2**32 - 1},

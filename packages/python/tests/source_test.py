@@ -17,6 +17,7 @@ from pathlib import Path
 from unittest import mock
 
 import golden
+
 from base.tree import VECTORS
 from ship.packing_support import lost_links
 from ship.python import metadata
@@ -112,7 +113,6 @@ class Source(unittest.TestCase):
         page = message_from_string((self.root / "PKG-INFO").read_text(encoding="utf-8")).get_payload()
         self.assertEqual(done.stdout.rstrip(), page.rstrip())
         self.assertEqual(distribution("hashnoise").metadata.get_payload().rstrip(), page.rstrip())
-
 
 
 class Wheel(unittest.TestCase):

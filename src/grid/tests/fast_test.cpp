@@ -123,7 +123,7 @@ double mean_of(const Settings& s, const std::vector<double>& octaves) {
 template <int D>
 Bound bound_of_other(const Settings& s) {
   if (grid::sum_row(s.fractal).of == grid::Shape::kValue) {
-    hn::OctaveArguments arguments{0.0,  static_cast<double>(octaves_of(s)), static_cast<double>(lacunarity_of(s)),
+    hn::OctaveArguments arguments{0.0, static_cast<double>(octaves_of(s)), static_cast<double>(lacunarity_of(s)),
                                   static_cast<double>(gain_of(s)), true};
     arguments.from_cell = true;
     arguments.strength = static_cast<double>(strength_of(s));

@@ -182,9 +182,7 @@ TEST(Threads, AreAsManyAsSaid) {
   }
 }
 
-TEST(Threads, AreNotLessThanNone) {
-  EXPECT_THROW(threads(-1), std::invalid_argument);
-}
+TEST(Threads, AreNotLessThanNone) { EXPECT_THROW(threads(-1), std::invalid_argument); }
 
 TEST(Threads, RunNothingOfNothing) {
   threads(3)(0, [](int) { ADD_FAILURE(); });

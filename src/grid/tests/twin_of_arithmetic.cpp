@@ -162,7 +162,7 @@ void add(std::vector<NoiseEntry<D>>& all, std::string_view name) {
 template <int D>
 std::vector<NoiseEntry<D>> noise_entries() {
   std::vector<NoiseEntry<D>> all;
-#define HN_CATALOG_NOISE(Id, name, first, last, shape, takes)                                     \
+#define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) \
   if constexpr (first <= D && D <= last) add<D, call::name, Options::takes>(all, #name);
 #include "grid/catalog.inc"
   return all;
@@ -216,13 +216,13 @@ float n_of(const Octaves& o) {
 }
 
 // A sum, at a position or a place: its loop over the octaves o.
-#define SUM(name, ...)                                                                                             \
-  struct name##_call {                                                                                             \
-    static auto of(const Settings& settings, auto where) {                                                         \
-      auto o = hn_octaves(where, twin::octaves_of(settings), twin::lacunarity_of(settings),                        \
-                          twin::gain_of(settings), settings.seed);                                                 \
-      __VA_ARGS__                                                                                                  \
-    }                                                                                                              \
+#define SUM(name, ...)                                                                                               \
+  struct name##_call {                                                                                               \
+    static auto of(const Settings& settings, auto where) {                                                           \
+      auto o = hn_octaves(where, twin::octaves_of(settings), twin::lacunarity_of(settings), twin::gain_of(settings), \
+                          settings.seed);                                                                            \
+      __VA_ARGS__                                                                                                    \
+    }                                                                                                                \
   };
 // Sums of values by their steps in the catalog. Golden files verify these.
 #define HN_CATALOG_STEP(Id, name, step, end)                                          \
@@ -235,10 +235,10 @@ float n_of(const Octaves& o) {
       const hn_i_num mean = hn_i_mean(o.sum); return hn_i_value(end);)
 #include "grid/catalog.inc"
 SUM(fbm_d, auto d = hn_slopes(o); do hn_add(o, d, chosen_d(o.place, o.seed)); while (hn_next(o)); return hn_mean(o, d);)
-SUM(eroded, auto d = hn_slopes(o);
-    do hn_add_eroded(o, d, chosen_d(o.place, o.seed), twin::strength_of(settings)); while (hn_next(o)); return hn_mean(o);)
-SUM(warp, auto w = hn_shifts(o, twin::amplitude_of(settings));
-    do hn_add(o, w, chosen_vector(o.place, o.seed)); while (hn_next(o)); return hn_mean(o, w);)
+SUM(eroded, auto d = hn_slopes(o); do hn_add_eroded(o, d, chosen_d(o.place, o.seed), twin::strength_of(settings));
+    while (hn_next(o)); return hn_mean(o);)
+SUM(warp, auto w = hn_shifts(o, twin::amplitude_of(settings)); do hn_add(o, w, chosen_vector(o.place, o.seed));
+    while (hn_next(o)); return hn_mean(o, w);)
 SUM(warp_progressive, auto w = hn_shifts(o, twin::amplitude_of(settings));
     do hn_add_progressive(o, w, chosen_vector(o.place, o.seed)); while (hn_next(o)); return hn_mean(o, w);)
 #undef SUM

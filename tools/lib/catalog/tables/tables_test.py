@@ -12,8 +12,7 @@ from pathlib import Path
 from base.tree import glsl_files
 from catalog.model import CATALOG, CatalogError
 from catalog.tables import glsl
-from catalog.tables.configurations import read_configurations
-from catalog.tables.configurations import families
+from catalog.tables.configurations import families, read_configurations
 from catalog.tables.functions import read_functions
 
 

@@ -7,7 +7,6 @@ that nothing is built.
 from __future__ import annotations
 
 import os
-import re
 import shutil
 import subprocess
 import tempfile

@@ -104,100 +104,96 @@ struct Quantity {
 // clang-format on
 
 constexpr auto kQuantities = std::to_array<Quantity>({
-    {"word", '2', 3, 1,
-     [](const Word* in, Word* out) { *out = hashnoise::hn_i_point(hashnoise::uvec2(in[0], in[1]), in[2]); }},
-    {"word", '3', 4, 1,
-     [](const Word* in, Word* out) { *out = hashnoise::hn_i_point(hashnoise::uvec3(in[0], in[1], in[2]), in[3]); }},
-    {"gradient", '2', 3, 2,
-     [](const Word* in, Word* out) { put(hashnoise::hn_gradient(ivec2(integer(in[0]), integer(in[1])), in[2]), out); }},
-    {"gradient", '3', 4, 3,
-     [](const Word* in, Word* out) {
-       put(hashnoise::hn_gradient(ivec3(integer(in[0]), integer(in[1]), integer(in[2])), in[3]), out);
-     }},
-    {"noise", '2', 3, 1,
-     [](const Word* in, Word* out) {
-       *out = std::bit_cast<Word>(hashnoise::hn_perlin(vec2(real(in[0]), real(in[1])), in[2]));
-     }},
-    {"noise", '3', 4, 1,
-     [](const Word* in, Word* out) {
-       *out = std::bit_cast<Word>(hashnoise::hn_perlin(vec3(real(in[0]), real(in[1]), real(in[2])), in[3]));
-     }},
-    {"stage", '2', 1, 2, [](const Word* in, Word* out) { put(hashnoise::hn_gradient2(*in), out); }},
-    {"stage", '3', 1, 3, [](const Word* in, Word* out) { put(hashnoise::hn_gradient3(*in), out); }},
-    {"further", '2', 1, 1, [](const Word* in, Word* out) { *out = hashnoise::hn_i_words_of_y(uvec4(*in)).x; }},
-    {"further", '3', 1, 2,
-     [](const Word* in, Word* out) {
-       out[0] = hashnoise::hn_i_words_of_y(uvec4(*in)).x;
-       out[1] = hashnoise::hn_i_words_of_z(uvec4(*in)).x;
-     }},
-    {"value_vector", '2', 3, 2,
-     [](const Word* in, Word* out) { put(hashnoise::hn_value_vector(vec2(real(in[0]), real(in[1])), in[2]), out); }},
-    {"value_vector", '3', 4, 3,
-     [](const Word* in, Word* out) {
-       put(hashnoise::hn_value_vector(vec3(real(in[0]), real(in[1]), real(in[2])), in[3]), out);
-     }},
+  {"word", '2', 3, 1,
+   [](const Word* in, Word* out) { *out = hashnoise::hn_i_point(hashnoise::uvec2(in[0], in[1]), in[2]); }},
+      {"word", '3', 4, 1,
+       [](const Word* in, Word* out) { *out = hashnoise::hn_i_point(hashnoise::uvec3(in[0], in[1], in[2]), in[3]); }},
+      {"gradient", '2', 3, 2,
+       [](const Word* in, Word* out) {
+         put(hashnoise::hn_gradient(ivec2(integer(in[0]), integer(in[1])), in[2]), out);
+       }},
+      {"gradient", '3', 4, 3,
+       [](const Word* in, Word* out) {
+         put(hashnoise::hn_gradient(ivec3(integer(in[0]), integer(in[1]), integer(in[2])), in[3]), out);
+       }},
+      {"noise", '2', 3, 1,
+       [](const Word* in, Word* out) {
+         *out = std::bit_cast<Word>(hashnoise::hn_perlin(vec2(real(in[0]), real(in[1])), in[2]));
+       }},
+      {"noise", '3', 4, 1,
+       [](const Word* in, Word* out) {
+         *out = std::bit_cast<Word>(hashnoise::hn_perlin(vec3(real(in[0]), real(in[1]), real(in[2])), in[3]));
+       }},
+      {"stage", '2', 1, 2, [](const Word* in, Word* out) { put(hashnoise::hn_gradient2(*in), out); }},
+      {"stage", '3', 1, 3, [](const Word* in, Word* out) { put(hashnoise::hn_gradient3(*in), out); }},
+      {"further", '2', 1, 1, [](const Word* in, Word* out) { *out = hashnoise::hn_i_words_of_y(uvec4(*in)).x; }},
+      {"further", '3', 1, 2,
+       [](const Word* in, Word* out) {
+         out[0] = hashnoise::hn_i_words_of_y(uvec4(*in)).x;
+         out[1] = hashnoise::hn_i_words_of_z(uvec4(*in)).x;
+       }},
+      {"value_vector", '2', 3, 2,
+       [](const Word* in, Word* out) { put(hashnoise::hn_value_vector(vec2(real(in[0]), real(in[1])), in[2]), out); }},
+      {"value_vector", '3', 4, 3,
+       [](const Word* in, Word* out) {
+         put(hashnoise::hn_value_vector(vec3(real(in[0]), real(in[1]), real(in[2])), in[3]), out);
+       }},
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL  // the paper's gradient has no vectors
-    {"perlin_vector", '2', 3, 2,
-     [](const Word* in, Word* out) { put(hashnoise::hn_perlin_vector(vec2(real(in[0]), real(in[1])), in[2]), out); }},
-    {"perlin_vector", '3', 4, 3,
-     [](const Word* in, Word* out) {
-       put(hashnoise::hn_perlin_vector(vec3(real(in[0]), real(in[1]), real(in[2])), in[3]), out);
-     }},
+      {"perlin_vector", '2', 3, 2,
+       [](const Word* in, Word* out) { put(hashnoise::hn_perlin_vector(vec2(real(in[0]), real(in[1])), in[2]), out); }},
+      {"perlin_vector", '3', 4, 3,
+       [](const Word* in, Word* out) {
+         put(hashnoise::hn_perlin_vector(vec3(real(in[0]), real(in[1]), real(in[2])), in[3]), out);
+       }},
 #endif
-    {"sum", '2', 8, 1,
-     [](const Word* in, Word* out) {
-       *out = std::bit_cast<Word>(hashnoise::hn_fbm(place2(in), integer(in[4]), real(in[5]), real(in[6]), in[7]));
-     }},
-    {"sum", '3', 10, 1,
-     [](const Word* in, Word* out) {
-       *out = std::bit_cast<Word>(hashnoise::hn_fbm(place3(in), integer(in[6]), real(in[7]), real(in[8]), in[9]));
-     }},
+      {"sum", '2', 8, 1,
+       [](const Word* in, Word* out) {
+         *out = std::bit_cast<Word>(hashnoise::hn_fbm(place2(in), integer(in[4]), real(in[5]), real(in[6]), in[7]));
+       }},
+      {"sum", '3', 10, 1,
+       [](const Word* in, Word* out) {
+         *out = std::bit_cast<Word>(hashnoise::hn_fbm(place3(in), integer(in[6]), real(in[7]), real(in[8]), in[9]));
+       }},
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL  // the only one that has noise in 4D
-    {"sum", '4', 12, 1,
-     [](const Word* in, Word* out) {
-       *out = std::bit_cast<Word>(hashnoise::hn_fbm(place4(in), integer(in[8]), real(in[9]), real(in[10]), in[11]));
-     }},
+      {"sum", '4', 12, 1,
+       [](const Word* in, Word* out) {
+         *out = std::bit_cast<Word>(hashnoise::hn_fbm(place4(in), integer(in[8]), real(in[9]), real(in[10]), in[11]));
+       }},
 #endif
-    {"tiled_sum", '2', 9, 1,
-     [](const Word* in, Word* out) {
-       *out = std::bit_cast<Word>(hashnoise::hn_fbm(hashnoise::hn_tile(place2(in), ivec2(integer(in[7]))),
-                                                    integer(in[4]), real(in[5]), real(in[6]), in[8]));
-     }},
-    {"tiled_sum", '3', 11, 1,
-     [](const Word* in, Word* out) {
-       *out = std::bit_cast<Word>(hashnoise::hn_fbm(hashnoise::hn_tile(place3(in), ivec3(integer(in[9]))),
-                                                    integer(in[6]), real(in[7]), real(in[8]), in[10]));
-     }},
-    TILED(perlin),
-    TILED(value),
-    TILED(value_cubic),
-    TILED(simplex),
-    TILED(simplex_smooth),
+      {"tiled_sum", '2', 9, 1,
+       [](const Word* in, Word* out) {
+         *out = std::bit_cast<Word>(hashnoise::hn_fbm(hashnoise::hn_tile(place2(in), ivec2(integer(in[7]))),
+                                                      integer(in[4]), real(in[5]), real(in[6]), in[8]));
+       }},
+      {"tiled_sum", '3', 11, 1,
+       [](const Word* in, Word* out) {
+         *out = std::bit_cast<Word>(hashnoise::hn_fbm(hashnoise::hn_tile(place3(in), ivec3(integer(in[9]))),
+                                                      integer(in[6]), real(in[7]), real(in[8]), in[10]));
+       }},
+      TILED(perlin), TILED(value), TILED(value_cubic), TILED(simplex), TILED(simplex_smooth),
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL  // the paper's gradient has no phase
-    PHASE(perlin),
-    PHASE(simplex),
+      PHASE(perlin), PHASE(simplex),
 #endif
-    {"phasor", '2', 6, 2,
-     [](const Word* in, Word* out) {
-       const vec2 p(real(in[0]), real(in[1]));
-       put(hashnoise::hn_phasor(hashnoise::hn_tile(p, ivec2(integer(in[2]))), vec2(real(in[3]), real(in[4])), 0.0f,
-                                in[5]),
-           out);
-     }},
-    {"phasor", '3', 8, 2,
-     [](const Word* in, Word* out) {
-       const vec3 p(real(in[0]), real(in[1]), real(in[2]));
-       put(hashnoise::hn_phasor(hashnoise::hn_tile(p, ivec3(integer(in[3]))),
-                                vec3(real(in[4]), real(in[5]), real(in[6])), 0.0f, in[7]),
-           out);
-     }},
+      {"phasor", '2', 6, 2,
+       [](const Word* in, Word* out) {
+         const vec2 p(real(in[0]), real(in[1]));
+         put(hashnoise::hn_phasor(hashnoise::hn_tile(p, ivec2(integer(in[2]))), vec2(real(in[3]), real(in[4])), 0.0f,
+                                  in[5]),
+             out);
+       }},
+      {"phasor", '3', 8, 2,
+       [](const Word* in, Word* out) {
+         const vec3 p(real(in[0]), real(in[1]), real(in[2]));
+         put(hashnoise::hn_phasor(hashnoise::hn_tile(p, ivec3(integer(in[3]))),
+                                  vec3(real(in[4]), real(in[5]), real(in[6])), 0.0f, in[7]),
+             out);
+       }},
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL  // the paper's gradient has none
-    {"perlin_worley", '3', 5, 1,
-     [](const Word* in, Word* out) {
-       const vec3 p(real(in[0]), real(in[1]), real(in[2]));
-       *out = std::bit_cast<Word>(hashnoise::hn_perlin_worley(hashnoise::hn_tile(p, ivec3(integer(in[3]))), 1, 2.0f,
-                                                              1.0f, in[4]));
-     }},
+      {"perlin_worley", '3', 5, 1, [](const Word* in, Word* out) {
+         const vec3 p(real(in[0]), real(in[1]), real(in[2]));
+         *out = std::bit_cast<Word>(
+             hashnoise::hn_perlin_worley(hashnoise::hn_tile(p, ivec3(integer(in[3]))), 1, 2.0f, 1.0f, in[4]));
+       }},
 #endif
 });
 #undef TILED

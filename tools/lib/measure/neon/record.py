@@ -32,7 +32,7 @@ def page(of: Record) -> str:
 
 QEMU counted the instructions that filling a grid takes, by one thread. They are no times: a processor executes some \
 of them side by side, and waits for others. A grid has 1024 x 1024 or 128 x 128 x 64 points, {facts["step"]} cells from
-\ each other, and sums have six octaves.
+\\ each other, and sums have six octaves.
 
 ## Beside each other
 

@@ -94,6 +94,7 @@ def with_spreads(text: str, spreads: dict[str, tuple[int, ...]]) -> str:
     from measure.uniform.model import SUBJECTS
 
     others = [subject.name for subject in SUBJECTS if subject.name != "PERLIN2"]
+
     def made(name: str) -> str:
         return f"return hn_i_distribution({', '.join(map(str, spreads[name]))});\n"
 

@@ -456,6 +456,7 @@ class MovingPoints(unittest.TestCase):
             self.assertTrue((parts >> 14 == moving.fixed_product(sines, other)).all())
             self.assertLessEqual(abs(parts).max(), moving.largest_intermediates(3)["product of two sines"])
 
+
 def whole_root(q):
     """floor(sqrt(2^8 q)) of words."""
     n = q.astype(np.int64) << 8

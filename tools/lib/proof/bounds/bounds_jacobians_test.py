@@ -272,6 +272,7 @@ class Steps(unittest.TestCase):
             with mock.patch.object(jacobians, limit, factor * getattr(jacobians, limit)):
                 self.assertGreater(max(jacobians.largest_intermediates(3).values()), 2**31)
 
+
 # Noises that fit a loop with slopes, and what they take behind the place.
 FITTING = {name: "0.375f, " if name.endswith("_phase") else "" for name in jacobians.FITTING}
 NO_NOISES = {"hn_fbm_d", "hn_uniform_d"}  # functions that end in _d: a sum, and one of a value

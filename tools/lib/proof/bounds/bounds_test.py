@@ -11,7 +11,7 @@ from base.thorough import in_thorough_runs
 from proof.bounds import exact_model as exact
 from proof.bounds import noises, suprema
 from proof.bounds.boxes import Boxes, cell, corners, fade_derivative, largest_derivative, supremum
-from proof.bounds.gradients import LENGTH, OCTAHEDRAL, SINE, ROTATED, octahedral_support
+from proof.bounds.gradients import LENGTH, OCTAHEDRAL, ROTATED, SINE, octahedral_support
 from proof.bounds.noises import value_cubic
 from proof.bounds.noises.perlin import exact as perlin
 from proof.bounds.noises.perlin.exact import SCALE

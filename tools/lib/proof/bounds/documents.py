@@ -12,7 +12,7 @@ from pathlib import Path
 from base.tree import ROOT
 from catalog.tables import glsl
 from catalog.tables.markdown import table, with_section
-from proof.bounds import jacobians, gullies, noises, rotations, sine, smoothness, sums, uniform
+from proof.bounds import gullies, jacobians, noises, rotations, sine, smoothness, sums, uniform
 from proof.bounds.float_sums import gullies_tolerance, octave_tolerance
 from proof.bounds.gradients import GRADIENTS, SINE, Gradient
 from proof.bounds.integers import fade_errors, slope_errors, spline_weight_error

@@ -6,14 +6,13 @@
 //   int32 function, int32 mode (0 to nearest, 1 down, 2 up, 3 either at random), int32 lost bits, uint32 seed,
 //   double fuse (how often a*b + c is rounded once), int32 count, and count times 16 words
 //   count times 4 words
-#include <hashnoise/glsl.hpp>
-
-#include "../../../../glsl/hashnoise/config.glsl"
-
 #include <bit>
 #include <cmath>
 #include <cstdio>
+#include <hashnoise/glsl.hpp>
 #include <vector>
+
+#include "../../../../glsl/hashnoise/config.glsl"
 
 namespace hashnoise {
 namespace rounded {
@@ -137,10 +136,8 @@ Rounded float_of(uint bits) { return uintBitsToFloat(bits); }
 uint bits_of(Rounded x) { return floatBitsToUint(x); }
 #define SEEDED(s) , s
 #define SEED(s) s
-#define FUNCTION(...)                                                                                  \
-  [](uvec4 a, [[maybe_unused]] uvec4 b, [[maybe_unused]] uvec4 c, [[maybe_unused]] uvec4 d) -> uvec4 { \
-    __VA_ARGS__                                                                                        \
-  },
+#define FUNCTION(...) \
+  [](uvec4 a, [[maybe_unused]] uvec4 b, [[maybe_unused]] uvec4 c, [[maybe_unused]] uvec4 d) -> uvec4 { __VA_ARGS__ },
 using Body = uvec4 (*)(uvec4, uvec4, uvec4, uvec4);
 const Body kBodies[] = {
 #include "rounded.inc"

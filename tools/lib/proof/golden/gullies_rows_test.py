@@ -13,7 +13,7 @@ from proof.golden import gullies_rows, sum_rows
 from proof.golden.files import golden_files
 from proof.golden.generator import INT_MAX, INT_MIN, Row, generator_of, to_f32
 from proof.golden.rows import FIXED_COORDINATES
-from proof.oracle import jacobians, functions, gullies, sums
+from proof.oracle import functions, gullies, jacobians, sums
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import signed
 

@@ -12,9 +12,9 @@ from fractions import Fraction
 
 from proof.oracle import jacobians, noises, sums
 from proof.oracle.feature_points import fixed_root, root
-from proof.oracle.jacobians import clamped_to, coarse, prod
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import NOISE_UNIT, signed
+from proof.oracle.jacobians import clamped_to, coarse, prod
 from proof.oracle.lattice import Choice
 from proof.oracle.sums import FixedPlace, Options, Place, clamped, product
 from proof.oracle.words import signed as wrapped

@@ -11,7 +11,7 @@ from fractions import Fraction
 from unittest import mock
 
 from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
-from proof.oracle import jacobians, gullies, noises, sums
+from proof.oracle import gullies, jacobians, noises, sums
 from proof.oracle.gradients import Real
 from proof.oracle.noises.phasor_test import naive
 from proof.oracle.sums import Options

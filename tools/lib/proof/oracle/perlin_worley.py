@@ -8,9 +8,9 @@ from fractions import Fraction
 from typing import TypeVar
 
 from proof.oracle import noises, sums
-from proof.oracle.jacobians import clamped_to, prod
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import NOISE_UNIT, UNIT
+from proof.oracle.jacobians import clamped_to, prod
 from proof.oracle.sums import FixedPlace, Options, Place, clamped
 from proof.oracle.words import MASK, SEED_STEP, mix
 

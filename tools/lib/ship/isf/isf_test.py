@@ -157,7 +157,6 @@ class Looks(unittest.TestCase):
                 for other in (seed, later):
                     self.assertGreater(sum(abs(one - two) for one, two in zip(first, other)) / len(first), 0.03)
 
-
     def test_they_do_not_pulse(self) -> None:
         """At a whole depth and between two a picture of many cells has the same mean and deviation, within 4%. A warp
         moves along z, too, so ink does not pulse on a plane either."""

@@ -18,10 +18,10 @@ from catalog.tables.glsl import public_files
 from ship.npm.twin import Failed, compiled
 from ship.packing import Files, of_npm, own_files, put
 from ship.page import of_package
-from translate.single_file.files import in_order, minified, parts, text
-from translate.settings import Settings
-from translate.wgsl.module import Module
 from translate.names import is_public
+from translate.settings import Settings
+from translate.single_file.files import in_order, minified, parts, text
+from translate.wgsl.module import Module
 from translate.wgsl.writer import Definition
 
 PACKAGE = ROOT / "packages" / "npm"

@@ -11,8 +11,8 @@ from base.tree import GLSL, ROOT, glsl_files, version
 from ship.npm import twin
 from ship.npm.files import ARITHMETICS, glsl_modules, package
 from ship.packing_support import lost_links
-from translate.single_file.files import flatten, in_order, minified, parts
 from translate.settings import Settings
+from translate.single_file.files import flatten, in_order, minified, parts
 from translate.wgsl.module import Module
 
 EXPORT = re.compile(r"^export default (.*);$", re.MULTILINE)

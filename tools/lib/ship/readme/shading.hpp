@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-
 #include <hashnoise/hashnoise.hpp>
 
 namespace hashnoise {

@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <vector>
-
 #include <hashnoise/hashnoise.hpp>
+#include <vector>
 
 namespace hashnoise {
 
@@ -83,8 +82,10 @@ class ErodedGrid {
       const float rise = height(next).x - here.x;
       const float capacity = std::max(-rise, kLeast) * speed * water * kCapacity;
       float left = (load - capacity) * kSettle;  // on the ground
-      if (rise > 0.0f) left = std::min(rise, load);
-      else if (load < capacity) left = -std::min((capacity - load) * kErode, -rise);
+      if (rise > 0.0f)
+        left = std::min(rise, load);
+      else if (load < capacity)
+        left = -std::min((capacity - load) * kErode, -rise);
       load -= left;
       add(p, left);
       speed = std::sqrt(std::max(speed * speed - rise, 0.01f));

@@ -10,9 +10,9 @@ from functools import cache
 from base.tree import GLSL, ROOT, version
 from ship.packing import of_cargo, of_npm, papers
 from ship.recipes import RECIPES
+from translate.names import RESERVED
 from translate.settings import Settings
 from translate.wgsl.module import Module
-from translate.names import RESERVED
 from translate.wgsl.writer import Definition
 
 PACKAGE = ROOT / "packages" / "wesl"

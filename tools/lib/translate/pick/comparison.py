@@ -176,4 +176,3 @@ def compile_words(module: Module, functions: Mapping[str, Function], points: int
 
 def _path(path: Sequence[str]) -> str:
     return "".join(f".{part.removeprefix('_')}" for part in path)
-

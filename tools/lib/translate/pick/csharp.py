@@ -7,7 +7,18 @@ import re
 from collections.abc import Sequence
 
 from translate.pick.printer import PRIMARY, UNARY
-from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, components, indented, paragraph_lines, pascal
+from translate.pick.scalars import (
+    Facts,
+    Part,
+    Piece,
+    Syntax,
+    Taken,
+    bare,
+    components,
+    indented,
+    paragraph_lines,
+    pascal,
+)
 from translate.pick.values import AXES, SIZES, scalar_of
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from translate.pick import comments
 from translate.pick.gofmt import formatted
 from translate.pick.printer import PRIMARY, STRENGTH
-from translate.pick import comments
 from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, camel, paragraph_lines, pascal
 from translate.pick.values import AXES, SIZES, scalar_of
 

@@ -9,13 +9,26 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import ClassVar
 
+from translate.names import PASSED
 from translate.parsing.lines import wrapped
 from translate.parsing.syntax import Function, Parameter
 from translate.pick.comments import arguments_of
 from translate.pick.evaluate import Kept, Module
-from translate.pick.statements import Break, Declare, If, Loop, Return, Set, Statement, blocks, inner, operands, values_of, walk
+from translate.pick.statements import (
+    Break,
+    Declare,
+    If,
+    Loop,
+    Return,
+    Set,
+    Statement,
+    blocks,
+    inner,
+    operands,
+    values_of,
+    walk,
+)
 from translate.pick.values import SIZES, Constant, Node, Operation, Variable, operation, scalar_of
-from translate.names import PASSED
 
 WIDTH = 100  # of lines, as far as values have parts that can be named
 # Names that no variable has: those of the languages, and what readers would take for something else.

@@ -14,18 +14,18 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from base.tree import GLSL, version
+from translate.names import wgsl_name
 from translate.parsing.lines import wrapped
 from translate.parsing.preprocessor import Preprocessor
 from translate.parsing.syntax import Function, Parameter, definitions
 from translate.parsing.tokens import Unknown
-from translate.names import wgsl_name
-from translate.settings import Settings
 from translate.pick import comments
 from translate.pick.comments import Facts
 from translate.pick.evaluate import Evaluation, Kept, Known, Module, Summed, Typed, dotted
 from translate.pick.printer import Language, declared
 from translate.pick.statements import Statement, values_of, without_copies, without_dead
 from translate.pick.values import AXES, SIZES, Constant, Node, Operation, Variable, begin_anew, scalar_of
+from translate.settings import Settings
 
 if TYPE_CHECKING:
     from catalog.tables.functions import Function as Row

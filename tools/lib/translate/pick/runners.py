@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from base.thorough import THOROUGH
+from translate.names import wgsl_name
 from translate.parsing.syntax import Function
 from translate.pick.c import C
 from translate.pick.csharp import CSharp
@@ -21,7 +22,6 @@ from translate.pick.javascript import JavaScript
 from translate.pick.rust import Rust
 from translate.pick.scalars import Part, Piece, Syntax, fields_of, pascal, results_of
 from translate.pick.values import AXES, SIZES, scalar_of
-from translate.names import wgsl_name
 
 
 class NotInstalled(Exception):

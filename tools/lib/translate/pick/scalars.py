@@ -15,16 +15,40 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from catalog.tables.functions import expanded, read_functions
+from translate.names import PASSED, wgsl_name
 from translate.parsing.lines import wrapped
 from translate.parsing.syntax import Function, Parameter
 from translate.pick import comments
 from translate.pick.evaluate import Kept, Module, dotted
 from translate.pick.printer import (
-    BITS, CHOICE, EXAMPLES, PRIMARY, STRENGTH, TRUTH, UNARY, UNNAMED, Language, Writer, constants_of, declarations_joined)
+    BITS,
+    CHOICE,
+    EXAMPLES,
+    PRIMARY,
+    STRENGTH,
+    TRUTH,
+    UNARY,
+    UNNAMED,
+    Language,
+    Writer,
+    constants_of,
+    declarations_joined,
+)
 from translate.pick.program import Evaluated, Program
-from translate.pick.statements import Break, Declare, If, Loop, Return, Set, Statement, blocks, operands, reachable, walk
+from translate.pick.statements import (
+    Break,
+    Declare,
+    If,
+    Loop,
+    Return,
+    Set,
+    Statement,
+    blocks,
+    operands,
+    reachable,
+    walk,
+)
 from translate.pick.values import AXES, SIZES, Constant, Node, Operation, Variable, converted, operation, scalar_of
-from translate.names import PASSED, wgsl_name
 
 CONSTANT = re.compile(rf"\b(?:{'|'.join(PASSED.values())})\w+")
 ROOM = 84  # for components in one line

@@ -8,8 +8,8 @@ from translate.pick.printer import Language
 from translate.pick.typer import CASTS
 from translate.pick.values import PREFIXES
 from translate.pick.wgsl import Wgsl
-from translate.single_file.godot import SUFFIX
 from translate.settings import NO_PRECISE
+from translate.single_file.godot import SUFFIX
 
 HLSL_NAMES = {f"{prefix}vec{size}": f"{scalar}{size}" for scalar, prefix in PREFIXES.items() for size in (2, 3, 4)} | {
     "uintBitsToFloat": "asfloat", "intBitsToFloat": "asfloat", "floatBitsToUint": "asuint", "floatBitsToInt": "asint"}

@@ -6,13 +6,13 @@ import re
 from collections.abc import Sequence
 
 from base.tree import ROOT
+from translate.names import wgsl_name
 from translate.parsing.syntax import Function
 from translate.parsing.tokens import Unknown
 from translate.pick import comments
 from translate.pick.comments import Facts
 from translate.pick.program import Program
 from translate.pick.shading import LANGUAGES
-from translate.names import wgsl_name
 
 NODES = ROOT / "packages" / "npm" / "src" / "tsl" / "function.js"
 TYPES = re.compile(r"float|u?int|[iu]?vec[234]|hn_place[1-4]")

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from translate.names import RESERVED, variable, wgsl_name, wgsl_type
 from translate.parsing.syntax import Function, Parameter
 from translate.pick.evaluate import Kept
 from translate.pick.printer import BITS, PRIMARY, TRUTH, UNARY, Expressions, Language, Writer, splatted
 from translate.pick.statements import Set, Statement, walk
 from translate.pick.typer import CASTS
 from translate.pick.values import SIZES, Node, Operation, Variable, construct, converted, scalar_of, vector_of
-from translate.names import RESERVED, variable, wgsl_name, wgsl_type
 
 SHIFTS = ("<<", ">>")
 

@@ -21,10 +21,10 @@ from base.golden_values import ids
 from base.thorough import THOROUGH
 from base.tree import GLSL, ROOT, TOOLS
 from catalog.tables.functions import read_functions
+from translate.settings import ARITHMETICS, Settings
 from translate.wgsl.device import Absent, Device
 from translate.wgsl.evaluation import evaluations
 from translate.wgsl.golden import Page, differing
-from translate.settings import ARITHMETICS, Settings
 from translate.wgsl.module import Module
 
 SKIPPED = 77

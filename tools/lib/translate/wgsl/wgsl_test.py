@@ -17,8 +17,8 @@ from catalog.tables.functions import Function, read_functions
 from catalog.tables.glsl import declarations
 from translate.names import NOT_OVERLOADED
 from translate.parsing.tokens import Unknown
-from translate.wgsl.evaluation import evaluations
 from translate.settings import ARITHMETICS, GRADIENTS, HASHES, Settings
+from translate.wgsl.evaluation import evaluations
 from translate.wgsl.module import Module
 
 FILES = list(glsl_files())

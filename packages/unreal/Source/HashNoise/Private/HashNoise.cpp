@@ -7,14 +7,12 @@
 
 // Gives the engine the folder of the plugin's shaders, before it compiles any: so materials include
 // "/HashNoise/HashNoise.ush".
-class FHashNoiseModule : public IModuleInterface
-{
-public:
-    virtual void StartupModule() override
-    {
-        const TSharedPtr<IPlugin> Plugin = IPluginManager::Get().FindPlugin(TEXT("HashNoise"));
-        AddShaderSourceDirectoryMapping(TEXT("/HashNoise"), FPaths::Combine(Plugin->GetBaseDir(), TEXT("Shaders")));
-    }
+class FHashNoiseModule : public IModuleInterface {
+ public:
+  virtual void StartupModule() override {
+    const TSharedPtr<IPlugin> Plugin = IPluginManager::Get().FindPlugin(TEXT("HashNoise"));
+    AddShaderSourceDirectoryMapping(TEXT("/HashNoise"), FPaths::Combine(Plugin->GetBaseDir(), TEXT("Shaders")));
+  }
 };
 
 IMPLEMENT_MODULE(FHashNoiseModule, HashNoise)

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import TypeVar
 
-from proof.oracle.feature_points import EUCLIDEAN, Field, Point, BlockTooSmall, fixed_root, fixed_square, root, square
+from proof.oracle.feature_points import EUCLIDEAN, BlockTooSmall, Field, Point, fixed_root, fixed_square, root, square
 from proof.oracle.lattice import Lattice
 
 UNITS = (2**16,)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-from proof.oracle.feature_points import EUCLIDEAN, Field, Point, BlockTooSmall, fixed_root, root, square
+from proof.oracle.feature_points import EUCLIDEAN, BlockTooSmall, Field, Point, fixed_root, root, square
 from proof.oracle.lattice import Lattice
 
 UNITS = (2**19,)

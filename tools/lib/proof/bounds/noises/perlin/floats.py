@@ -19,7 +19,15 @@ import functools
 import numpy as np
 
 from proof.bounds.boxes import corners
-from proof.bounds.floats import TINY, Approx, approx_derivatives, approx_interpolation, approx_offsets, error_supremum, rounding
+from proof.bounds.floats import (
+    TINY,
+    Approx,
+    approx_derivatives,
+    approx_interpolation,
+    approx_offsets,
+    error_supremum,
+    rounding,
+)
 from proof.bounds.gradients import OCTAHEDRAL, SINE, two_largest
 from proof.bounds.noises.perlin.exact import SCALE
 
