@@ -120,10 +120,10 @@ class Hlsl(Shim):
 
     def test_the_code_of_the_page_compiles(self):
         shaders = printed("hlsl")
-        self.assertEqual(len(shaders), 4)
+        self.assertEqual(len(shaders), 5)
         for shader in shaders:
             self.written(shader, {})
-            self.assertEqual(self.accepted("frag"), "")
+            self.assertEqual(self.accepted("comp" if "numthreads" in shader else "frag"), "")
 
     def test_it_compiles_with_every_arithmetic_and_gradient(self):
         for knobs in settings(ARITHMETICS):

@@ -277,7 +277,7 @@ class Steps(unittest.TestCase):
 FITTING = {name: "0.375f, " if name.endswith("_phase") else "" for name in jacobians.FITTING}
 NO_NOISES = {"hn_fbm_d", "hn_uniform_d"}  # functions that end in _d: a sum, and one of a value
 CUTS = {ROOT / "docs" / "reference" / "contract.md": r"`g = trunc\(clamp\(g, -(\d+), (\d+)\) \* 2\^19\)`",
-        GLSL / "detail" / "jacobian.glsl": r"min\(max\(g, -(\d+)\.0f\), (\d+)\.0f\) \* HN_I_FLOAT_UNITS_SLOPE"}
+        GLSL / "detail" / "jacobian.glsl": r"min\(max\(-(\d+)\.0f, g\), (\d+)\.0f\) \* HN_I_FLOAT_UNITS_SLOPE"}
 
 
 def steeper(cut):
