@@ -47,8 +47,8 @@ def unformatted(sources: Sequence[Path], check: bool, bin: Path) -> list[str]:
         found = list(filter(None, pool.map(by_clang_format, [file for file in sources if file.suffix in BY_CLANG_FORMAT])))
     if python := [file for file in sources if file.suffix in PYTHON]:
         done = subprocess.run([bin / "ruff", "check", "--quiet", "--no-cache", "--output-format=concise",
-                               f"--config={ROOT / 'pyproject.toml'}", *(() if check else ("--fix",)), *python],
-                              capture_output=True, text=True, check=False)
+                               f"--config={ROOT / 'pyproject.toml'}", *(() if check else ("--fix",)), *map(Path.resolve, python)],
+                              cwd=ROOT, capture_output=True, text=True, check=False)
         found += (done.stdout + done.stderr).splitlines() if done.returncode else []
     return found
 
