@@ -32,7 +32,7 @@ struct Row {
   std::vector<float> values;
 };
 
-// The golden file of a function with HN_FIXED.
+// The golden file of a function with HN_FIXED, without the rows with infinities: a field takes none.
 struct Golden {
   std::string calls;  // the function of the library, without "hn_"
   int dimensions = 0;
@@ -58,13 +58,17 @@ Golden read(const hn::Function& function) {
   for (const hn::Column& column : function.inputs) golden.columns.insert(std::string(column.name));
   for (const hn::GoldenRow& words : file->rows) {
     Row row;
+    bool is_finite = true;
     for (std::size_t i = 0; i < words.inputs.size(); ++i) {
+      if (function.inputs[i].type == hn::WordType::f32) {
+        is_finite = is_finite && std::isfinite(std::bit_cast<float>(words.inputs[i]));
+      }
       row.words[std::string(function.inputs[i].name)] = words.inputs[i];
     }
     for (const std::uint64_t value : words.values) {
       row.values.push_back(static_cast<float>(std::bit_cast<double>(value)));
     }
-    golden.rows.push_back(row);
+    if (is_finite) golden.rows.push_back(row);
   }
   return golden;
 }
@@ -168,6 +172,7 @@ testing::AssertionResult has_rows(Settings settings, const Golden& golden, std::
   constexpr std::array<const char*, 4> kAxes = {"x", "y", "z", "w"};
   for (const Row& row : golden.rows) {
     if (!set(settings, golden, row)) continue;
+    ++compared;
     std::array<float, D> p{};
     std::array<std::int32_t, D> cell{};
     Points<D> points;
@@ -179,8 +184,6 @@ testing::AssertionResult has_rows(Settings settings, const Golden& golden, std::
       points.p[axis] = cell_points.f[axis] = std::span(&p[axis], 1);
       cell_points.cell[axis] = std::span(&cell[axis], 1);
     }
-    if (!std::ranges::all_of(p, [](float x) { return std::isfinite(x); })) continue;  // a field defines none there
-    ++compared;
     const auto right =
         golden.from_cell ? has_row<D>(settings, cell_points, golden, row) : has_row<D>(settings, points, golden, row);
     if (!right) return right;
