@@ -1,11 +1,10 @@
 // Functions evaluated in Metal's shading language, without Metal: as C++14, with a stand-in for its standard library.
 #pragma once
 
-#include "gpu/evaluator.hpp"
-
 #include <memory>
 
 #include "base/result.hpp"
+#include "gpu/evaluator.hpp"
 
 namespace hn {
 

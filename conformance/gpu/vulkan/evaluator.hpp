@@ -1,14 +1,13 @@
 // Functions evaluated by Vulkan, in compute shaders.
 #pragma once
 
-#include "gpu/evaluator.hpp"
-
 #include <array>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "base/result.hpp"
+#include "gpu/evaluator.hpp"
 #include "gpu/reference_compiler.hpp"
 
 namespace hn {

@@ -13,11 +13,9 @@ or the formatters cannot be installed; 2 bad usage, 4 PyPI cannot be reached.
 
 from __future__ import annotations
 
-import os
 import subprocess
 import sys
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from base.pypi import SKIPPED, environment
@@ -31,20 +29,15 @@ PYTHON = {".py", ".pyi"}
 
 def unformatted(sources: Sequence[Path], check: bool, bin: Path) -> list[str]:
     """The changes that the formatters would make, in words, and what they could not mend."""
-    def by_clang_format(file: Path) -> str:
-        text = file.read_bytes()
-        made = subprocess.run([bin / "clang-format", f"--assume-filename={file}.cpp"], input=text,
-                              stdout=subprocess.PIPE, check=True).stdout
-        if made == text:
-            return ""
-        if not check:
-            file.write_bytes(made)
-            return ""
-        line = next((at for at, pair in enumerate(zip(text.splitlines(), made.splitlines()), 1) if pair[0] != pair[1]), 1)
-        return f"{file}:{line}: clang-format changes it"
-
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        found = list(filter(None, pool.map(by_clang_format, [file for file in sources if file.suffix in BY_CLANG_FORMAT])))
+    found = []
+    if others := [file for file in sources if file.suffix in BY_CLANG_FORMAT]:
+        options = ["--dry-run", "-Werror"] if check else ["-i"]
+        done = subprocess.run([bin / "clang-format", *options, *others], capture_output=True, text=True, check=False)
+        lines = dict(line.split(": error:")[0].rsplit(":", 2)[:2] for line in reversed(done.stderr.splitlines())
+                     if ": error:" in line)
+        found = [f"{file}:{line}: clang-format changes it" for file, line in lines.items()]
+        if done.returncode and not found:
+            raise RuntimeError(f"clang-format ended with status {done.returncode}: {done.stderr}")
     if python := [file for file in sources if file.suffix in PYTHON]:
         done = subprocess.run([bin / "ruff", "check", "--quiet", "--no-cache", "--output-format=concise",
                                f"--config={ROOT / 'pyproject.toml'}", *(() if check else ("--fix",)), *map(Path.resolve, python)],
