@@ -278,10 +278,10 @@ class BesideOthers(unittest.TestCase):
                 shutil.copytree(ROOT / name, Path(folder, name))
             for file in ("macros_begin.h", "macros_end.h"):
                 Path(folder, "glsl", "hashnoise", "detail", file).write_text("")
-            text = defined("None 0L;min(a,b) (((a)<(b))?(a):(b))") + all_headers()
+            text = defined("None 0L") + including("glsl.hpp")
             self.assertEqual(messages(COMPILERS[0], text, "-std=c++20"), "")
             said = messages(COMPILERS[0], text, "-std=c++20", include=Path(folder, "include"))
-            self.assertRegex(said, "in expansion of macro .(None|min).")
+            self.assertIn("None", said)
 
     @unittest.skipUnless(THOROUGH, "takes long: windows.h does")
     def test_each_header_stands_behind_the_real_macros(self) -> None:
