@@ -58,9 +58,9 @@ HN_I_INLINE Uint flipped_where(Mask condition, Uint a, Uint b) {
 }
 
 // By how much the second join of a word grows along each axis, and what it is at the origin.
-#define HN_GRID_ODD_X hn_i_odd_step(Uint(HN_I_STEP_X))
-#define HN_GRID_ODD_Y hn_i_odd_step(Uint(HN_I_STEP_Y) * HN_I_SUM_Y)
-#define HN_GRID_ODD_Z hn_i_odd_step(Uint(HN_I_STEP_Z) * HN_I_SUM_Z)
+#define HN_GRID_ODD_X hn_i_odd_x(Uint(HN_I_STEP_X), Uint(0u))
+#define HN_GRID_ODD_Y hn_i_odd_y(Uint(HN_I_STEP_Y), Uint(0u))
+#define HN_GRID_ODD_Z hn_i_odd_z(Uint(HN_I_STEP_Z), Uint(0u))
 HN_I_INLINE Uint odd_of(uvec2 c, Uint s) {
   return c.x * HN_GRID_ODD_X + c.y * HN_GRID_ODD_Y + hn_i_odd(s + HN_I_ORIGIN_X);
 }
@@ -147,7 +147,7 @@ HN_I_INLINE hn_i_num simplex_at(const Place<3>& place, Uint seed) {
   to_corner(f.x, here.x, ahead.x, HN_GRID_ODD_X);
   to_corner(f.y, here.y, ahead.y, HN_GRID_ODD_Y);
   to_corner(f.z, here.z, ahead.z, HN_GRID_ODD_Z);
-  const Uint centre = cell ^ HN_I_CENTRE_JOIN, centre_odd = odd + hn_i_odd_step(Uint(HN_I_CENTRE_SUM));
+  const Uint centre = cell ^ HN_I_CENTRE_JOIN, centre_odd = hn_i_odd_x(Uint(HN_I_CENTRE_SUM), odd);
   Uint next_corner = corner, next_corner_odd = corner_odd, next_centre = centre, next_centre_odd = centre_odd;
   const auto to_next = [&](hn_i_num along, hn_i_num size_along, Uint high, Uint high_ahead, Uint high_before,
                            Uint step) HN_I_INLINED {
