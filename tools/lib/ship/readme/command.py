@@ -32,6 +32,7 @@ from measure.compile import command as of_compilers
 from measure.gpu import pages as of_gpus
 from measure.likeness import ports
 from measure.noise import record as of_noises
+from measure.rust.command import TARGETS
 from measure.silicon import command as of_circuits
 from measure.uniform import command as of_uniform
 from ship.blender import files as blender
@@ -83,7 +84,10 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             (MEASURING, "tools/make readme: noises", numbers.form_table(costs)),
             (MEASURING, "tools/make readme: compile times", of_compilers.page_table(of_compilers.record())),
             (MEASURING, "tools/make readme: peers", numbers.peer_table(numbers.peer_costs(numbers.CPU))),
-            (MEASURING, "tools/make readme: packages for Python", numbers.python_table(numbers.python_costs())),
+            (MEASURING, "tools/make readme: packages for Python", numbers.package_table(numbers.package_costs("python"))),
+            *((MEASURING, f"tools/make readme: crates on {target}",
+               numbers.package_table([row for row in numbers.package_costs("rust") if row["target"] == target]))
+              for target in TARGETS),
             (MEASURING, "tools/make readme: peers on a GPU", numbers.peer_table(numbers.peer_costs(numbers.GPU))),
             (HASHES, "tools/make readme: hashes", hashes.hash_table(hashes.record())),
             (JUDGE, "tools/make readme: judged", of_noises.judge_table(of_noises.read())),

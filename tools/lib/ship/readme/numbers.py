@@ -140,7 +140,7 @@ def cost_quotes() -> list[str]:
     """The README's sentences on costs by a clock: on the GPU, all by one table, and of packages for Python."""
     rows = peer_costs(GPU)
     one, six = ([_of_theirs(rows, noise.format(axes)) for axes in (2, 3)] for noise in ("Perlin {}D", "fBm {}D, 6 octaves"))
-    others = [float(row["ratio"]) for row in python_costs()
+    others = [float(row["ratio"]) for row in package_costs("python")
               if row["noise"].startswith("six octaves") and row["package"] != "hashnoise"]
     return [f"as much as FastNoiseLite's ({one[0]:.2f} times in 2D, {one[1]:.2f} in 3D), and six octaves a quarter "
             f"({six[0]:.2f} and {six[1]:.2f})",
@@ -154,18 +154,22 @@ def golden_quote() -> str:
     return f"computes {found // 10_000 * 10_000:,} golden values"
 
 
-def python_costs() -> list[dict[str, str]]:
-    """The rows of python.csv."""
-    return record.read(RESULTS / "cpu" / "python.csv").rows
+def package_costs(language: str) -> list[dict[str, str]]:
+    """The rows of python.csv or rust.csv."""
+    return record.read(RESULTS / "cpu" / f"{language}.csv").rows
 
 
-def python_table(rows: Sequence[Mapping[str, str]]) -> str:
+def package_table(rows: Sequence[Mapping[str, str]]) -> str:
     """A row for each package, a column for each noise: nanoseconds, and the time in ours."""
     noises = dict.fromkeys(row["noise"] for row in rows)
-    found = {(row["package"], row["noise"]): f"{row['nanoseconds']} · {float(row['ratio']):.0f}" for row in rows}
+    found = {(row["package"], row["noise"]): f"{row['nanoseconds']} · {_two_digits(float(row['ratio']))}" for row in rows}
     packages = dict.fromkeys((row["package"], row["version"]) for row in rows)
     return table(("package", *noises), [[f"{package} {version}", *(found.get((package, noise), "") for noise in noises)]
                                         for package, version in packages])
+
+
+def _two_digits(ratio: float) -> str:
+    return f"{ratio:.0f}" if ratio >= 10 else f"{ratio:.2g}"
 
 
 def _of_theirs(rows: Costs, noise: str) -> float:
