@@ -127,7 +127,7 @@ class Table(unittest.TestCase):
 TOY = '''
 PARTS = (Part("one", "the first", "no time", "toy.one", ("in/*.txt",), ("out/one",)),
          Part("two", "the second", "no time", "toy.two", (), ("out/two",){two}),
-         Part("three", "the third", "no time", "toy.three", (), ("out/three",), by_name=True))
+         Part("three", "the third", "no time", "toy.three", (), ("out/three",), by_name=True, check=()))
 PARTS = (PARTS[0], PARTS[1]._replace(inputs=("out/one",)), PARTS[2])
 '''
 MODULE = '''

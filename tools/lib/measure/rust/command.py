@@ -23,7 +23,8 @@ from pathlib import Path
 
 from base.tree import ROOT, TOOLS, version
 from base.usage import Parser, whole
-from measure import record
+from base.versions import version_of
+from measure import record, stamps
 
 OURS = "hashnoise"
 FOLDER = ROOT / "build" / "measure-rust"
@@ -78,5 +79,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return 1
         found += rows(target, lines)
     record.write(given.out / "rust.csv", found, COLUMNS)
+    stamps.stamp(given.out / "rust.csv", version_of("rustc"))
     print(given.out / "rust.csv")
     return 0

@@ -15,6 +15,7 @@ from pathlib import Path
 from base.tree import HN_CONFORM, ROOT, TOOLS, address, version
 from catalog import copies
 from catalog.tables import glsl
+from measure import stamps
 from proof.vectors.files import vectors_folder
 from ship.recipes import RECIPES
 from ship.release import sbom
@@ -58,6 +59,7 @@ def problems() -> list[str]:
     if named != wanted or not is_day(day):
         found.append(f'CHANGELOG.md: the first heading is "## {named} ({day})", and must be "## {wanted} (DAY)" with '
                      "the day of the release, such as 2026-11-22")
+    found += stamps.refusals()
     if address().startswith(STAND_IN):
         found.append(f"conformance/web/address.js: {address()} must be the project's address; write it there, and run "
                      "tools/make catalog")
