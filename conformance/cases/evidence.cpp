@@ -70,7 +70,7 @@ Result<std::string> picked(const Session& session, const ShaderFacts& facts, con
   return output_of(session.pick.string(), {"shader", (folder.path() / "shader").string()});
 }
 
-// Whether a shader is wrong as the one is that it stands for: with the same error, or the value that the suite got.
+// Whether a shader fails as the longer one does: with the same error, or with the value that the suite got.
 bool fails_alike(const Session& session, const Profile& profile, const ShaderFacts& facts, const Drawn& shown,
                  const Drawn& longer) {
   if (!longer.colour) return !shown.colour && shown.colour.error().message == longer.colour.error().message;
