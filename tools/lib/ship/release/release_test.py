@@ -18,7 +18,6 @@ from unittest import mock
 from base.tree import ROOT, TOOLS, address, version
 from base.tree import files as files_of
 from catalog import copies
-from measure.results.sets import GoldenSets, write
 from proof.vectors.files import vectors_folder
 from ship.release import files
 
@@ -28,7 +27,6 @@ COPIED = ("CMakeLists.txt", "LICENSE", "catalog/asked.toml", "conformance/expect
           "tools", *(name for name in copies.LINES if not name.startswith("include/")))
 PLACE = "https://example.org/a-place"
 # Of the project, or of a page of a registry on it.
-DIGESTS = f"docs/measured/results/devices/versions/{version()}.csv"
 ADDRESS = re.compile(rb"https://[A-Za-z0-9_./-]+/hashnoise[A-Za-z0-9_-]*")
 REGISTRIES = ("https://pypi.org/", "https://www.npmjs.com/", "https://crates.io/")
 CHEAP = "single,parts,vectors,headers,source"
@@ -66,7 +64,6 @@ class Project(unittest.TestCase):
             for name in copies.LINES:
                 cls.change(cls.original / name, lambda text, name=name: copies.made(name, text))
         cls.change(cls.original / "conformance/web/address.js", lambda text: text.replace(address(), PLACE))
-        write(cls.original / DIGESTS, GoldenSets(cls.original / "conformance/expected/golden"))
         # Of one pack fewer files are copied than of a thousand objects.
         for arguments in (["init", "-q", "--template="], ["add", "-A"], ["commit", "-qm", "All of it"],
                           ["repack", "-adq"]):
@@ -188,7 +185,6 @@ class Refuses(Project):
         patch = version().split(".")[2]
         new = f"77.77.{patch}"
         said = [f'CHANGELOG.md: the first heading is "## {version()} (2026-13-99)", and must be "## {new} (DAY)"',
-                f"docs/measured/results/devices/versions/{new}.csv: it must have the checksums of the golden files; ",
                 "conformance/web/address.js: https://example.com/x must be the project's address; write it there",
                 f"CITATION.cff: repository-code: {PLACE} must be repository-code: https://example.com/x; ",
                 f'vcpkg.json: "version": "{version()}" must be "version": "{new}"; tools/make catalog writes it',
@@ -198,12 +194,6 @@ class Refuses(Project):
     def test_what_is_a_day(self):
         words = ("2026-11-22", "2026-13-99", "20261122", "not released")
         self.assertEqual([day for day in words if files.is_day(day)], ["2026-11-22"])
-
-    def test_checksums_of_other_golden_files(self):
-        self.change(self.root / "conformance/expected/golden/hash.word.golden", lambda text: text + "# more\n")
-        self.git(self.root, "commit", "-qam", "Change values")
-        self.refused(1, rf"all the same\n{DIGESTS}: it must have the checksums of the golden files; .*\n\Z",
-                     "--only", "single")
 
     def test_a_version_that_the_changelog_does_not_have(self):
         with self.assertRaisesRegex(files.NoRelease, "has no part on 7.0.0"):
