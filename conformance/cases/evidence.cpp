@@ -42,7 +42,7 @@ std::string renderer_of(const ContextInfo& info) {
 using Colour = Result<std::array<std::uint8_t, 4>>;
 
 bool is_red(const Colour& colour) { return colour && (*colour)[0] > (*colour)[1]; }
-bool is_green(const Colour& colour) { return colour && !is_red(colour); }
+bool is_green(const Colour& colour) { return colour && (*colour)[1] > (*colour)[0]; }
 
 // A shader, and the colour in which it draws here.
 struct Drawn {

@@ -99,6 +99,10 @@ TEST_F(EvidenceOf, TheShaderIsAsShortAsToolsPickWritesIt) {
     EXPECT_LE(std::ranges::count(found->shader, '\n'), lines) << found->shader;
     EXPECT_NE(found->shader.find(outcome_.examples.front().got), std::string::npos) << found->shader;
   }
+  const auto nan = evidence(changed("detail/direction.glsl", "hn_i_scaled(n, 1831)", "sqrt(-1.0f - abs(n))"),
+                            "noise2d.perlin.lattice.fast.fragment.gl330.golden", pick);
+  ASSERT_TRUE(nan);
+  EXPECT_NE(nan->shader.find("sqrt(-1.0 - abs("), std::string::npos) << "the library has -1.0f: " << nan->shader;
 }
 
 // In place of tools/pick a script: what it makes of the shader, and whether that still shows the fault.
