@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "base/strings.hpp"
 #include "cases/facets.hpp"
 #include "expected/compare.hpp"
 #include "fault/tokens.hpp"
@@ -51,6 +52,7 @@ std::string one_line(std::string text) {
 std::string comments(const SourceSet& sources, const Evaluation& evaluation, const ShaderFacts& facts) {
   const Function& function = evaluation.function;
   const bool is_fragment = facts.id.find(".fragment.") != std::string::npos;
+  const std::string rule = rule_of(facts.id);
   return fmt::format(
       R"(// {}
 // fails on {}{}{}.
@@ -67,7 +69,7 @@ std::string comments(const SourceSet& sources, const Evaluation& evaluation, con
 // It is made of the functions of {}; MIT License.
 )",
       facts.id, one_line(facts.renderer), sources.transform() ? ", made to have a fault" : "",
-      is_fragment ? "" : ", and so does this fragment shader", rule_of(facts.id),
+      is_fragment ? "" : ", and so does this fragment shader", fmt::join(split(rule, ';'), ";\n//          "),
       describe_inputs(function, facts.inputs), describe_outputs(function, facts.got),
       describe_outputs(function, facts.expected), facts.every_bit ? "" : describe_allowed(function, facts.allowed),
       one_line(library_text(sources.edited())));
