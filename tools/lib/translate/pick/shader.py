@@ -1,5 +1,6 @@
-"""Prints a shader of the suite in which evaluate has all that it calls inside, as tools/pick writes functions. hn-conform runs
-this where a case fails, and shows the text if it fails, too.
+"""Prints a shader of the suite in which evaluate has all that it calls inside, as tools/pick writes functions.
+
+hn-conform runs this where a case fails, and shows the text if it fails, too.
 
 Exit status: 0 done, 2 it is no such shader.
 """
