@@ -94,7 +94,7 @@ TEST(Summary, SaysEachThingOnce) {
       "Largest difference from the exact values:\n"
       "  noise2d.perlin         0.7\n"
       "3 of 5 cases are wrong on osmesa.\n"
-      "Begin with noise2d.perlin, the lowest layer that fails: 1 of 1 other failures are of what is made of it.\n"
+      "Begin with noise2d.perlin, the lowest layer that fails: 1 of 1 other failures may follow.\n"
       "Every failing case is in 2D; the one in 3D passes.\n"
       "FAIL    2 of 3 cases of noise2d.perlin (only with HN_FIXED)\n"
       "  such as noise2d.perlin.lattice.fixed.fragment.gl330.golden\n"
