@@ -88,9 +88,9 @@ HN_I_INLINE Lanes<S> one_of(Mask condition, Lanes<S> a, Lanes<S> b) {
 }
 
 // By how much the second join of a word grows along each axis, and what it is at the origin.
-#define HN_GRID_ODD_X hn_i_odd_step(Uint(HN_I_STEP_X))
-#define HN_GRID_ODD_Y hn_i_odd_step(Uint(HN_I_STEP_Y) * HN_I_SUM_Y)
-#define HN_GRID_ODD_Z hn_i_odd_step(Uint(HN_I_STEP_Z) * HN_I_SUM_Z)
+#define HN_GRID_ODD_X hn_i_odd_x(Uint(HN_I_STEP_X), Uint(0u))
+#define HN_GRID_ODD_Y hn_i_odd_y(Uint(HN_I_STEP_Y), Uint(0u))
+#define HN_GRID_ODD_Z hn_i_odd_z(Uint(HN_I_STEP_Z), Uint(0u))
 HN_I_INLINE Uint odd_of(uvec2 c, Uint s) {
   return c.x * HN_GRID_ODD_X + c.y * HN_GRID_ODD_Y + hn_i_odd(s + HN_I_ORIGIN_X);
 }
@@ -179,23 +179,20 @@ struct Skewed {
     const hn_i_num2 skewed = hn_i_skewed(place.fraction);
     const uvec2 doubled(Uint(place.cell.x) + Uint(place.cell.x), Uint(place.cell.y) + Uint(place.cell.y));
 #if HN_ARITHMETIC == HN_FIXED
-    const Int column = hn_i_floor(skewed.x), row = hn_i_floor(skewed.y);
-    u = hn_i_fract(skewed.x);
-    v = hn_i_fract(skewed.y);
+    const auto beyond = [](Int x, Int) HN_I_INLINED { return hn_i_fract(x); };
 #else
-    const Int column = hashnoise::detail::convert<Int>(skewed.x);
-    u = skewed.x - Float(column);
+    const auto beyond = [](Float x, Int whole) HN_I_INLINED { return x - Float(whole); };
 #endif
+    const Int column = hn_i_whole(skewed.x);
+    u = beyond(skewed.x, column);
 #if HN_ARITHMETIC == HN_FAST
     // A fraction of 1 is the upper end of the second row, and not the first place of a third. It is the same place.
     is_odd = place.fraction.y >= 0.5f;
     v = minus_where(is_odd, skewed.y, Float(1.0f));
     first = uvec2(doubled.x + minus_where(is_odd, Uint(column), Uint(1u)), plus_where(is_odd, doubled.y, Uint(1u)));
 #else
-#if HN_ARITHMETIC == HN_PRECISE
-    const Int row = hashnoise::detail::convert<Int>(skewed.y);
-    v = skewed.y - Float(row);
-#endif
+    const Int row = hn_i_whole(skewed.y);
+    v = beyond(skewed.y, row);
     is_odd = (row & 1) != 0;
     first = uvec2(doubled.x + Uint(column) - Uint(min(row, Int(1))), doubled.y + Uint(row));
 #endif
@@ -261,7 +258,7 @@ HN_I_INLINE hn_i_num simplex_at(const Place<3>& place, Uint seed) {
   const Axis az = axis_of(f.z, cell.z, Uint(HN_I_STEP_Z), HN_I_HIGH_Z, HN_GRID_ODD_Z);
   const Uint s = hn_i_mix(seed);
   Uint corner = joined(ax.here, ay.here, az.here ^ hn_i_seed_join(s)), corner_odd = odd_of(uvec3(place.cell), s);
-  Uint centre = corner ^ HN_I_CENTRE_JOIN, centre_odd = corner_odd + hn_i_odd_step(Uint(HN_I_CENTRE_SUM));
+  Uint centre = corner ^ HN_I_CENTRE_JOIN, centre_odd = hn_i_odd_x(Uint(HN_I_CENTRE_SUM), corner_odd);
   const auto to_corner = [&](const Axis& a, Uint odd_step) HN_I_INLINED {
     corner = joined_where(a.is_far, corner, a.here, a.ahead);
     corner_odd = plus_where(a.is_far, corner_odd, odd_step);
