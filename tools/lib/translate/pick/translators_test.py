@@ -91,19 +91,34 @@ def own(name: str) -> Path:
     raise Missing(f"there is no {name} here")
 
 
+def to_spirv(validator: Path, file: Path) -> list[str | Path]:
+    return [validator, *(("-D",) if file.suffix == ".hlsl" else ()), "-V", "-S", "comp", "-e", "main", "-o",
+            file.with_suffix(".spv"), file]
+
+
 def glslang(find: Callable[[str], Path]) -> Take:
     validator = find("glslangValidator")
-    return each(lambda file: [[validator, *(("-D",) if file.suffix == ".hlsl" else ()), "-V", "-S", "comp", "-e",
-                               "main", "-o", file.with_suffix(".spv"), file]])
+    return each(lambda file: [to_spirv(validator, file)])
+
+
+@functools.cache
+def spirv(text: str) -> bytes:
+    """By Debian's glslang, which starts for longer than the others work on a text; nothing if it is refused."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "text.comp"
+        file.write_text(text, encoding="ascii")
+        done = subprocess.run(to_spirv(own("glslangValidator"), file), capture_output=True, check=False)
+        return b"" if done.returncode else file.with_suffix(".spv").read_bytes()
 
 
 def through_spirv(find: Callable[[str], Path]) -> Take:
     """SPIR-V of Debian's glslang is optimized, and becomes GLSL ES, HLSL and Metal."""
-    first, optimizer, cross = own("glslangValidator"), find("spirv-opt"), find("spirv-cross")
+    validator, optimizer, cross = own("spirv-val"), find("spirv-opt"), find("spirv-cross")
 
     def commands(file: Path) -> list[list[str | Path]]:
         made, less = file.with_suffix(".spv"), file.with_suffix(".less")
-        return [[first, "-V", "-o", made, file], [optimizer, "-O", "--validate-after-all", made, "-o", less],
+        made.write_bytes(spirv(file.read_text(encoding="ascii")))
+        return [[optimizer, "-O", made, "-o", less], [validator, less],
                 *([cross, less, *options, "--output", file.with_suffix(".out")] for options in (
                     ("--es", "--version", "310"), ("--hlsl", "--shader-model", "50"), ("--msl",)))]
     return each(commands)
