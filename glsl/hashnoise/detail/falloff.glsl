@@ -109,6 +109,7 @@ HN_FN hn_int hn_i_fract(hn_int x) { return x & (HN_I_UNITS_FRACTION - 1); }
 
 // Squares have 41 bits. They are summed by the products of the high digits, of a high and a low digit, and of the low
 // digits, so that the sum is exact before it is rounded down. A digit has 10 bits.
+#ifndef HN_I_OWN_SQUARES  // lanes.hpp has its own
 HN_FN hn_uint hn_i_square(hn_int x, hn_int y) {
   hn_uvec2 v = uvec2(ivec2(hn_i_size(x), hn_i_size(y)));
   hn_uvec2 h = uvec2(v.x >> 10u, v.y >> 10u);
@@ -131,6 +132,7 @@ HN_FN hn_uint hn_i_square(hn_int x, hn_int y, hn_int z, hn_int w) {
          (h.x * l.x + h.y * l.y + h.z * l.z + h.w * l.w) * 2u +
          ((l.x * l.x + l.y * l.y + l.z * l.z + l.w * l.w) >> 10u);
 }
+#endif
 
 HN_FN hn_uint hn_i_square_plus(hn_uint q, hn_int x) { return q + uint(x) * 1024u; }
 
