@@ -18,8 +18,10 @@ from tempfile import TemporaryDirectory
 from base import chromium
 from base.tree import HN_CONFORM, ROOT
 from base.usage import Parser
+from base.versions import version_of
 from catalog.tables.markdown import table
 from measure import record as records
+from measure import stamps
 from measure.compile.texts import SUBJECTS, WAYS, Subject, fragment, shaders
 
 DESCRIPTION = """\
@@ -182,13 +184,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     if not 1 <= options.rounds <= 100:
         parser.error(f"--rounds: {options.rounds} is not from 1 to 100")
-    lines = []
+    lines, used = [], []
     for name in options.compiler or COMPILERS:
         programs, measure = COMPILERS[name]
         program = next(filter(None, map(shutil.which, programs)), None)
         if program is None:
             parser.error(f"--compiler {name}: there is no {programs[0]} (tools/measure clock installs and builds what is "
                          "needed)")
+        used.append(version_of(program))
         print(f"{name}: {options.rounds} rounds", file=sys.stderr, flush=True)
         with TemporaryDirectory() as folder:
             try:
@@ -198,6 +201,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 return 1
     try:
         records.write(options.out, lines)
+        stamps.stamp(options.out, "; ".join(used), kind=RECORD.name)
     except OSError as error:
         parser.error(f"--out: {error}")
     return 0
