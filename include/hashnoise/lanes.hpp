@@ -459,7 +459,7 @@ using hn_uvec4 = uvec4;
 #if defined(HN_I_X86_HALVES)
 // The squares of lengths of HN_FIXED: falloff.glsl and square_root.glsl leave them out then. One instruction multiplies
 // numbers of 16 bits and adds two products, in half the time of a product of 32 bits. So an offset has two digits: the
-// low one has 11 bits, and the high one the sign. Those of two offsets share a lane.
+// low one has 11 bits, and the high one the sign. Two offsets share a lane.
 #define HN_I_OWN_SQUARES
 HN_I_X86_OF_INTEGERS(Int, IntVector, hn_i_product_of_pairs, madd_epi16)
 struct hn_i_digits {

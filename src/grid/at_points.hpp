@@ -96,8 +96,8 @@ HN_I_INLINE Uint odd_of(uvec2 c, Uint s) {
 }
 HN_I_INLINE Uint odd_of(uvec3 c, Uint s) { return odd_of(uvec2(c.x, c.y), s) + c.z * HN_GRID_ODD_Z; }
 
-// What a function makes of both joins of each corner of a square: by hn_i_word these are the words that hn_i_corners
-// has.
+// Calls a function with both joins of each corner of a square, and returns the four results. With hn_i_word they are
+// the words that hn_i_corners has.
 template <typename Function>
 HN_I_INLINE auto corners_of(uvec2 lower, uvec2 upper, Uint join, Uint odd, const Function& of) {
   return Vector4<decltype(of(join, odd))>(of(joined(lower.x, lower.y, join), odd),
@@ -303,7 +303,7 @@ HN_I_INLINE hn_i_num simplex_at(const Place<3>& place, Uint seed) {
     const Mask is_next = a.size <= smallest;
     centre = joined_where(is_next, centre, a.here, hn_i_select(a.is_far, a.ahead, a.before));
     centre_odd = minus_where(is_next, centre_odd, a.step);
-    // With a constant of its own GCC keeps fewer masks, of which there are seven.
+    // With a constant of its own GCC keeps fewer masks. A processor has seven registers for them.
     return kCount == 16 ? plus_where(is_next, a.inner, one_of(a.is_far, -one, one))
                         : minus_where(is_next, a.inner, a.other);
   };

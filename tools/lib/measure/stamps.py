@@ -47,6 +47,7 @@ WORDS = re.compile(r"\bhn_(?!bench)\w+|\bHN_\w+")
 COMMENT = re.compile(r"//.*|(?s:/\*.*?\*/)|^ *# .*|^#define HN_(?:VERSION_|I_NAMESPACE).*", re.MULTILINE)
 FOREIGN = re.compile(r"[^.]+|table\.\w+[23]")  # ids of subjects: other people's shaders, the empty one, tables
 PAGE = re.compile(r"(?P<by>[^\n]*), hashnoise (?P<hashnoise>[^\n]+?) of the text (?P<text>\w+), (?P<date>[\dTZ:-]+)\.")
+NUMBERS = ("gcc.csv", "clang.csv", "neon.csv")  # of pages, which alone are kept
 Row = Mapping[str, str]
 
 
@@ -279,8 +280,8 @@ def stale(path: Path, library: Path = GLSL) -> list[Row]:
 
 
 def paths(folder: Path = RESULTS) -> list[Path]:
-    """Of all records. ValueError for a file that is none."""
-    found = sorted(path for path in folder.rglob("*") if path.is_file() and path.name != "README.md")
+    """Of all records; of one with a page the page. ValueError for a file that is none."""
+    found = sorted(path for path in folder.rglob("*.*") if path.name not in ("README.md", *NUMBERS))
     for path in found:
         if path.name not in KINDS:
             raise ValueError(f"{path}: no command writes a record of this name (tools/lib/measure/stamps.py)")

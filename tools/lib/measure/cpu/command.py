@@ -26,6 +26,10 @@ SECTIONS = {
     "octaves": ("Octaves that are not turned, beside FastNoise2", "FastNoise2 does not turn the octaves of a sum. Here "
                 "they are not turned either: each is a grid of the noise, twice as dense as the one before and with a "
                 "seed of its own, and the grids are added up. There is no aim."),
+    "strict fixed": ("HN_FIXED beside FastNoise2 by strict floats", "FastNoise2 was built with FASTNOISE2_STRICT_FP: "
+                     "then all its sets of instructions give the same values, as those of HN_FIXED and HN_PRECISE do. "
+                     "There is no aim."),
+    "strict precise": ("HN_PRECISE beside FastNoise2 by strict floats", "The same with HN_PRECISE. There is no aim."),
     "fixed": ("HN_FIXED beside HN_FAST", "How many times as fast as with HN_FAST a grid is filled with HN_FIXED. The aim "
               "is 0.6."),
     "precise": ("HN_PRECISE beside HN_FAST", "The same with HN_PRECISE. There is no aim."),
