@@ -20,7 +20,7 @@ TEST_F(CellularChecks, ABlockThatIsTooSmallIsCaughtByTheSearch) {
       {"noise2d.cellular_cell_nearest.lattice.fixed.fragment.gl330.search", "detail/feature_points2d.glsl",
        "block, block.previous.y, s)", "block, block.cell.y, s)"},
       {"noise3d.cellular_offset.lattice.precise.fragment.gl400.search", "detail/feature_points3d.glsl",
-       "joins.z, hn_i_odd(block.following.z * HN_I_SUM_Z + s)", "joins.y, hn_i_odd(block.cell.z * HN_I_SUM_Z + s)"},
+       "joins.z, odds.z, x", "joins.y, odds.y, x"},
       {"noise2d.cellular_three.lattice.fast.fragment.gl330.search", "cellular_three2d.glsl",
        "best = hn_i_insert(best, hn_i_ranks(words, x, y, jitter, metric), HN_I_NO_CODE, 0);", ""},
       {"noise2d.cellular_three_full.lattice.fixed.fragment.gl330.search", "detail/feature_points.glsl",

@@ -5,6 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include "base/process.hpp"
+#include "base/temporary_folder.hpp"
 #include "cases/bugs/bugs.hpp"
 #include "cases/evidence_pictures.hpp"
 #include "cases/evidence_shader.hpp"
@@ -40,6 +42,7 @@ std::string renderer_of(const ContextInfo& info) {
 using Colour = Result<std::array<std::uint8_t, 4>>;
 
 bool is_red(const Colour& colour) { return colour && (*colour)[0] > (*colour)[1]; }
+bool is_green(const Colour& colour) { return colour && (*colour)[1] > (*colour)[0]; }
 
 // A shader, and the colour in which it draws here.
 struct Drawn {
@@ -47,24 +50,52 @@ struct Drawn {
   Colour colour;
 };
 
-Result<Drawn> drawn(const Session& session, const Evaluation& evaluation, const ShaderFacts& facts,
-                    const ReferenceCompiler* compiler) {
-  HN_TRY(auto shader, stand_alone_shader(session.sources, evaluation, facts, compiler));
+Drawn drawn(const Session& session, const Profile& profile, std::string shader) {
   const auto draw = [&]() -> Colour {
-    HN_TRY(const auto vertex, expand(session.sources, evaluation.profile, vertex_shader()));
+    HN_TRY(const auto vertex, expand(session.sources, profile, vertex_shader()));
     const Context& context = *session.evaluator->context();
     HN_TRY(const auto program, Program::build(context, vertex, {shader, {"the shader"}}));
     return draw_pixel(context, program);
   };
   Colour colour = draw();
-  return Drawn{std::move(shader), std::move(colour)};
+  return {std::move(shader), std::move(colour)};
 }
 
-// The brief form of the shader that stands alone, if it shows the fault as the whole text does.
+// The shader as tools/pick writes it, where that is at hand.
+Result<std::string> picked(const Session& session, const ShaderFacts& facts, const std::string& shader) {
+  // Of a known bug the shader is the expression that fails, and tools/pick may write another one.
+  if (session.pick.empty() || facts.id.starts_with("bugs.")) return fail("there is nothing to shorten it by");
+  const TemporaryFolder folder;
+  folder.write("shader", shader);
+  return output_of(session.pick.string(), {"shader", (folder.path() / "shader").string()});
+}
+
+// Whether a shader fails as the longer one does: with the same error, or with the value that the suite got.
+bool fails_alike(const Session& session, const Profile& profile, const ShaderFacts& facts, const Drawn& shown,
+                 const Drawn& longer) {
+  if (!longer.colour) return !shown.colour && shown.colour.error().message == longer.colour.error().message;
+  if (!is_red(shown.colour)) return false;
+  // No number is near NaN.
+  const auto is_finite = [](std::uint32_t word) { return std::isfinite(number(word)); };
+  return !(facts.every_bit || std::ranges::all_of(facts.got, is_finite)) ||
+         is_green(drawn(session, profile, expecting_got(shown.shader, facts)).colour);
+}
+
+// The shortest form of the shader that shows the fault.
 template <typename Shows>
 Result<Drawn> shortest(const Session& session, const Evaluation& evaluation, const ShaderFacts& facts, Shows shows) {
-  auto brief = drawn(session, evaluation, facts, &session.reference);
-  return brief && shows(brief->colour) ? std::move(brief) : drawn(session, evaluation, facts, nullptr);
+  const Profile& profile = evaluation.profile;
+  if (auto text = stand_alone_shader(session.sources, evaluation, facts, &session.reference)) {
+    auto brief = drawn(session, profile, *std::move(text));
+    if (shows(brief.colour)) {
+      auto shorter = picked(session, facts, brief.shader);
+      if (!shorter) return brief;
+      auto shown = drawn(session, profile, *std::move(shorter));
+      return fails_alike(session, profile, facts, shown, brief) ? shown : brief;
+    }
+  }
+  HN_TRY(auto whole, stand_alone_shader(session.sources, evaluation, facts));
+  return drawn(session, profile, std::move(whole));
 }
 
 // The shader, if it shows the fault.

@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "base/strings.hpp"
 #include "cases/facets.hpp"
 #include "expected/compare.hpp"
 #include "fault/tokens.hpp"
@@ -50,9 +51,11 @@ std::string one_line(std::string text) {
 
 std::string comments(const SourceSet& sources, const Evaluation& evaluation, const ShaderFacts& facts) {
   const Function& function = evaluation.function;
+  const bool is_fragment = facts.id.find(".fragment.") != std::string::npos;
+  const std::string rule = rule_of(facts.id);
   return fmt::format(
       R"(// {}
-// fails on {}.
+// fails on {}{}{}.
 //
 // rule      {}
 // at        {}
@@ -63,11 +66,13 @@ std::string comments(const SourceSet& sources, const Evaluation& evaluation, con
 // wrong. (uniform zero keeps the compiler from evaluating the function itself.) A vertex shader, for three vertices:
 //   void main() {{ gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }}
 //
-// The functions are those of {}, without the comments; MIT License.
+// It is made of the functions of {}; MIT License.
 )",
-      facts.id, one_line(facts.renderer), rule_of(facts.id), describe_inputs(function, facts.inputs),
-      describe_outputs(function, facts.got), describe_outputs(function, facts.expected),
-      facts.every_bit ? "" : describe_allowed(function, facts.allowed), one_line(library_text(sources.edited())));
+      facts.id, one_line(facts.renderer), sources.transform() ? ", made to have a fault" : "",
+      is_fragment ? "" : ", and so does this fragment shader", fmt::join(split(rule, ';'), ";\n//          "),
+      describe_inputs(function, facts.inputs), describe_outputs(function, facts.got),
+      describe_outputs(function, facts.expected), facts.every_bit ? "" : describe_allowed(function, facts.allowed),
+      one_line(library_text(sources.edited())));
 }
 
 std::string hidden(std::span<const std::uint32_t> words) {
@@ -234,6 +239,12 @@ Result<std::string> needed_of(const std::string& glsl, const Profile& profile, c
 }
 
 }  // namespace
+
+std::string expecting_got(std::string shader, const ShaderFacts& facts) {
+  const std::string expected = hidden(facts.expected);
+  const auto at = shader.rfind(expected);
+  return at == shader.npos ? shader : shader.replace(at, expected.size(), hidden(facts.got));
+}
 
 std::string without_comments(std::string_view glsl) {
   std::string text;

@@ -29,6 +29,9 @@ struct ShaderFacts {
 Result<std::string> stand_alone_shader(const SourceSet& sources, const Evaluation& evaluation, const ShaderFacts& facts,
                                        const ReferenceCompiler* compiler = nullptr);
 
+// A shader that stands alone, made green where the function has the wrong value that the suite got.
+std::string expecting_got(std::string shader, const ShaderFacts& facts);
+
 // Lines without comments, #line directives and what is left empty.
 std::string without_comments(std::string_view glsl);
 

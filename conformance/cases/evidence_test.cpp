@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <bit>
+#include <filesystem>
+#include <tuple>
 
+#include "base/temporary_folder.hpp"
 #include "cases/evidence_pictures.hpp"
 #include "cases/evidence_shader.hpp"
 #include "fault/faults.hpp"
@@ -32,8 +35,11 @@ SourceSet changed(const std::string& file, std::string_view what, std::string_vi
 class EvidenceOf : public OnOsmesa<> {
  protected:
   // Runs the case on a library, and makes its evidence.
-  std::optional<Evidence> evidence(const SourceSet& sources, const std::string& id) {
-    Session session({sources, reference_, HN_GOLDEN_DIRECTORY, 1}, *context_, 4096);
+  std::optional<Evidence> evidence(const SourceSet& sources, const std::string& id,
+                                   const std::filesystem::path& pick = {}) {
+    Session session(
+        {.sources = sources, .reference = reference_, .golden_directory = HN_GOLDEN_DIRECTORY, .seed = 1, .pick = pick},
+        *context_, 4096);
     const Case test = case_named(id);
     outcome_ = run_case(session, test).outcome;
     return make_evidence(session, test, outcome_);
@@ -76,14 +82,65 @@ TEST_F(EvidenceOf, AWrongConstantIsRedAndTheRightOneGreen) {
   }
 }
 
+TEST_F(EvidenceOf, TheShaderIsAsShortAsToolsPickWritesIt) {
+  const auto pick = std::filesystem::path(HN_GOLDEN_DIRECTORY).parent_path().parent_path().parent_path() / "tools/pick";
+  const SourceSet wrong = changed("detail/word.glsl", kRight, kWrong);
+  const std::tuple<std::string, std::string, int> kMost[] = {{"hash.lattice2.lattice.exact", "gl330", 35},
+                                                             {"noise2d.perlin.lattice.fast", "es300", 52},
+                                                             {"noise2d.perlin.lattice.precise", "gl400", 80},
+                                                             {"fbm.fbm2.lattice.fast", "gl140", 75}};
+  for (const auto& [function, profile, lines] : kMost) {
+    const std::string id = fmt::format("{}.fragment.{}.golden", function, profile);
+    SCOPED_TRACE(id);
+    const auto found = evidence(wrong, id, pick);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(colour(found->shader, profile), "red") << found->note << found->shader;
+    EXPECT_EQ(colour(replaced(found->shader, kWrong, kRight), profile), "green") << found->shader;
+    EXPECT_LE(std::ranges::count(found->shader, '\n'), lines) << found->shader;
+    EXPECT_NE(found->shader.find(outcome_.examples.front().got), std::string::npos) << found->shader;
+  }
+  const auto nan = evidence(changed("detail/direction.glsl", "hn_i_scaled(n, 1831)", "sqrt(-1.0f - abs(n))"),
+                            "noise2d.perlin.lattice.fast.fragment.gl330.golden", pick);
+  ASSERT_TRUE(nan);
+  EXPECT_NE(nan->shader.find("sqrt(-1.0 - abs("), std::string::npos) << "the library has -1.0f: " << nan->shader;
+}
+
+// In place of tools/pick a script: what it makes of the shader, and whether that still shows the fault.
+TEST_F(EvidenceOf, AShortShaderThatFailsOtherwiseIsNotShown) {
+  struct Row {
+    std::string_view what, by, script;
+    bool is_shown;
+  };
+  constexpr std::string_view kHead = "HN_FN hn_float hn_i_float(";
+  const auto refused = fmt::format("#extension GL_EXT_null_initializer : require\n{}", kHead);  // by Mesa alone
+  for (const Row& row : {Row{kRight, kWrong, "cat", true},
+                         {kRight, kWrong, "sed s/0x2C1B3C6Fu/0x2C1B3C6Du/", false},
+                         {kRight, kWrong, "sed s/0x2C1B3C6Fu/0x2C1B3C61u/", false},
+                         {kRight, kWrong, "sed s/uvec4/u4/", false},
+                         {kRight, kWrong, "false", false},
+                         {kHead, refused, "cat", true},
+                         {kHead, refused, "sed /null_initializer/d", false}}) {
+    SCOPED_TRACE(row.script);
+    const TemporaryFolder folder;
+    folder.write("pick", fmt::format("#!/bin/sh\n{} \"$2\" && echo '// short'\n", row.script));
+    std::filesystem::permissions(folder.path() / "pick", std::filesystem::perms::owner_all);
+    const auto found = evidence(changed("detail/word.glsl", row.what, row.by),
+                                "hash.lattice2.lattice.exact.fragment.gl330.golden", folder.path() / "pick");
+    ASSERT_TRUE(found);
+    EXPECT_NE(found->shader, "") << found->note;
+    EXPECT_EQ(found->shader.ends_with("// short\n"), row.is_shown) << found->shader;
+  }
+}
+
 TEST_F(EvidenceOf, TheShaderSaysWhatItIs) {
   const auto found =
       evidence(changed("detail/word.glsl", kRight, kWrong), "hash.lattice2.lattice.exact.fragment.gl330.golden");
   ASSERT_TRUE(found);
   const Mismatch& first = outcome_.examples.front();
   EXPECT_EQ(found->shader.substr(0, 13), "#version 330\n");
-  for (const std::string& part : {std::string("hash.lattice2.lattice.exact.fragment.gl330.golden"),
-                                  std::string("llvmpipe"), first.inputs, first.got, first.expected}) {
+  for (const std::string& part :
+       {std::string("hash.lattice2.lattice.exact.fragment.gl330.golden"), std::string("llvmpipe"),
+        std::string("low 32 bits;\n//           section 5.9: "), first.inputs, first.got, first.expected}) {
     EXPECT_NE(found->shader.find(part), std::string::npos) << part << found->shader;
   }
   EXPECT_EQ(found->shader.find("#line"), std::string::npos);

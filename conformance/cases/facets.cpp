@@ -101,7 +101,10 @@ std::string rule_of(std::string_view id) {
   if (const auto rule = rule_of_bug(function_of(id)); !rule.empty()) return std::string(rule);
   const auto parts = split(id, '.');
   if (parts.size() != 7 || parts[5].starts_with("hlsl") || parts[5] == "wgsl") return {};
-  std::string rule = "GLSL 4.60 section 4.7.1: +, - and * round correctly, and a * b + c once or twice";
+  std::string rule =
+      "GLSL 4.60 section 4.7.1: +, - and * of floats are rounded correctly, and a * b + c once or twice; section "
+      "4.1.3: "
+      "+, - and * of integers keep the low 32 bits";
   if (parts[3] == "precise") rule = rule_of_bug("bugs.contracted_despite_precise");
   if (parts[3] == "exact" || parts[3] == "fixed") {
     rule = fmt::format("{}; section 5.9: &, |, ^ and shifts act on each of these bits",

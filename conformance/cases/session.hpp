@@ -23,9 +23,10 @@ struct Suite {
   const SourceSet& sources;
   const ReferenceCompiler& reference;
   std::filesystem::path golden_directory;
-  std::uint64_t seed;        // of the random points
-  std::uint64_t points = 0;  // of each comparison with the twin; 0 for the case's own number
-  bool thorough = false;     // with --thorough a case reports more
+  std::uint64_t seed;               // of the random points
+  std::uint64_t points = 0;         // of each comparison with the twin; 0 for the case's own number
+  bool thorough = false;            // with --thorough a case reports more
+  std::filesystem::path pick = {};  // tools/pick, which writes short shaders; an installed suite has none
 };
 
 // The further resources of a case on a driver.

@@ -10,11 +10,13 @@
 #include <set>
 
 #include "base/file.hpp"
+#include "base/process.hpp"
 #include "base/worker.hpp"
 #include "bench/subject.hpp"
 #include "bench/timings.hpp"
 #include "cases/evidence.hpp"
 #include "cli/command.hpp"
+#include "cli/data_folder.hpp"
 #include "gpu/vulkan/device.hpp"
 #include "run/job.hpp"
 #include "run/results.hpp"
@@ -117,7 +119,8 @@ int run_on_driver(const Job& job, const Driver& driver) {
   if (driver.browser && job.task == Task::describe) return describe_in_browser(*driver.browser);
   if (driver.browser && job.task == Task::cases) return run_browser_cases(job, *driver.browser, *sources);
   const ReferenceCompiler reference;
-  const Suite suite{*sources, reference, job.suite.golden, job.suite.seed, job.suite.points, job.suite.thorough};
+  const auto pick = data_folder_of(own_program()) / "pick";
+  const Suite suite{*sources, reference, job.suite.golden, job.suite.seed, job.suite.points, job.suite.thorough, pick};
   const auto cases = cases_with(job.ids);
   const auto examined = cases_with(job.examined);
   if (!cases || !examined) {

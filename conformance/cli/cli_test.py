@@ -182,6 +182,7 @@ class Cli(unittest.TestCase):
         done = self.run_case("--inject", "integers_16_bits")
         self.assertEqual(done.returncode, 1)
         self.assertIn(ONE_CASE, done.stdout)
+        self.assertLess(self.cases()[ONE_CASE]["evidence"]["shader"].count("\n"), 80)
 
     def test_inject_list_tells_the_faults(self):
         done = self.call("run", "--inject", "list")
@@ -242,6 +243,7 @@ class Cli(unittest.TestCase):
         self.assertEqual(set(self.cases()), {f"{perlin}.golden", f"{perlin}.twin"})
         for name, case in self.cases().items():
             self.assertGreater(case["mismatches"], 100, name)
+            self.assertLess(case["evidence"]["shader"].count("\n"), 60, name)  # as tools/pick writes it
 
     def test_every_other_check_can_fail(self):
         perlin = "noise2d.perlin.lattice.fast.fragment.gl330"

@@ -92,7 +92,7 @@ void add_expect(CLI::App& command, std::string& directory) {
 
 void add_run(CLI::App& app, RunCommand& run, const std::string& faults) {
   CLI::App& command =
-      *app.add_subcommand("run", "Run the cases on drivers and write results.json, junit.xml, index.html and digests");
+      *app.add_subcommand("run", "Run the cases on drivers and write results.json, junit.xml and index.html");
   command
       .add_option("--driver", run.selection.drivers,
                   "A driver that hn-conform drivers lists, a glob, or all; may be repeated")
@@ -103,7 +103,7 @@ void add_run(CLI::App& app, RunCommand& run, const std::string& faults) {
   add_thorough(command, run.selection.thorough);
   command.add_flag("--deal", run.selection.deal,
                    "With several drivers: run on each what every driver must show, and each other case on one");
-  add_out(command, run.output.out, "results.json, junit.xml, index.html and digests");
+  add_out(command, run.output.out, "results.json, junit.xml and index.html");
   command.add_option("--seed", run.execution.suite.seed, "The seed of the random points")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{0xFFFFFFFF}))
@@ -151,7 +151,7 @@ void add_merge(CLI::App& app, MergeCommand& options) {
   command.add_option("inputs", options.inputs, "Files results.json, or the folders that hold them")
       ->type_name("PATH")
       ->required();
-  add_out(command, options.out, "results.json, junit.xml, index.html and digests");
+  add_out(command, options.out, "results.json, junit.xml and index.html");
   add_expect(command, options.expect);
 }
 

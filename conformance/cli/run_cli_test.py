@@ -145,23 +145,12 @@ class Run(unittest.TestCase):
         for shard in ("1/3", "2/3", "3/3"):
             shards.append(self.folder / shard[0])
             self.assertEqual(self.run_program(*filters, "--shard", shard, out=shards[-1]).returncode, 0)
-            # As if these were all default cases: then the whole has a digest.
-            self.assertEqual(list(shards[-1].glob("digest*")), [])
-            path = shards[-1] / "results.json"
-            path.write_text(path.read_text().replace('"seed":', '"golden": "89abcdef", "seed":'))
         merge = [PROGRAM, "merge", "--out", self.out]
         done = subprocess.run([*merge, *shards[:2]], capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 1)
         self.assertIn("cases are missing", done.stderr + done.stdout)
-        self.assertEqual(list(self.out.glob("digest*")), [])
         done = subprocess.run([*merge, *shards], capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
-        digest = json.loads((self.out / "digest-osmesa.json").read_text())
-        self.assertEqual([path.name for path in self.out.glob("digest*")], ["digest-osmesa.json"])
-        self.assertIn(str(self.out / "digest-osmesa.json"), done.stdout)
-        part = digest["apis"]["opengl"]
-        self.assertEqual((digest["golden"], part["verdict"], digest["failed"]), ("89abcdef", "pass", []))
-        self.assertEqual(list(part["checksums"]), ["noise2d"])
         whole, merged = self.runs(self.folder / "whole"), self.runs()
         self.assertEqual(set(whole), {"osmesa", "glslang"})
         for driver, run in whole.items():

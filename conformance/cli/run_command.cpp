@@ -246,19 +246,11 @@ std::string system_name() {
   return name == "Darwin" ? "macOS" : name;
 }
 
-// Whether a run has the cases that everybody has who gives no options, so that its digest can be compared.
+// Whether a run has the cases that everybody has who gives no options, so that its results can be compared.
 bool has_default_cases(const RunSelection& selection, const SuiteOptions& suite) {
   const SuiteOptions usual;
   return selection.filters.empty() && !selection.thorough && !selection.deal && suite.glsl.empty() &&
          suite.inject.empty() && suite.points == usual.points && suite.seed == usual.seed;
-}
-
-// Which files can be sent.
-std::string digests_text(const std::vector<std::filesystem::path>& digests) {
-  if (digests.empty()) return "";
-  std::vector<std::string> paths;
-  for (const std::filesystem::path& digest : digests) paths.push_back(digest.string());
-  return fmt::format("To send what was found (see docs/guide/conformance.md): {}\n", fmt::join(paths, ", "));
 }
 
 // Writes and prints the results of the runs, and returns the exit status. problems: faults beside the cases.
@@ -274,7 +266,6 @@ int conclude(const std::vector<Run>& runs, const std::string& out, std::vector<s
     complain(written.error().text());
     return kNotWritten;
   }
-  say(printable(digests_text(*written)));
   const bool good = problems.empty() && all_as_expected(runs);
   const std::string_view verdict = good                    ? "All as expected"
                                    : only_unfinished(runs) ? "NOT THE WHOLE RUN"
@@ -367,7 +358,7 @@ struct RunInputs {
   Selection chosen;
   SourceSet sources;
   std::vector<Expectation> expectations;
-  std::string golden;  // the checksum of the golden files, if the run is one whose digest can be compared
+  std::string golden;  // the checksum of the golden files, if the run is one whose results can be compared
 };
 
 Result<RunInputs> read_inputs(const RunSelection& selection, const RunExecution& execution) {

@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
-#include <utility>
 
 #include "base/file.hpp"
 #include "expected/golden.hpp"
@@ -27,32 +25,11 @@ std::vector<ExactSet> make_exact_sets() {
   return sets;
 }
 
-std::optional<std::size_t> number_of(std::string_view function, const std::string& setting) {
-  static const std::map<std::pair<std::string_view, std::string>, std::size_t> kNumbers = [] {
-    std::map<std::pair<std::string_view, std::string>, std::size_t> numbers;
-    for (const ExactSet& set : exact_sets()) numbers.emplace(std::pair(set.function, set.setting), numbers.size());
-    return numbers;
-  }();
-  const auto found = kNumbers.find({function, setting});
-  return found == kNumbers.end() ? std::nullopt : std::optional(found->second);
-}
-
 }  // namespace
 
 const std::vector<ExactSet>& exact_sets() {
   static const std::vector<ExactSet> kSets = make_exact_sets();
   return kSets;
-}
-
-std::optional<std::size_t> exact_set(const Function& function, const Configuration& configuration) {
-  if (!has_exact_values(function, configuration)) return std::nullopt;
-  return number_of(function.id, golden_setting(function, configuration));
-}
-
-std::optional<std::size_t> exact_set(std::string_view function, std::string_view configuration,
-                                     std::string_view arithmetic) {
-  if (arithmetic == "exact") return number_of(function, fmt::format("{}:exact", configuration));
-  return number_of(function, fmt::format("{}+{}:{}", configuration, arithmetic, arithmetic));
 }
 
 std::string golden_checksum(const std::filesystem::path& directory) {

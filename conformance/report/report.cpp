@@ -10,7 +10,6 @@
 #include "base/file.hpp"
 #include "base/strings.hpp"
 #include "base/text.hpp"
-#include "report/digest.hpp"
 #include "run/failures.hpp"
 
 namespace hn {
@@ -111,32 +110,15 @@ std::string unsupported_lines(const Run& run) {
 }  // namespace
 
 Result<OutputFolder> prepare_results(const std::filesystem::path& directory) {
-  HN_TRY(auto folder, OutputFolder::prepare(directory, {kResultsFile, kJunitFile, kPageFile}));
-  // This run may have other drivers, or none that has a digest.
-  std::vector<std::filesystem::path> earlier;
-  std::error_code none;
-  for (const auto& entry : std::filesystem::directory_iterator(directory, none)) {
-    if (is_digest_file(entry.path().filename().string())) earlier.push_back(entry.path());
-  }
-  for (const std::filesystem::path& path : earlier) std::filesystem::remove(path, none);
-  return folder;
+  return OutputFolder::prepare(directory, {kResultsFile, kJunitFile, kPageFile});
 }
 
-Result<std::vector<std::filesystem::path>> write_results(const std::filesystem::path& directory,
-                                                         const std::vector<Run>& runs,
-                                                         const std::vector<std::string>& problems) {
+Result<void> write_results(const std::filesystem::path& directory, const std::vector<Run>& runs,
+                           const std::vector<std::string>& problems) {
   HN_DO(write_file(directory / kResultsFile, results_text(runs)));
   HN_DO(write_file(directory / kJunitFile, junit_text(runs, problems)));
-  std::vector<std::filesystem::path> digests;
-  for (const Run& run : runs) {
-    const auto digest = digest_text(run);
-    if (!digest) continue;
-    digests.push_back(directory / digest_file(run));
-    HN_DO(write_file(digests.back(), *digest));
-  }
   HN_TRY(const auto page, report_page(runs, problems));
-  HN_DO(write_file(directory / kPageFile, page));
-  return digests;
+  return write_file(directory / kPageFile, page);
 }
 
 std::string edited_libraries(const std::vector<Run>& runs) {

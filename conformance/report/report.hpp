@@ -12,10 +12,9 @@
 
 namespace hn {
 
-// All three files, and a digest of each run that has one: the paths of the digests. problems: as for report_page.
-Result<std::vector<std::filesystem::path>> write_results(const std::filesystem::path& directory,
-                                                         const std::vector<Run>& runs,
-                                                         const std::vector<std::string>& problems = {});
+// All three files. problems: as for report_page.
+Result<void> write_results(const std::filesystem::path& directory, const std::vector<Run>& runs,
+                           const std::vector<std::string>& problems = {});
 // Makes sure that the files can be written, and removes what an earlier run left.
 Result<OutputFolder> prepare_results(const std::filesystem::path& directory);
 

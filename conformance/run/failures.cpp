@@ -274,10 +274,9 @@ class Sorter {
     const auto shown = std::span(names).first(std::min(names.size(), kMostNamed));
     const std::string more =
         shown.size() < names.size() ? fmt::format(" and {} more", names.size() - shown.size()) : "";
-    const bool of_driver = layer == Layer::driver;
-    return fmt::format("Begin with {}{}, {}: {} of {} other failures {}.", fmt::join(shown, ", "), more,
-                       of_driver ? "a few lines without the library" : "the lowest layer that fails", above,
-                       others.size(), of_driver ? "may follow" : "are of what is made of it");
+    return fmt::format("Begin with {}{}, {}: {} of {} other failures may follow.", fmt::join(shown, ", "), more,
+                       layer == Layer::driver ? "a few lines without the library" : "the lowest layer that fails",
+                       above, others.size());
   }
 
   std::vector<Rows> grouped() const {

@@ -26,9 +26,8 @@ TEST(Common, IsWhatAllFailuresAreAndOthersAreNot) {
       common_in(
           {wrong("noise2d.perlin.pcg.fast.fragment.gl330.golden"), wrong("fbm.fbm2.lattice.fixed.vertex.es300.twin"),
            right("noise3d.perlin.pcg.fast.fragment.gl330.golden"), right("fbm.fbm3.lattice.fixed.vertex.es300.twin")}),
-      (Sentences{
-          "Begin with noise2d.perlin, the lowest layer that fails: 1 of 1 other failures are of what is made of it.",
-          "Every failing case is in 2D; all 2 in 3D pass."}));
+      (Sentences{"Begin with noise2d.perlin, the lowest layer that fails: 1 of 1 other failures may follow.",
+                 "Every failing case is in 2D; all 2 in 3D pass."}));
 }
 
 TEST(Common, NamesKnobs) {
@@ -173,20 +172,19 @@ TEST(Common, BeginsWithTheLowestLayerThatFails) {
   const std::vector<Beginning> table = {
       {"one function",
        {sum2, noise2, hash2},
-       "Begin with hash.lattice2, the lowest layer that fails: 2 of 2 other failures are of what is made of it."},
+       "Begin with hash.lattice2, the lowest layer that fails: 2 of 2 other failures may follow."},
       {"of dimensions",
        {hash2, hash3, noise2, noise3, sum2},
-       "Begin with hash.lattice2, hash.lattice3, the lowest layer that fails: 3 of 3 other failures are of what is "
-       "made of it."},
+       "Begin with hash.lattice2, hash.lattice3, the lowest layer that fails: 3 of 3 other failures may follow."},
       {"that others need",
        {hash2, noise2, sum2, noise4},
-       "Begin with hash.lattice2, the lowest layer that fails: 2 of 3 other failures are of what is made of it."},
+       "Begin with hash.lattice2, the lowest layer that fails: 2 of 3 other failures may follow."},
       {"a hash of every dimension",
        {word, noise4},
-       "Begin with hash.word, the lowest layer that fails: 1 of 1 other failures are of what is made of it."},
+       "Begin with hash.word, the lowest layer that fails: 1 of 1 other failures may follow."},
       {"noise",
        {noise2, sum2},
-       "Begin with noise2d.perlin, the lowest layer that fails: 1 of 1 other failures are of what is made of it."},
+       "Begin with noise2d.perlin, the lowest layer that fails: 1 of 1 other failures may follow."},
       {"the driver itself",
        {hash2, noise4, sum2, bug},
        "Begin with bugs.abs_of_int, a few lines without the library: 3 of 3 other failures may follow."},

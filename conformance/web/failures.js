@@ -111,10 +111,9 @@ function beginning(lowest, failed) {
   if (2 * above <= others.length) return [];
   const names = [...new Set(lowest.map(({ result }) => functionOf(result.id)))];
   const more = names.length > kMostNamed ? ` and ${names.length - kMostNamed} more` : "";
-  const [why, how] = layer === 0 ? ["a few lines without the library", "may follow"]
-                                 : ["the lowest layer that fails", "are of what is made of it"];
+  const why = layer === 0 ? "a few lines without the library" : "the lowest layer that fails";
   return [`Begin with ${names.slice(0, kMostNamed).join(", ")}${more}, ${why}: ` +
-          `${above} of ${others.length} other failures ${how}.`];
+          `${above} of ${others.length} other failures may follow.`];
 }
 
 function nothingInCommon(passed, others) {

@@ -1,11 +1,10 @@
 // The page: runs the suite that it came with, and shows how it goes. If the suite names somebody to report to,
 // hn-conform drives this browser and hears of every event before the next one happens.
-import { digestText } from "./digest.js";
+import { kAddress } from "./address.js";
 import { bad } from "./report.js";
 import { resultsJson, showContext, showProgress, showResults, showStopped } from "./report.js";
 import { NoContext } from "./renderer.js";
 import { runSuite } from "./runner.js";
-import { offerToSend } from "./send.js";
 import { Suite, bytesOf } from "./suite.js";
 
 // More often than this nobody can read.
@@ -61,11 +60,10 @@ async function run(suite) {
     },
   });
   showResults(suite, info, results, costs);
-  const digest = digestText(suite, info, results, costs);
-  offerToSend(digest);
+  document.getElementById("send").href = `${kAddress}/issues/new?template=result.yml`;
   document.title = `${bad(results).length ? "✗" : "✓"} ${document.title}`;
   const found = document.getElementById("found").innerText;
-  await tell(suite, { type: "done", verdict: shownVerdict(), found, digest,
+  await tell(suite, { type: "done", verdict: shownVerdict(), found,
                       results: resultsJson(suite, info, results) });
 }
 

@@ -184,5 +184,5 @@ export function showResults(suite, info, results, costs) {
 function offer(json) {
   const link = place("download");
   link.href = URL.createObjectURL(new Blob([json], { type: "application/json" }));
-  link.hidden = false;
+  place("offer").hidden = false;
 }

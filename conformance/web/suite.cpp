@@ -81,7 +81,6 @@ class SuiteWriter {
     if (sources_.edited()) suite["library"] = to_json(*sources_.edited());
     if (!report_to.empty()) suite["report_to"] = report_to;
     if (whole) suite["golden"] = golden_checksum(golden_);
-    suite["sets"] = exact_sets().size();
     suite["timed"] = report_to.empty() ? timed_json() : Json::array();  // before the tables of what it adds to
     suite["uniforms"] = {{"trips", {{"type", "int"}, {"value", kLoopTrips}}},
                          {"variant_seed", {{"type", "uint"}, {"value", kVariantSeed}}}};
@@ -183,7 +182,6 @@ class SuiteWriter {
                  {"expected", expected_of(*golden, function, configuration)},
                  {"allowed", allowed_json(allowed_at(*golden, function, configuration))}};
     if (golden->digest) json["digest"] = digest_json(*golden->digest);
-    if (const auto set = exact_set(function, configuration)) json["set"] = *set;
     return json;
   }
 

@@ -35,8 +35,8 @@ struct PageSuite {
 };
 
 // The JSON text of the cases. The page must be able to run each of them. The page posts what happens to report_to, if
-// that is not empty. The platform is that without which the page cannot begin. whole: these are all default cases, so a
-// digest can be made of their results.
+// that is not empty. The platform is that without which the page cannot begin. whole: these are all default cases, and
+// their results name the golden files.
 PageSuite make_suite(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,
                      std::string_view report_to = {}, Platform platform = Platform::opengl, bool whole = false);
 

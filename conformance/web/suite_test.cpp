@@ -127,8 +127,6 @@ TEST(Suite, ValuesOfFixedArithmeticAreWords) {
   EXPECT_EQ(test["exact"], true);
   EXPECT_EQ(test["allowed"], 0.0);
   EXPECT_EQ(suite["data"][test["expected"].get<std::size_t>()], packed(expected));
-  EXPECT_EQ(test["set"], exact_set(function, configuration).value());
-  EXPECT_EQ(suite["sets"], exact_sets().size());
 }
 
 TEST(Suite, OfAllDefaultCasesSaysOfWhichGoldenFilesItIs) {
@@ -139,7 +137,6 @@ TEST(Suite, OfAllDefaultCasesSaysOfWhichGoldenFilesItIs) {
   };
   EXPECT_EQ(suite(true)["golden"], golden_checksum(HN_GOLDEN_DIRECTORY));
   EXPECT_FALSE(suite(false).contains("golden"));
-  EXPECT_FALSE(suite(true)["cases"][0].contains("set"));  // floats may be off
 }
 
 TEST(Suite, AHashComesWithItsDigestAndExactWords) {

@@ -77,7 +77,7 @@ HN_FN hn_float hn_i_cell_border(hn_place3 place, hn_i_num jitter, hn_uint seed, 
 //            divisions
 //   source   Quilez, "Voronoi edges", 2012, for the distance; docs/reference/contract.md, section 16
 HN_FN hn_float hn_cell_border(hn_place3 place, hn_uint seed) {
-  return hn_i_cell_border(place, hn_i_jitter(1.0f), seed);
+  return hn_i_cell_border(place, HN_I_ONE, seed);
 }
 
 // The same in every dimension: tools/make writes it of cell_border2d.glsl.

@@ -35,7 +35,7 @@ HN_FN hn_vec2 hn_i_cellular(hn_place2 place, hn_i_num jitter, hn_int metric, hn_
 //            seed that is not constant, and 2 square roots. The compiler drops the work for results that you ignore
 //   source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
 HN_FN hn_vec2 hn_cellular(hn_place2 place, hn_uint seed) {
-  return hn_i_cellular(hn_i_block(place), place.fraction, hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
+  return hn_i_cellular(hn_i_block(place), place.fraction, HN_I_ONE, HN_METRIC_EUCLIDEAN, seed);
 }
 HN_FN hn_vec2 hn_cellular(hn_vec2 p, hn_uint seed) { return hn_cellular(hn_place(p), seed); }
 HN_FN hn_vec2 hn_cellular(hn_vec2 p) { return hn_cellular(p, 0u); }

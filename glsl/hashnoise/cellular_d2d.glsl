@@ -28,7 +28,7 @@ HN_FN hn_vec3 hn_i_cellular_d(hn_i_block2 block, hn_i_num2 f, hn_i_num jitter, h
 //   cost     that of hn_cellular and one more hash
 //   source   docs/reference/contract.md, section 16
 HN_FN hn_vec3 hn_cellular_d(hn_place2 place, hn_uint seed) {
-  return hn_i_cellular_d(hn_i_block(place), place.fraction, hn_i_jitter(1.0f), seed);
+  return hn_i_cellular_d(hn_i_block(place), place.fraction, HN_I_ONE, seed);
 }
 
 // The same in every dimension: tools/make writes it of cellular_d2d.glsl.

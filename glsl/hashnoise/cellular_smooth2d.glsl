@@ -38,7 +38,7 @@ HN_FN hn_float hn_i_cellular_smooth(hn_i_block2 block, hn_i_num2 f, hn_i_num jit
 //            spread the coordinates, and 2 more for a seed that is not constant
 //   source   docs/reference/contract.md, section 16
 HN_FN hn_float hn_cellular_smooth(hn_place2 place, hn_uint seed) {
-  return hn_i_cellular_smooth(hn_i_block(place), place.fraction, hn_i_jitter(1.0f), seed);
+  return hn_i_cellular_smooth(hn_i_block(place), place.fraction, HN_I_ONE, seed);
 }
 
 // The same in every dimension: tools/make writes it of cellular_smooth2d.glsl.

@@ -11,9 +11,9 @@
 HN_FN hn_i_rank hn_i_weigh_slab(hn_i_rank weights, hn_i_block3 block, hn_uint join, hn_uint odd, hn_i_num3 x,
                                 hn_i_num3 y, hn_i_num z, hn_i_num jitter) {
   hn_uvec3 joins = hn_i_joins_x(block);
-  hn_uvec3 odds = hn_i_odd_step(hn_i_coordinates_x(block));
+  hn_uvec3 odds = hn_i_odds_x(hn_i_coordinates_x(block));
   hn_uvec3 rows = hn_i_xor(hn_i_joins_y(block), join);
-  hn_uvec3 row_odds = hn_i_odd_step(hn_i_coordinates_y(block) * HN_I_SUM_Y) + odd;
+  hn_uvec3 row_odds = hn_i_odds_y(hn_i_coordinates_y(block)) + odd;
   hn_i_num3 across = hn_i_equal_triple(z);
   hn_int metric = HN_METRIC_SQUARED;
   hn_uvec3 words = hn_i_row_words(joins, odds, rows.x, row_odds.x);
@@ -30,10 +30,11 @@ HN_FN hn_float hn_i_cellular_smooth(hn_i_block3 block, hn_i_num3 f, hn_i_num jit
   hn_i_num3 y = hn_i_row(d.y);
   hn_i_num3 z = hn_i_row(d.z);
   hn_uvec3 joins = hn_i_xor(hn_i_joins_z(block), hn_i_seed_join(s));
+  hn_uvec3 odds = hn_i_odds_z(hn_i_coordinates_z(block)) + hn_i_odd(block.cell, s);
   hn_i_rank weights = hn_i_no_weight();
-  weights = hn_i_weigh_slab(weights, block, joins.x, hn_i_odd(block.previous.z * HN_I_SUM_Z + s), x, y, z.x, jitter);
-  weights = hn_i_weigh_slab(weights, block, joins.y, hn_i_odd(block.cell.z * HN_I_SUM_Z + s), x, y, z.y, jitter);
-  weights = hn_i_weigh_slab(weights, block, joins.z, hn_i_odd(block.following.z * HN_I_SUM_Z + s), x, y, z.z, jitter);
+  weights = hn_i_weigh_slab(weights, block, joins.x, odds.x, x, y, z.x, jitter);
+  weights = hn_i_weigh_slab(weights, block, joins.y, odds.y, x, y, z.y, jitter);
+  weights = hn_i_weigh_slab(weights, block, joins.z, odds.z, x, y, z.z, jitter);
   return hn_i_smooth_distance(weights);
 }
 
@@ -54,7 +55,7 @@ HN_FN hn_float hn_i_cellular_smooth(hn_i_block3 block, hn_i_num3 f, hn_i_num jit
 //            spread the coordinates, and 2 more for a seed that is not constant
 //   source   docs/reference/contract.md, section 16
 HN_FN hn_float hn_cellular_smooth(hn_place3 place, hn_uint seed) {
-  return hn_i_cellular_smooth(hn_i_block(place), place.fraction, hn_i_jitter(1.0f), seed);
+  return hn_i_cellular_smooth(hn_i_block(place), place.fraction, HN_I_ONE, seed);
 }
 
 // The same in every dimension: tools/make writes it of cellular_smooth2d.glsl.

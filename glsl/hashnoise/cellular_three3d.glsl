@@ -48,7 +48,7 @@ HN_FN hn_vec3 hn_i_cellular_three(hn_place3 place, hn_i_num jitter, hn_int metri
 //   cost     36 hashes (none with HN_HASH_LATTICE) and 36 multiplications, and what hn_cellular costs besides
 //   source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
 HN_FN hn_vec3 hn_cellular_three(hn_place3 place, hn_uint seed) {
-  return hn_i_cellular_three(place, hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
+  return hn_i_cellular_three(place, HN_I_ONE, HN_METRIC_EUCLIDEAN, seed);
 }
 
 // The same in every dimension: tools/make writes it of cellular_three2d.glsl.

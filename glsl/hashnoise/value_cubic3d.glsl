@@ -13,10 +13,11 @@ HN_FN hn_i_num hn_i_value_cubic(hn_uvec4 x, hn_uvec4 y, hn_uvec4 z, hn_i_num3 f,
   hn_i_num4 wy = hn_i_spline(f.y);
   hn_uvec4 high = hn_i_high_of_line(z, 10u);
   hn_uint join = hn_i_seed_join(s);
-  hn_i_num4 n = hn_i_vector(hn_i_cubic_square(x, y, high.x ^ join, z.x * HN_I_SUM_Z + s, wx, wy),
-                            hn_i_cubic_square(x, y, high.y ^ join, z.y * HN_I_SUM_Z + s, wx, wy),
-                            hn_i_cubic_square(x, y, high.z ^ join, z.z * HN_I_SUM_Z + s, wx, wy),
-                            hn_i_cubic_square(x, y, high.w ^ join, z.w * HN_I_SUM_Z + s, wx, wy));
+  hn_uint odd = hn_i_odd(uvec3(x.y, y.y, z.y), s);
+  hn_i_num4 n = hn_i_vector(hn_i_cubic_square(x, y, high.x ^ join, hn_i_odd_z(z.x - z.y, odd), wx, wy),
+                            hn_i_cubic_square(x, y, high.y ^ join, odd, wx, wy),
+                            hn_i_cubic_square(x, y, high.z ^ join, hn_i_odd_z(z.z - z.y, odd), wx, wy),
+                            hn_i_cubic_square(x, y, high.w ^ join, hn_i_odd_z(z.w - z.y, odd), wx, wy));
   return hn_i_noise_of_numbers(hn_i_blend(n, hn_i_spline(f.z)));
 }
 

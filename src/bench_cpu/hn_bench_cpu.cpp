@@ -52,6 +52,7 @@ std::string command_of(const hn::BenchCpuOptions& options) {
   const auto name_of = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
   std::vector<std::string> words = {"tools/measure cpu", "--rounds", std::to_string(options.rounds)};
   if (!options.against.empty()) words.insert(words.end(), {"--against", "fastnoise2=" + name_of(options.against)});
+  if (!options.strict.empty()) words.insert(words.end(), {"--against", "strict=" + name_of(options.strict)});
   if (!options.python.empty()) words.insert(words.end(), {"--python", name_of(options.python)});
   for (const std::string& filter : options.filters) words.insert(words.end(), {"--filter", filter});
   std::vector<const char*> pointers;
@@ -77,11 +78,12 @@ int bench(const hn::BenchCpuOptions& options, hn::Interruption& interruption) {
         "no subject matches --filter; the ids are like perlin2, cellular3 and fbm_simplex2, and * stands for "
         "any part"));
   }
-  std::optional<hn::FastNoise> other;
-  if (!options.against.empty()) {
-    auto opened = hn::FastNoise::open(options.against);
+  std::optional<hn::FastNoise> other, strict;
+  for (const auto& [file, library] : {std::pair{&options.against, &other}, std::pair{&options.strict, &strict}}) {
+    if (file->empty()) continue;
+    auto opened = hn::FastNoise::open(*file);
     if (!opened) return usage_error(opened.error().text());
-    other = std::move(*opened);
+    *library = std::move(*opened);
   }
   const std::string name = hn::compiler_name();
   const auto folder = hn::OutputFolder::prepare(options.out, {name + ".csv"});
@@ -106,7 +108,8 @@ int bench(const hn::BenchCpuOptions& options, hn::Interruption& interruption) {
   std::vector<hn::Measurement> measurements;
   for (const hn::Subject& subject : subjects) {
     show_progress(static_cast<std::size_t>(&subject - subjects.data()), subjects.size(), subject.id);
-    const auto measured = hn::measure_subject(subject, other ? &*other : nullptr, options.rounds);
+    const auto measured =
+        hn::measure_subject(subject, other ? &*other : nullptr, strict ? &*strict : nullptr, options.rounds);
     if (!measured) return failure(measured.error().text());
     measurements.insert(measurements.end(), measured->begin(), measured->end());
   }

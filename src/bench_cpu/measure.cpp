@@ -31,6 +31,7 @@ struct Places {
   std::optional<std::size_t> octaves;
   std::optional<std::size_t> other_grid;
   std::optional<std::size_t> other_points;
+  std::optional<std::size_t> strict_grid;
   std::optional<std::size_t> two_threads;
 };
 
@@ -46,14 +47,12 @@ class Works {
   }
 
   // Compared works stand next to each other.
-  Result<Places> add(hashnoise::InstructionSet set, const FastNoise* other, bool with_threads) {
+  Result<Places> add(hashnoise::InstructionSet set, const FastNoise* other, const FastNoise* strict,
+                     bool with_threads) {
     using hashnoise::Arithmetic;
     Places places;
-    std::shared_ptr<const FastNoiseField> theirs;
-    if (other) {
-      HN_TRY(auto made, other->field(subject_, set));
-      if (made) theirs = std::make_shared<const FastNoiseField>(std::move(*made));
-    }
+    HN_TRY(const auto theirs, field_of(other, set));
+    HN_TRY(const auto theirs_strict, field_of(strict, set));
     places.fast = add_ours(set, Arithmetic::kFast, [this](const auto& field) { field.fill(grid<D>(), out_); });
     if (theirs) {
       places.other_grid = add_work([this, theirs] { theirs->fill_grid(D, one_plane()); });
@@ -65,6 +64,9 @@ class Works {
     if (theirs && subject_.sum == "fbm") places.octaves = add_octaves(set);
     places.tiles = add_tiles(set);
     places.fixed = add_ours(set, Arithmetic::kFixed, [this](const auto& field) { field.fill(grid<D>(), out_); });
+    if (theirs_strict) {
+      places.strict_grid = add_work([this, theirs_strict] { theirs_strict->fill_grid(D, one_plane()); });
+    }
     places.precise = add_ours(set, Arithmetic::kPrecise, [this](const auto& field) { field.fill(grid<D>(), out_); });
     if (with_threads) {
       places.two_threads =
@@ -76,6 +78,17 @@ class Works {
   std::vector<Timing> measure_all(int rounds) const { return measure(works_, rounds); }
 
  private:
+  // Null without a library, and of a build that has not these instructions.
+  Result<std::shared_ptr<const FastNoiseField>> field_of(const FastNoise* library,
+                                                         hashnoise::InstructionSet set) const {
+    std::shared_ptr<const FastNoiseField> field;
+    if (library) {
+      HN_TRY(auto made, library->field(subject_, set));
+      if (made) field = std::make_shared<const FastNoiseField>(std::move(*made));
+    }
+    return field;
+  }
+
   std::size_t add_work(std::function<void()> work) {
     works_.push_back(std::move(work));
     return works_.size() - 1;
@@ -150,6 +163,8 @@ void evaluate(Measurement& measurement, const Places& places, const std::vector<
   add("grids", places.fast, places.other_grid);
   add("points", places.points, places.other_points);
   if (places.octaves) add("octaves", *places.octaves, places.other_grid);
+  add("strict fixed", places.fixed, places.strict_grid);
+  add("strict precise", places.precise, places.strict_grid);
   add("fixed", places.fixed, places.fast);
   add("precise", places.precise, places.fast);
   add("tiles", places.tiles, places.fast);
@@ -166,16 +181,18 @@ void evaluate(Measurement& measurement, const Places& places, const std::vector<
   tell("two threads", places.two_threads);
   tell("FastNoise2", places.other_grid);
   tell("FastNoise2 points", places.other_points);
+  tell("FastNoise2 strict", places.strict_grid);
 }
 
 template <int D>
-Result<std::vector<Measurement>> measure_in(const Subject& subject, const FastNoise* other, int rounds) {
+Result<std::vector<Measurement>> measure_in(const Subject& subject, const FastNoise* other, const FastNoise* strict,
+                                            int rounds) {
   auto sets = hashnoise::instruction_sets();
   std::ranges::reverse(sets);
   Works<D> works(subject);
   std::vector<Places> places;
   for (const hashnoise::InstructionSet set : sets) {
-    HN_TRY(const Places added, works.add(set, other, set == sets.back()));
+    HN_TRY(const Places added, works.add(set, other, strict, set == sets.back()));
     places.push_back(added);
   }
   const std::vector<Timing> timings = works.measure_all(rounds);
@@ -220,8 +237,10 @@ std::vector<std::vector<float>> positions_of_grid(int dimensions) {
   return positions;
 }
 
-Result<std::vector<Measurement>> measure_subject(const Subject& subject, const FastNoise* other, int rounds) {
-  return subject.dimensions == 2 ? measure_in<2>(subject, other, rounds) : measure_in<3>(subject, other, rounds);
+Result<std::vector<Measurement>> measure_subject(const Subject& subject, const FastNoise* other,
+                                                 const FastNoise* strict, int rounds) {
+  return subject.dimensions == 2 ? measure_in<2>(subject, other, strict, rounds)
+                                 : measure_in<3>(subject, other, strict, rounds);
 }
 
 }  // namespace hn

@@ -18,13 +18,16 @@ tl::expected<BenchCpuOptions, Stop> parse_options(int argc, const char* const* a
       "Exit status: 0 done, even if an aim is missed, 1 something could not be measured, 2 bad usage, 130 ended by "
       "Ctrl-C (SIGINT), 143 by SIGTERM, 129 by SIGHUP; of tools/measure cpu also 4, it could not be built.");
   BenchCpuOptions options;
-  std::string against;
+  std::vector<std::string> against;
   app.add_option("--out", options.out,
                  "The folder for the record: gcc.csv or clang.csv by the compiler of this program")
       ->type_name("DIR")
       ->capture_default_str();
-  app.add_option("--against", against, "Also measure FastNoise2, from its shared library")
-      ->type_name("fastnoise2=FILE");
+  app.add_option("--against", against,
+                 "Also measure FastNoise2, from its shared library; strict=FILE is one that was built with "
+                 "FASTNOISE2_STRICT_FP, beside HN_FIXED and HN_PRECISE")
+      ->type_name("fastnoise2=FILE")
+      ->allow_extra_args(false);
   app.add_option("--python", options.python, "Also measure the Python package, by a Python that has it")
       ->type_name("FILE");
   app.add_option("--filter", options.filters,
@@ -47,15 +50,17 @@ tl::expected<BenchCpuOptions, Stop> parse_options(int argc, const char* const* a
     app.exit(error, out, err);
     return tl::unexpected(Stop{0, out.str(), err.str()});
   }
-  if (against.empty()) return options;
-  constexpr std::string_view kName = "fastnoise2=";
-  if (!against.starts_with(kName) || against.size() == kName.size()) {
-    return wrong(
-        fmt::format("--against {}: it wants fastnoise2=FILE, the shared library of FastNoise2; there is no "
-                    "other library that it knows",
-                    in_quotes(against)));
+  for (const std::string& one : against) {
+    const std::size_t equals = one.find('=');
+    const std::string_view name = std::string_view(one).substr(0, equals);
+    if (equals + 1 >= one.size() || (name != "fastnoise2" && name != "strict")) {
+      return wrong(
+          fmt::format("--against {}: it wants fastnoise2=FILE or strict=FILE, the shared library of FastNoise2; there "
+                      "is no other library that it knows",
+                      in_quotes(one)));
+    }
+    (name == "strict" ? options.strict : options.against) = one.substr(equals + 1);
   }
-  options.against = against.substr(kName.size());
   return options;
 }
 

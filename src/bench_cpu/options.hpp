@@ -14,6 +14,7 @@ constexpr int kBadUsage = 2;
 struct BenchCpuOptions {
   std::string out = "docs/measured/results/cpu";
   std::string against;  // the file of FastNoise2, or empty
+  std::string strict;   // of one that was built with FASTNOISE2_STRICT_FP
   std::string python;   // a program, or empty
   std::vector<std::string> filters;
   std::string note;

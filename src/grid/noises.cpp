@@ -93,6 +93,8 @@ HN_I_INLINE auto noise_at(const Place<D>& place, const Arguments<D>& given) {
     return hn_i_value(simplex_at(place, given.seed));
   } else if constexpr ((D == 2 || D == 3) && std::is_same_v<Noise, perlin_plain>) {
     return hn_i_value(perlin_at(place, given.seed));
+  } else if constexpr ((D == 2 || D == 3) && std::is_same_v<Noise, value_plain>) {
+    return hn_i_value(value_at(place, given.seed));
   } else {
     return Noise::template at<D>(place, given);
   }
@@ -122,14 +124,10 @@ template <int D, typename Noise>
 void at_points(const Batch& batch, const Options& options, Octave) {
   const Batch b = batch;
   const Arguments<D> given(options);
-  if constexpr (kAreTwo<D, Noise>) {  // and so that the two are not apart
-    if (b.cell[0] != nullptr) {
-      at_places<D, Noise>(b, given, [&](int i) HN_I_INLINED { return place_in_cell<D>(b, i); });
-    } else {
-      at_places<D, Noise>(b, given, [&](int i) HN_I_INLINED { return hn_place(fractions_at<D>(b, i)); });
-    }
+  if (b.cell[0] != nullptr) {
+    at_places<D, Noise>(b, given, [&](int i) HN_I_INLINED { return place_in_cell<D>(b, i); });
   } else {
-    at_places<D, Noise>(b, given, [&](int i) HN_I_INLINED { return place_at<D>(b, i); });
+    at_places<D, Noise>(b, given, [&](int i) HN_I_INLINED { return place_at_position<D>(b, i); });
   }
 }
 

@@ -33,7 +33,8 @@ class NoiseCall {
   Octave octave_;
 };
 
-// Calls a function with what adds an octave to a sum, and with whether that changes the weight of the next one.
+// Calls a function with what adds an octave to a sum, with whether that changes the weight of the next one, and with
+// whether it carries anything else to it.
 template <typename Function>
 HN_I_INLINE void with_step(int id, const Function& function) {
   switch (id) {
@@ -41,7 +42,8 @@ HN_I_INLINE void with_step(int id, const Function& function) {
   case grid::k##Id:                                                                        \
     return function([](const hn_i_octave_sum& s, Float n, [[maybe_unused]] Float strength) \
                         HN_I_INLINED { return step; },                                     \
-                    std::bool_constant<grid::k##Id == grid::kWeighted>());
+                    std::bool_constant<grid::k##Id == grid::kWeighted>(),                  \
+                    std::bool_constant<(grid::k##Id == grid::kRidged || grid::k##Id == grid::kHybrid)>());
 #include "catalog.inc"
   }
 }
@@ -300,6 +302,30 @@ HN_I_INLINE void each_axis(const Function& function) {
   }
 }
 
+// hn_i_rotated_axis and hn_i_shifted in one, for cells up to 2^24: so products fit 32 bits, and no cell is taken apart.
+HN_I_INLINE ivec2 next_along(ivec2 a, ivec2 b, int along, int across, int shift) {
+  const Int rest = along * a.y + across * b.y + shift * 32;
+  const Int low = along * a.x + across * b.x + (rest >> 24);
+  return ivec2(low >> 5, ((low & 31) << 19) | ((rest & (HN_I_UNITS_POSITION - 1)) >> 5));
+}
+// hn_i_advance, for such cells and a lacunarity of 2, which the factors have. A cell becomes 3.4 times as large at
+// most.
+constexpr double kMostNear = HN_I_UNITS_POSITION;
+template <int D, typename Octaves>
+HN_I_INLINE void advance_near(Octaves& o) {
+  constexpr int kCos = 2 * HN_I_COS_XY, kSin = 2 * HN_I_SIN_XY;
+  const ivec2 x = o.x, y = o.y;
+  o.x = next_along(x, y, kCos, -kSin, HN_I_SHIFT_X);
+  if constexpr (D == 2) {
+    o.y = next_along(y, x, kCos, kSin, HN_I_SHIFT_Y);
+  } else {
+    const ivec2 turned = next_along(y, x, kCos, kSin, 0), z = o.z;
+    o.y = next_along(turned, z, HN_I_COS_YZ, -2 * HN_I_SIN_YZ, HN_I_SHIFT_Y);
+    o.z = next_along(z, turned, 2 * HN_I_COS_YZ, HN_I_SIN_YZ, HN_I_SHIFT_Z);
+  }
+  hn_i_update_place(o);
+}
+
 // A fractal octave by octave over some points: first the positions of an octave, then the noise there, by its own
 // kernel, then the sum. So numbers that all points of an octave share, such as the mixed seed, are computed once, no
 // point waits for its octave before, and sums and noises are compiled without each other.
@@ -314,6 +340,7 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
   constexpr bool kIsTiled = std::is_same_v<At, Tiles<D>>;
   constexpr bool kIsWhole = std::is_same_v<Position, Place<D>>;
   constexpr int kMoving = kIsRowOfTile ? 1 : D;  // axes
+  constexpr bool kMayBeNear = kIsWhole && !kIsTiled && (D == 2 || D == 3);
   const Batch b = batch;
   const Arguments<D> given(options);
   const hn_i_num total = hn_i_total(min(given.octaves, Int(32)), hn_i_gain(given.gain), HN_I_WEIGHT_ONE);
@@ -331,13 +358,23 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
     }
     auto o = octaves_at(At::of(b, start, given), given);
     auto across = o;
+    Int cells(0);  // all bits of their sizes
     for (int i = 0; i < now.count; i += kCount) {
       auto first = octaves_at(At::of(b, start + i, given), given);
       each_axis<0, kMoving>([&](auto axis) HN_I_INLINED { spots.template keep<axis>(i, first, has_cells); });
+      if constexpr (kMayBeNear) {
+        each_axis<0, D>([&](auto axis) HN_I_INLINED {
+          const Int cell = along<axis>(first.place.cell);
+          cells |= cell ^ (cell >> 31);
+        });
+      }
       o.sum.value.store(value + i);
       o.sum.carried.store(carried + i);
       o.sum.weight.store(weight + i);
     }
+    std::int32_t bits = 0;
+    for (int i = 0; i < kCount; ++i) bits |= cells[i];
+    double farthest = bits + 1.0;  // that a cell of the octave may be
     Options of_octave = options;
     double scale = 1.0;
     for (int number = 1;; ++number) {
@@ -349,14 +386,14 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
       spots.point(now, has_cells);
       const grid::Loops& loops = options.noise;
       (!is_row ? loops.points : kIsTiled || number == 1 ? loops.row : loops.line)(now, of_octave, nullptr);
-      with_step(options.sum, [&](const auto& step, auto bends) HN_I_INLINED {
+      with_step(options.sum, [&](const auto& step, auto bends, auto carries) HN_I_INLINED {
         for (int i = 0; i < now.count; i += kCount) {
           o.sum.value = hn_i_num::load(value + i);
-          o.sum.carried = hn_i_num::load(carried + i);
+          if constexpr (carries) o.sum.carried = hn_i_num::load(carried + i);
           if constexpr (bends) o.sum.weight = hn_i_num::load(weight + i);
           const hn_i_octave_sum next = step(o.sum, Float::load(noise + i), given.strength);
           next.value.store(value + i);
-          next.carried.store(carried + i);
+          if constexpr (carries) next.carried.store(carried + i);
           if constexpr (bends) hn_i_weight_times(next.weight, next.gain).store(weight + i);
         }
         if constexpr (!bends) o.sum.weight = hn_i_weight_times(o.sum.weight, o.sum.gain);
@@ -364,16 +401,24 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
       if (!more) break;
       has_cells = kIsWhole;
       const auto period = across.place.period;
-      for (int i = 0; i < now.count; i += kCount) {
-        each_axis<0, kMoving>([&](auto axis) HN_I_INLINED { spots.template put<axis>(i, o); });
-        if constexpr (kIsWhole) {
+      const auto advance = [&](const auto& to_next) HN_I_INLINED {
+        for (int i = 0; i < now.count; i += kCount) {
+          each_axis<0, kMoving>([&](auto axis) HN_I_INLINED { spots.template put<axis>(i, o); });
+          to_next();
+          each_axis<0, kMoving>([&](auto axis) HN_I_INLINED { spots.template keep<axis>(i, o, kIsWhole); });
+        }
+      };
+      if (kMayBeNear && options.lacunarity == 2.0f && farthest <= kMostNear) {
+        if constexpr (kMayBeNear) advance([&]() HN_I_INLINED { advance_near<D>(o); });
+      } else if constexpr (kIsWhole) {
+        advance([&]() HN_I_INLINED {
           if (kIsTiled) o.place.period = period;  // the next octave's follows from it
           hn_i_advance(o);
-        } else {
-          o.p = hn_i_next(o.p, o.lacunarity);
-        }
-        each_axis<0, kMoving>([&](auto axis) HN_I_INLINED { spots.template keep<axis>(i, o, kIsWhole); });
+        });
+      } else {
+        advance([&]() HN_I_INLINED { o.p = hn_i_next(o.p, o.lacunarity); });
       }
+      farthest = 3.4 * farthest + 2.0;
       if constexpr (kIsTiled) hn_i_advance(across);
       of_octave.seed += HN_I_SEED_STEP;
       scale *= static_cast<double>(options.lacunarity < 0.0f ? -options.lacunarity : options.lacunarity);

@@ -112,17 +112,17 @@ HN_FN hn_i_box4 hn_i_box(hn_place4 place) {
 HN_FN hn_uvec2 hn_i_corners(hn_i_box1 box, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_uint join = hn_i_seed_join(s);
-  hn_uint odd = hn_i_odd(box.lower + s);
+  hn_uint odd = hn_i_odd(box.lower, s);
   return uvec2(hn_i_word(hn_i_high(box.lower) ^ join, odd),
-               hn_i_word(hn_i_high(box.upper) ^ join, odd + hn_i_odd_step(box.upper - box.lower)));
+               hn_i_word(hn_i_high(box.upper) ^ join, hn_i_odd_x(hn_i_step_x(box.lower, box.upper), odd)));
 }
 HN_FN hn_uvec4 hn_i_corners(hn_i_box3 box, bool back, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_uvec3 lower = box.lower;
   hn_uvec3 upper = box.upper;
   hn_uint join = hn_i_select(back, hn_i_high(upper).z, hn_i_high(lower).z) ^ hn_i_seed_join(s);
-  hn_uint more = hn_i_select(back, hn_i_odd_step((upper.z - lower.z) * HN_I_SUM_Z), 0u);
-  return hn_i_corners(uvec2(lower.x, lower.y), uvec2(upper.x, upper.y), join, hn_i_sum_z(lower.z) + s, more);
+  hn_uint more = hn_i_select(back, hn_i_odd_z(upper.z - lower.z, 0u), 0u);
+  return hn_i_corners(uvec2(lower.x, lower.y), uvec2(upper.x, upper.y), join, hn_i_odd(lower, s), more);
 }
 HN_FN hn_uvec4 hn_i_corners(hn_i_box4 box, bool far_z, bool far_w, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
@@ -131,10 +131,9 @@ HN_FN hn_uvec4 hn_i_corners(hn_i_box4 box, bool far_z, bool far_w, hn_uint seed)
   hn_uvec4 a = hn_i_high(lower);
   hn_uvec4 b = hn_i_high(upper);
   hn_uint join = hn_i_select(far_z, b.z, a.z) ^ hn_i_select(far_w, b.w, a.w) ^ hn_i_seed_join(s);
-  hn_uint more = hn_i_select(far_z, hn_i_odd_step((upper.z - lower.z) * HN_I_SUM_Z), 0u) +
-                 hn_i_select(far_w, hn_i_odd_step((upper.w - lower.w) * HN_I_SUM_W), 0u);
-  return hn_i_corners(uvec2(lower.x, lower.y), uvec2(upper.x, upper.y), join,
-                      hn_i_sum_z(lower.z) + hn_i_sum_w(lower.w) + s, more);
+  hn_uint more = hn_i_select(far_z, hn_i_odd_z(upper.z - lower.z, 0u), 0u) +
+                 hn_i_select(far_w, hn_i_odd_w(upper.w - lower.w, 0u), 0u);
+  return hn_i_corners(uvec2(lower.x, lower.y), uvec2(upper.x, upper.y), join, hn_i_odd(lower, s), more);
 }
 
 #endif

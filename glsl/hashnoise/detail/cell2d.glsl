@@ -178,17 +178,16 @@ HN_FN hn_uvec2 hn_i_upper(hn_uvec2 lower, hn_uvec2 c, hn_ivec2 period) {
 }
 
 // The hashes of the corners 00, 10, 01, 11 of a square. c0 and c1 are the spread coordinates of its lower and upper
-// corner. Other axes and the seed add `join` to the exclusive or, `sum` to the sum before it is made odd, and `more` to
-// the odd number (`more` is even). Without a period `more` and the steps along x and y are constants, so they are added
-// first.
-HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c0, hn_uvec2 c1, hn_uint join, hn_uint sum, hn_uint more) {
+// corner. Other axes and the seed add `join` to the exclusive or. `odd` is the odd number of the first corner, and
+// `more` is added to all four (it is even). Without a period `more` and the steps along x and y are constants, so they
+// are added first.
+HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c0, hn_uvec2 c1, hn_uint join, hn_uint odd, hn_uint more) {
   hn_uvec2 a = hn_i_high(c0);
   hn_uvec2 b = hn_i_high(c1);
-  a.x ^= join;
-  b.x ^= join;
-  hn_uint odd = hn_i_odd(hn_i_sum(c0) + sum);
-  hn_uint x = hn_i_odd_step(c1.x - c0.x);
-  hn_uint y = hn_i_odd_step((c1.y - c0.y) * HN_I_SUM_Y);
+  a.y ^= join;
+  b.y ^= join;
+  hn_uint x = hn_i_odd_x(hn_i_step_x(c0.x, c1.x), 0u);
+  hn_uint y = hn_i_odd_y(c1.y - c0.y, 0u);
   return uvec4(hn_i_word(a.x ^ a.y, odd + more), hn_i_word(b.x ^ a.y, odd + (x + more)),
                hn_i_word(a.x ^ b.y, odd + (y + more)), hn_i_word(b.x ^ b.y, odd + (x + y + more)));
 }
@@ -237,7 +236,7 @@ HN_FN hn_i_box2 hn_i_box(hn_place2 place) {
 // The same for a box.
 HN_FN hn_uvec4 hn_i_corners(hn_i_box2 box, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  return hn_i_corners(box.lower, box.upper, hn_i_seed_join(s), s, 0u);
+  return hn_i_corners(box.lower, box.upper, hn_i_seed_join(s), hn_i_odd(box.lower, s), 0u);
 }
 
 #endif

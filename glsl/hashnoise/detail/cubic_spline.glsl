@@ -75,22 +75,22 @@ HN_FN hn_uvec4 hn_i_high_of_line(hn_uvec4 v, hn_uint shift) {
 }
 
 // The numbers of four points along x, blended with the weights w. The other axes and the seed add `join` to the
-// exclusive or, and `sum` to the sum before it is made odd.
-HN_FN hn_i_num hn_i_cubic_row(hn_uvec4 x, hn_uint join, hn_uint sum, hn_i_num4 w) {
+// exclusive or. `odd` is the odd number of the second point.
+HN_FN hn_i_num hn_i_cubic_row(hn_uvec4 x, hn_uint join, hn_uint odd, hn_i_num4 w) {
   hn_uvec4 a = hn_i_high_of_line(x, 12u);
-  hn_uint odd = hn_i_odd(sum);
-  hn_uvec4 h = uvec4(hn_i_word(a.x ^ join, odd + hn_i_odd_step(x.x)), hn_i_word(a.y ^ join, odd + hn_i_odd_step(x.y)),
-                     hn_i_word(a.z ^ join, odd + hn_i_odd_step(x.z)), hn_i_word(a.w ^ join, odd + hn_i_odd_step(x.w)));
+  hn_uvec4 h = uvec4(hn_i_word(a.x ^ join, hn_i_odd_x(hn_i_step_x(x.y, x.x), odd)), hn_i_word(a.y ^ join, odd),
+                     hn_i_word(a.z ^ join, hn_i_odd_x(hn_i_step_x(x.y, x.z), odd)),
+                     hn_i_word(a.w ^ join, hn_i_odd_x(hn_i_step_x(x.y, x.w), odd)));
   return hn_i_blend(hn_i_numbers(h), w);
 }
 
-// The same for four rows along y.
-HN_FN hn_i_num hn_i_cubic_square(hn_uvec4 x, hn_uvec4 y, hn_uint join, hn_uint sum, hn_i_num4 wx, hn_i_num4 wy) {
+// The same for four rows along y. `odd` is the odd number of the second point of the second row.
+HN_FN hn_i_num hn_i_cubic_square(hn_uvec4 x, hn_uvec4 y, hn_uint join, hn_uint odd, hn_i_num4 wx, hn_i_num4 wy) {
   hn_uvec4 b = hn_i_high_of_line(y, 11u);
-  hn_i_num4 rows = hn_i_vector(hn_i_cubic_row(x, b.x ^ join, y.x * HN_I_SUM_Y + sum, wx),
-                               hn_i_cubic_row(x, b.y ^ join, y.y * HN_I_SUM_Y + sum, wx),
-                               hn_i_cubic_row(x, b.z ^ join, y.z * HN_I_SUM_Y + sum, wx),
-                               hn_i_cubic_row(x, b.w ^ join, y.w * HN_I_SUM_Y + sum, wx));
+  hn_i_num4 rows =
+      hn_i_vector(hn_i_cubic_row(x, b.x ^ join, hn_i_odd_y(y.x - y.y, odd), wx), hn_i_cubic_row(x, b.y ^ join, odd, wx),
+                  hn_i_cubic_row(x, b.z ^ join, hn_i_odd_y(y.z - y.y, odd), wx),
+                  hn_i_cubic_row(x, b.w ^ join, hn_i_odd_y(y.w - y.y, odd), wx));
   return hn_i_blend(rows, wy);
 }
 

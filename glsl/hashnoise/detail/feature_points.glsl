@@ -222,6 +222,14 @@ HN_FN hn_i_num3 hn_i_row(hn_i_num d) {
 HN_FN hn_i_num3 hn_i_equal_triple(hn_i_num d) { return hn_i_triple(d, d, d); }
 HN_FN hn_uvec3 hn_i_equal_triple(hn_uint word) { return uvec3(word, word, word); }
 
+// The steps from the middle one of three cells along an axis to each, as they add to the odd number. Without a period
+// they are constants.
+HN_FN hn_uvec3 hn_i_odds_x(hn_uvec3 x) {
+  return uvec3(hn_i_odd_x(hn_i_step_x(x.y, x.x), 0u), 0u, hn_i_odd_x(hn_i_step_x(x.y, x.z), 0u));
+}
+HN_FN hn_uvec3 hn_i_odds_y(hn_uvec3 y) { return uvec3(hn_i_odd_y(y.x - y.y, 0u), 0u, hn_i_odd_y(y.z - y.y, 0u)); }
+HN_FN hn_uvec3 hn_i_odds_z(hn_uvec3 z) { return uvec3(hn_i_odd_z(z.x - z.y, 0u), 0u, hn_i_odd_z(z.z - z.y, 0u)); }
+
 // The hashes of three cells in a row. Their coordinates add `joins` and `odds` to the two joins of a hash, and all else
 // adds `join` and `odd`.
 HN_FN hn_uvec3 hn_i_row_words(hn_uvec3 joins, hn_uvec3 odds, hn_uint join, hn_uint odd) {

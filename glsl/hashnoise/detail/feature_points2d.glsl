@@ -95,13 +95,13 @@ HN_FN hn_i_rank3 hn_i_ranks(hn_uvec3 words, hn_i_num3 x, hn_i_num3 y, hn_i_num j
 // the mixed seed.
 HN_FN hn_uvec3 hn_i_words_along_x(hn_i_block2 block, hn_uint y, hn_uint s) {
   hn_uvec3 x = hn_i_coordinates_x(block);
-  return hn_i_row_words(x >> HN_I_HIGH_X, hn_i_odd_step(x), hn_i_high(uvec2(0u, y)).y ^ hn_i_seed_join(s),
-                        hn_i_odd(y * HN_I_SUM_Y + s));
+  return hn_i_row_words(x >> HN_I_HIGH_X, hn_i_odds_x(x), hn_i_high(uvec2(0u, y)).y ^ hn_i_seed_join(s),
+                        hn_i_odd_y(y - block.cell.y, hn_i_odd(block.cell, s)));
 }
 HN_FN hn_uvec3 hn_i_words_along_y(hn_i_block2 block, hn_uint x, hn_uint s) {
   hn_uvec3 y = hn_i_coordinates_y(block);
-  return hn_i_row_words(y >> HN_I_HIGH_Y, hn_i_odd_step(y * HN_I_SUM_Y), hn_i_high(x) ^ hn_i_seed_join(s),
-                        hn_i_odd(x + s));
+  return hn_i_row_words(y >> HN_I_HIGH_Y, hn_i_odds_y(y), hn_i_high(x) ^ hn_i_seed_join(s),
+                        hn_i_odd_x(x - block.cell.x, hn_i_odd(block.cell, s)));
 }
 
 // The three smallest ranks of the points of a cell and its neighbours, and the code of the nearest one's cell. d is the

@@ -147,9 +147,9 @@ HN_FN hn_uvec3 hn_i_joins_z(hn_i_block3 block) {
 HN_FN hn_i_rank4 hn_i_visit_slab(hn_i_rank4 best, hn_i_block3 block, hn_uint join, hn_uint odd, hn_i_num3 x,
                                  hn_i_num3 y, hn_i_num z, hn_i_num jitter, hn_int metric, hn_int code) {
   hn_uvec3 joins = hn_i_joins_x(block);
-  hn_uvec3 odds = hn_i_odd_step(hn_i_coordinates_x(block));
+  hn_uvec3 odds = hn_i_odds_x(hn_i_coordinates_x(block));
   hn_uvec3 rows = hn_i_xor(hn_i_joins_y(block), join);
-  hn_uvec3 row_odds = hn_i_odd_step(hn_i_coordinates_y(block) * HN_I_SUM_Y) + odd;
+  hn_uvec3 row_odds = hn_i_odds_y(hn_i_coordinates_y(block)) + odd;
   hn_i_num3 across = hn_i_equal_triple(z);
   best = hn_i_insert(
       best,
@@ -174,12 +174,11 @@ HN_FN hn_i_rank4 hn_i_nearest(hn_i_block3 block, hn_i_num3 d, hn_i_num jitter, h
   hn_i_num3 y = hn_i_row(d.y);
   hn_i_num3 z = hn_i_row(d.z);
   hn_uvec3 joins = hn_i_xor(hn_i_joins_z(block), hn_i_seed_join(s));
-  hn_i_rank4 best = hn_i_visit_slab(hn_i_far_away(), block, joins.x, hn_i_odd(block.previous.z * HN_I_SUM_Z + s), x, y,
-                                    z.x, jitter, metric, hn_i_code(0, 0, -1));
-  best = hn_i_visit_slab(best, block, joins.y, hn_i_odd(block.cell.z * HN_I_SUM_Z + s), x, y, z.y, jitter, metric,
-                         hn_i_code(0, 0, 0));
-  return hn_i_visit_slab(best, block, joins.z, hn_i_odd(block.following.z * HN_I_SUM_Z + s), x, y, z.z, jitter, metric,
-                         hn_i_code(0, 0, 1));
+  hn_uvec3 odds = hn_i_odds_z(hn_i_coordinates_z(block)) + hn_i_odd(block.cell, s);
+  hn_i_rank4 best =
+      hn_i_visit_slab(hn_i_far_away(), block, joins.x, odds.x, x, y, z.x, jitter, metric, hn_i_code(0, 0, -1));
+  best = hn_i_visit_slab(best, block, joins.y, odds.y, x, y, z.y, jitter, metric, hn_i_code(0, 0, 0));
+  return hn_i_visit_slab(best, block, joins.z, odds.z, x, y, z.z, jitter, metric, hn_i_code(0, 0, 1));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -210,13 +209,15 @@ HN_FN hn_uvec3 hn_i_slab_words(hn_i_block3 block, hn_int axis, hn_uint at, hn_in
   hn_uvec3 x = hn_i_joins_x(block);
   hn_uvec3 y = hn_i_joins_y(block);
   hn_uvec3 z = hn_i_joins_z(block);
-  hn_uvec3 along_y = hn_i_coordinates_y(block) * HN_I_SUM_Y;
-  hn_uvec3 row = hn_i_if_axis(axis, 0, along_y, hn_i_coordinates_x(block));
-  hn_uint next = hn_i_triple_at(hn_i_if_axis(axis, 2, along_y, hn_i_coordinates_z(block) * HN_I_SUM_Z), n);
-  return hn_i_row_words(hn_i_if_axis(axis, 0, y, x), hn_i_odd_step(row),
+  hn_uvec3 odds_y = hn_i_odds_y(hn_i_coordinates_y(block));
+  hn_uvec3 odds = hn_i_if_axis(axis, 0, odds_y, hn_i_odds_x(hn_i_coordinates_x(block)));
+  hn_uint next = hn_i_triple_at(hn_i_if_axis(axis, 2, odds_y, hn_i_odds_z(hn_i_coordinates_z(block))), n);
+  hn_uint step = (at - hn_i_component_along(axis, block.cell)) & 0x00FFFFFFu;
+  next += step * hn_i_component_along(axis, uvec3(HN_I_ODD_X, HN_I_ODD_Y, HN_I_ODD_Z));
+  return hn_i_row_words(hn_i_if_axis(axis, 0, y, x), odds,
                         hn_i_triple_at(hn_i_if_axis(axis, 2, y, z), n) ^
                             hn_i_component_along(axis, hn_i_high(uvec3(at, at, at))) ^ hn_i_seed_join(s),
-                        hn_i_odd(next + hn_i_component_along(axis, uvec3(at, hn_i_sum_y(at), hn_i_sum_z(at))) + s));
+                        next + hn_i_odd(block.cell, s));
 }
 
 // The offsets of the place from the centres of the cells of that row, along each axis; the slab is some steps on.

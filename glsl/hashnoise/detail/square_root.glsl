@@ -99,6 +99,7 @@ HN_FN hn_uvec3 hn_i_sizes(hn_ivec3 x) { return uvec3(max(x, x * -1)); }
 // An offset is below 4 cells, 2^22, and the square of a length below 16. A square has up to 44 bits, so it is made of
 // the products of two digits; each has 11 bits. The mask of the high one shows compilers that its product has factors
 // below 2^24. The sum is exact before it is rounded down.
+#ifndef HN_I_OWN_SQUARES  // lanes.hpp has its own
 HN_FN hn_uvec3 hn_i_high_square(hn_uvec3 a) {
   hn_uvec3 digit = hn_i_and(a >> 11u, 2047u);
   return digit * ((digit << 10u) + hn_i_and(a, 2047u));
@@ -119,6 +120,7 @@ HN_FN hn_uvec3 hn_i_squares(hn_ivec3 x, hn_ivec3 y, hn_ivec3 z) {
   return hn_i_high_square(a) + hn_i_high_square(b) + hn_i_high_square(c) +
          ((hn_i_low_square(a) + hn_i_low_square(b) + hn_i_low_square(c)) >> 12u);
 }
+#endif
 HN_FN hn_uint hn_i_squared(hn_int x, hn_int y) { return hn_i_squares(ivec3(x, 0, 0), ivec3(y, 0, 0)).x; }
 HN_FN hn_uint hn_i_squared(hn_int x, hn_int y, hn_int z) {
   return hn_i_squares(ivec3(x, 0, 0), ivec3(y, 0, 0), ivec3(z, 0, 0)).x;

@@ -44,8 +44,7 @@ HN_FN hn_i_num2 hn_i_skewed(hn_i_num2 f) {
 
 // The column of the first corner in its row, counted from column 2 c.x, where c is the cell.
 HN_FN hn_int hn_i_column_of(hn_i_num2 skewed) {
-  hn_int row = hn_i_floor(skewed.y);
-  return hn_i_add_wrapping(hn_i_floor(skewed.x), -((row >> 1) + (row & 1)));
+  return int(uint(hn_i_whole(skewed.x)) - uint(min(hn_i_whole(skewed.y), 1)));
 }
 
 // The spread coordinates of the corners, in the order above.
@@ -55,7 +54,7 @@ struct hn_i_triangle2 {
   hn_uvec2 last;
 };
 HN_FN hn_i_triangle2 hn_i_triangle(hn_place2 place, hn_i_num2 skewed) {
-  hn_int row = hn_i_floor(skewed.y);
+  hn_int row = hn_i_whole(skewed.y);
   hn_int column = hn_i_column_of(skewed);
   hn_i_num u = hn_i_fract(skewed.x);
   hn_i_num v = hn_i_fract(skewed.y);

@@ -74,9 +74,12 @@ class BenchCpu(unittest.TestCase):
     def test_a_library_whose_speed_is_known(self):
         wrong = None
         for _ in range(ATTEMPTS):
-            done = self.bench("--against", f"fastnoise2={FAKE}", rounds=7)
+            done = self.bench("--against", f"fastnoise2={FAKE}", "--against", f"strict={FAKE}", rounds=7)
             self.assertEqual(done.returncode, 0, done.stderr)
-            seen = {(row["instructions"], name): float(row[name]) for row in self.rows() for name in ("grids", "points")}
+            rows = self.rows()
+            seen = {(row["instructions"], name): float(row[name]) for row in rows for name in ("grids", "points")}
+            seen |= {(row["instructions"], name): float(row[f"strict {name}"]) / float(row[name]) / float(row["grids"]) * 3
+                     for row in rows for name in ("fixed", "precise")}
             wrong = {what: ratio for what, ratio in seen.items()
                      if not 2.4 < ratio < 3.6 and (wrong is None or what in wrong)}
             if not wrong:
@@ -100,6 +103,7 @@ class BenchCpu(unittest.TestCase):
         self.assert_bad(2, ["--against", f"fastnoise2={OTHER}"], "has no function fnGetMetadataName")
         self.assert_bad(2, ["--against", f"other={FAKE}"], "fastnoise2=FILE")
         self.assert_bad(2, ["--against", "fastnoise2="], "fastnoise2=FILE")
+        self.assert_bad(2, ["--against", "strict=/nowhere/libFastNoise.so"], "cannot load /nowhere/libFastNoise.so")
         self.assert_bad(1, ["--against", f"fastnoise2={FAKE}"], "has no node Perlin", FAKE_FAST_NOISE="node")
         self.assert_bad(1, ["--against", f"fastnoise2={FAKE}"], "no variable Feature Scale", FAKE_FAST_NOISE="variable")
         self.assert_bad(1, ["--against", f"fastnoise2={FAKE}", "--filter", "value2"], "has no node Value")

@@ -10,6 +10,7 @@ RGBA, FLOAT = 0x1908, 0x1406
 FRAGMENT, VERTEX = 0x8B30, 0x8B31
 COMPILED, LINKED = 0x8B81, 0x8B82
 TRIANGLES = 4
+RENDERER, VERSION = 0x1F01, 0x1F02
 SIDE = 512  # so a quarter of a million places: deviations and sizes of other seeds differ by less than 1%
 # OSMesaCreateContextAttribs takes pairs, ended by a 0: pixels of four floats, in a core profile of OpenGL 4.5,
 # the newest that this renderer has.
@@ -72,6 +73,13 @@ class Renderer:
         self._call("glFinish")
         return array("f", bytes(self._pixels))
 
+    @property
+    def version(self) -> str:
+        """The renderer and its driver, in its own words."""
+        self._make_current()
+        words = (self._call("glGetString", name, result=ctypes.c_char_p) for name in (RENDERER, VERSION))
+        return ", ".join(word.decode() for word in words)
+
     def _make_current(self) -> None:
         """Before each use, since another renderer may have been made meanwhile."""
         context = ctypes.c_void_p(self._context)
@@ -84,9 +92,9 @@ class Renderer:
             self._call(f"glGet{kind}InfoLog", name, 4000, None, log := ctypes.create_string_buffer(4000))
             raise NotCompiled(log.value.decode(errors="replace"))
 
-    def _call(self, name: str, *arguments: object) -> int:
+    def _call(self, name: str, *arguments: object, result: type = ctypes.c_int) -> int:
         address = _function(self._mesa.OSMesaGetProcAddress, ctypes.c_void_p)(name.encode())
-        return ctypes.CFUNCTYPE(ctypes.c_int)(address)(*arguments)
+        return ctypes.CFUNCTYPE(result)(address)(*arguments)
 
 
 def _function(function: ctypes._CFuncPtr, result: type) -> ctypes._CFuncPtr:

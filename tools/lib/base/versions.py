@@ -19,6 +19,14 @@ def folders(program: str) -> list[str]:
     return [folder for _, folder in sorted(found.items())]
 
 
+def version_of(program: str | Path) -> str:
+    """The line in which it prints its version."""
+    option = "version" if Path(program).name == "go" else "--version"
+    done = subprocess.run([program, option], capture_output=True, text=True, check=False)
+    lines = [line for line in (done.stdout + done.stderr).splitlines() if re.search(r"\d", line)]
+    return f"{'' if Path(program).name in lines[0] else Path(program).name + ' '}{lines[0]}" if lines else str(program)
+
+
 def path_of(folder: str) -> str:
     """A PATH that has its programs first."""
     return os.pathsep.join((folder, os.environ["PATH"]))

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import argparse
 import shutil
 import signal
 import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 
-from measure import amd
+from base.tree import GLSL
+from measure import amd, stamps
 
 BENCH = "bench.csv"
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
@@ -28,11 +30,19 @@ def run(command: Sequence[str]) -> int:
     return status if status >= 0 else 128 - status
 
 
+def library(options: Sequence[str]) -> Path:
+    """The copy of glsl/hashnoise/ that these options name; that here if they name none."""
+    parser = argparse.ArgumentParser(add_help=False)
+    parser.add_argument("--glsl", type=Path, default=GLSL)
+    return parser.parse_known_args(options)[0].glsl
+
+
 def bench(program: str, out: Path, options: Sequence[str], dump: bool = False) -> int:
     """Leaves bench.csv, with AMD's counts; with dump also the SPIR-V that was counted. The status of hn-conform bench."""
     status = run([program, "bench", "--out", str(out), *options, "--dump"])
     if status in (0, 1) and (out / BENCH).is_file():
         amd.add_counts(out / BENCH, out / "spirv", program)
+        stamps.stamp(out / BENCH, library=library(options))
     if not dump:
         shutil.rmtree(out / "spirv", ignore_errors=True)
     return status

@@ -24,7 +24,7 @@ test("actionlint finds nothing wrong", () => {
 test("actionlint finds what is wrong", () => {
   const text = texts.get("conformance.yml");
   for (const [right, wrong] of [["runs-on:", "run-on:"], ["matrix.shard }},,4", "matrix.shart }},,4"],
-                                ["needs: results", "needs: result"], ["contents: read", "contents: reed"]]) {
+                                ["needs: suite", "needs: suit"], ["contents: read", "contents: reed"]]) {
     assert.ok(text.includes(right), right);
     assert.notDeepEqual(problems(text.replace(right, wrong), "conformance.yml"), [], wrong);
   }
@@ -32,6 +32,6 @@ test("actionlint finds what is wrong", () => {
 
 test("each command of the repository is there", () => {
   const commands = [...texts.values()].flatMap((text) => text.match(/\btools\/[\w-]+/g));
-  assert.ok(commands.includes("tools/make"));
+  assert.ok(commands.includes("tools/conform"));
   for (const command of new Set(commands)) accessSync(join(root, command), constants.X_OK);
 });

@@ -31,7 +31,6 @@ def lost(table: dict[str, tuple[str, str]], rooms: Path) -> set[Path]:
     files = {rooms / (f"{name}.sh" if started == "shell" else f"{name}/command.py")
              for name, (started, _) in table.items()}
     others = {path.with_suffix("") / "command.py" for path in files if path.suffix == ".sh"}
-    others.add(rooms / "results" / "command.py")  # tools/make starts it
     return files ^ ({*rooms.glob("*.sh"), *rooms.glob("*/command.py")} - others)
 
 

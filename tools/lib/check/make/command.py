@@ -78,10 +78,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if word not in NAMES:
             is_option = word.startswith("-")
             return refused("option" if is_option else "part", word, (CHECK, "--help") if is_option else NAMES)
-    parts = [part for part in PARTS if (part.name in others if others else not part.by_name)]
+    parts = [part for part in PARTS if not others or part.name in others]
     if CHECK in words:
-        return graph.check([part for part in parts if not part.by_name])
-    return named(parts) if others else graph.walk(parts)
+        return graph.check([part for part in parts if part.check])
+    return named(parts) if others else graph.walk([part for part in parts if not part.by_name])
 
 
 if __name__ == "__main__":

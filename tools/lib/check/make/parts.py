@@ -18,7 +18,7 @@ class Part(NamedTuple):
     inputs: tuple[str, ...]
     products: tuple[str, ...]
     options: tuple[str, ...] = ()  # with which tools/make makes it
-    check: tuple[str, ...] = ("--check",)  # with which it looks at the part
+    check: tuple[str, ...] = ("--check",)  # with which it looks at the part; empty if nobody looks
     sample: bool = False  # that look takes a sample
     program: str = ""  # a target of CMake that it runs
     python: tuple[int, int] = (3, 11)
@@ -34,7 +34,9 @@ PAGES = ("README.md", "docs/guide/gallery/README.md",
          *(f"docs/{page}.md" for page in (
              "guide/cellular", "guide/conformance", "guide/engines", "guide/languages", "guide/moving", "guide/uniform",
              "measured/default-hash", "measured/gpu-operations", "measured/hashes", "measured/judge",
-             "measured/measuring", "measured/silicon", "reference/fractals", "reference/noises")))
+             "measured/measuring", "measured/results/README", "measured/silicon", "reference/fractals",
+             "reference/noises")))
+RECORDS = ("docs/measured/results/**/*.csv", "docs/measured/results/cpu/*.md", "src/grid/*.*")
 
 PARTS = (
     Part("catalog", "what the library, packages and pages have of catalog/, the version and the address", "a second",
@@ -49,7 +51,7 @@ PARTS = (
          # config.glsl is by hand, and what is above this part is made of it.
          ("glsl/hashnoise/[!c]*.glsl", "glsl/hashnoise/c[!o]*.glsl", "glsl/hashnoise/detail/*"), python=(3, 9)),
     Part("readme", "pictures, numbers and tables of pages", "half a minute", "ship.readme.command",
-         (*PAGES, *LIBRARY, "docs/measured/results/**/*.csv", "tools/costs.csv", "tools/lib/ship/readme/*.[ch]pp",
+         (*PAGES, *LIBRARY, *RECORDS, "tools/costs.csv", "tools/lib/ship/readme/*.[ch]pp",
           "catalog/*.toml", "packages/blender/nodes.py"),
          (*PAGES, "docs/images/*.png", "docs/guide/gallery/*.png", "packages/*/README.md")),
     Part("bounds", "ranges, slopes and errors, proven: bounds.inc, and the tables of docs/measured/accuracy.md",
@@ -74,14 +76,12 @@ PARTS = (
     Part("faults", "docs/measured/faults.md: which cases notice what drivers got wrong", "ten minutes", "check.faults.command",
          ("conformance/cases/bugs/*", "conformance/fault/*"), ("docs/measured/faults.md",),
          check=("--check", "--sample", "4"), sample=True, program="hn-conform"),
-    Part("results", "a page of what people's devices returned, which are checked", "a second", "measure.results.command",
-         ("docs/measured/results/devices/*.json", "docs/measured/results/devices/versions/*.csv", "conformance/expected/golden/*.golden",
-          "catalog/*.toml", "conformance/web/address.js"), ("build/results/index.html",),
-         options=("--earlier",), check=("--check", "--earlier")),
     Part("vectors", "build/vectors: rows of golden files, for ports", "half a minute", "proof.vectors.command", (),
-         ("build/vectors/*.json",), python=(3, 9), by_name=True),
+         ("build/vectors/*.json",), python=(3, 9), by_name=True, check=()),
+    Part("measured", "what records of measurements are of another text; --check looks, too, and nothing is measured",
+         "seconds", "measure.stamps", (*LIBRARY, *RECORDS, "catalog/*.toml"), (), by_name=True),
     Part("site", "a site of the pages, with what Sphinx needs from PyPI", "minutes", "ship.website.command", (),
-         ("build/site/index.html",), by_name=True),
+         ("build/site/index.html",), by_name=True, check=()),
     Part("format", "C++, GLSL and Python, formatted", "seconds, and half a minute at first", "check.format.command", (),
-         (), by_name=True),
+         (), by_name=True, check=()),
 )

@@ -168,10 +168,6 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     # cells, another border stayed nearer, by 0.139 of a cell or more.
     *alike("cell_border3d.glsl", ("n = -1; n <= 1", "n = -2; n <= 1", "n = -1; n <= 2")),
 
-    # A jitter beyond 1 is taken as 1.
-    *(Equivalence(f"{noise}{n}d.glsl", "hn_i_jitter(1.0f)", ("hn_i_jitter(1.015625f)",))
-      for noise in ("cell_border", "cellular", "cellular_d", "cellular_smooth", "cellular_three") for n in (2, 3)),
-
     # The factors of a product may change places. 0 is its own negative.
     *alike("curl3d.glsl", ("(a.y, b.z, a.z, b.y)", "(b.z, a.y, a.z, b.y)", "(a.y, b.z, b.y, a.z)"),
            ("(a.z, b.x, a.x, b.z)", "(b.x, a.z, a.x, b.z)", "(a.z, b.x, b.z, a.x)"),

@@ -20,7 +20,6 @@ import math
 import sys
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
-from datetime import datetime, timezone
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -29,6 +28,7 @@ from base.tree import ROOT
 from base.usage import Parser
 from catalog.tables.markdown import table
 from measure import record as records
+from measure import stamps
 from measure.compile.compilers import COMPILERS, Compiler, Failed, Place
 from measure.compile.texts import EMPTY, FIXED, OTHERS, SUBJECTS, WAYS, Job
 from measure.gpu.command import DRIVERS
@@ -100,15 +100,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     if not 1 <= options.rounds <= 100:
         parser.error(f"--rounds: {options.rounds} is not from 1 to 100")
-    rows, status = [], 0
+    rows, used, status = [], [], 0
     try:
         peers = {name: path.absolute() for name, path in given(options, OTHERS).items()}
         for name in options.compiler or COMPILERS:
             print(f"{name}: {options.rounds} rounds", file=sys.stderr, flush=True)
             with TemporaryDirectory() as folder:
+                place = Place(Path(folder), peers, options.drivers.absolute())
                 try:
-                    times = measured(COMPILERS[name], Place(Path(folder), peers, options.drivers.absolute()),
-                                     options.rounds)
+                    times = measured(COMPILERS[name], place, options.rounds)
+                    used.append(COMPILERS[name].version(place))
                 except Missing as why:
                     print(f"{name} is missing: {why}", flush=True)
                     status = status or 3
@@ -116,8 +117,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
             rows += rows_of(name, times)
             if sum(not job.is_foreign for job in times) < 2 * len(WAYS) * len(SUBJECTS):
                 status = 1
-        records.write(options.out, rows, COLUMNS, {"date": f"{datetime.now(timezone.utc):%Y-%m-%dT%H:%M:%SZ}",
-                                                   "rounds": options.rounds})
+        if rows:
+            records.write(options.out, rows, COLUMNS, {"rounds": options.rounds})
+            stamps.stamp(options.out, "; ".join(dict.fromkeys(used)), kind=RECORD.name)
     except Failed as error:
         print(f"{parser.prog}: {error}", file=sys.stderr)
         return 1

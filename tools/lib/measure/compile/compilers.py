@@ -17,12 +17,13 @@ from typing import NamedTuple
 from base import chromium
 from base.debian import Missing
 from base.tree import hn_conform
+from base.versions import version_of
 from measure import record
 from measure.compile.texts import Job, jobs
 from measure.gpu import drivers
 from measure.gpu.chips import chip_named
 from measure.gpu.compiling import compile_all
-from translate.hlsl.compilers import dxc, fxc
+from translate.hlsl.compilers import DXC, FXC, dxc, fxc
 
 DESKTOP = "#version 450\n"
 ES = "#version 300 es\nprecision highp float;\nprecision highp int;\n"
@@ -173,21 +174,41 @@ def by_chromium(language: str, texts: Callable[[Place], dict[Job, str]], *option
 class Compiler(NamedTuple):
     title: str
     rounds: Rounds
+    version: Callable[[Place], str]
+
+
+def of_program(*names: str) -> Callable[[Place], str]:
+    return lambda place: version_of(program(*names))
+
+
+def of_drivers(place: Place) -> str:
+    return drivers.find(place.drivers).versions()
 
 
 COMPILERS = {
-    "glslang": Compiler("glslang, to SPIR-V", by_command(glsl, lambda: [*glslang(), "-o", "made.spv"])),
-    "spirv-opt": Compiler("`spirv-opt -O`", by_command(spirv, lambda: [program("spirv-opt"), "-O", "-o", "made"])),
-    "naga": Compiler("naga, WGSL to SPIR-V", by_command(wgsl, lambda: [program("naga")], "made.spv")),
-    "dxc": Compiler("DXC", by_command(hlsl, lambda: [dxc(), "-T", "ps_6_0", "-E", "main", "-Fo", "made"])),
+    "glslang": Compiler("glslang, to SPIR-V", by_command(glsl, lambda: [*glslang(), "-o", "made.spv"]),
+        of_program("glslangValidator")),
+    "spirv-opt": Compiler("`spirv-opt -O`", by_command(spirv, lambda: [program("spirv-opt"), "-O", "-o", "made"]),
+        of_program("spirv-opt")),
+    "naga": Compiler("naga, WGSL to SPIR-V", by_command(wgsl, lambda: [program("naga")], "made.spv"),
+        of_program("naga")),
+    "dxc": Compiler("DXC", by_command(hlsl, lambda: [dxc(), "-T", "ps_6_0", "-E", "main", "-Fo", "made"]),
+        lambda place: DXC),
     "fxc": Compiler("FXC", by_command(hlsl, lambda: ["wine", fxc().folder / "fxc.exe", "ps_5_0", "main"],
-                                      variables=lambda: fxc().environment)),
-    "radv": Compiler("RADV, AMD Navi 31", by_driver("navi31")),
-    "turnip": Compiler("Turnip, Adreno 740", by_driver("adreno740")),
-    "nvk": Compiler("NVK, NVIDIA GA104", by_driver("ampere")),
-    "llvmpipe": Compiler("llvmpipe", by_llvmpipe),
+                                      variables=lambda: fxc().environment),
+        lambda place: FXC),
+    "radv": Compiler("RADV, AMD Navi 31", by_driver("navi31"),
+        of_drivers),
+    "turnip": Compiler("Turnip, Adreno 740", by_driver("adreno740"),
+        of_drivers),
+    "nvk": Compiler("NVK, NVIDIA GA104", by_driver("ampere"),
+        of_drivers),
+    "llvmpipe": Compiler("llvmpipe", by_llvmpipe,
+        lambda place: "llvmpipe of OSMesa"),
     "angle": Compiler("ANGLE on SwiftShader", by_chromium(
-        "glsl", lambda place: {job: job.shader("glsl", ES) for job in jobs("glsl", place.peers)})),
+        "glsl", lambda place: {job: job.shader("glsl", ES) for job in jobs("glsl", place.peers)}),
+        of_program(*chromium.PROGRAMS)),
     "tint": Compiler("Tint on SwiftShader", by_chromium(
-        "wgsl", lambda place: {job: file.read_text("utf-8") for job, file in wgsl(place).items()}, *WEBGPU)),
+        "wgsl", lambda place: {job: file.read_text("utf-8") for job, file in wgsl(place).items()}, *WEBGPU),
+        of_program(*chromium.PROGRAMS)),
 }

@@ -8,10 +8,10 @@ import argparse
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from base.tree import ROOT
+from base.tree import GLSL, ROOT
 from base.usage import Parser
 from catalog.tables.markdown import table
-from measure import conform, record
+from measure import conform, record, stamps
 from measure.record import Quantity, Record, three_digits
 
 # How many times as fast as FastNoise2 a grid is to be; the others 1.
@@ -26,6 +26,10 @@ SECTIONS = {
     "octaves": ("Octaves that are not turned, beside FastNoise2", "FastNoise2 does not turn the octaves of a sum. Here "
                 "they are not turned either: each is a grid of the noise, twice as dense as the one before and with a "
                 "seed of its own, and the grids are added up. There is no aim."),
+    "strict fixed": ("HN_FIXED beside FastNoise2 by strict floats", "FastNoise2 was built with FASTNOISE2_STRICT_FP: "
+                     "then all its sets of instructions give the same values, as those of HN_FIXED and HN_PRECISE do. "
+                     "There is no aim."),
+    "strict precise": ("HN_PRECISE beside FastNoise2 by strict floats", "The same with HN_PRECISE. There is no aim."),
     "fixed": ("HN_FIXED beside HN_FAST", "How many times as fast as with HN_FAST a grid is filled with HN_FIXED. The aim "
               "is 0.6."),
     "precise": ("HN_PRECISE beside HN_FAST", "The same with HN_PRECISE. There is no aim."),
@@ -97,8 +101,9 @@ def page(of: Record) -> str:
         return "" if number is None else three_digits(number)
 
     return (
-        f"# hashnoise::grid on a CPU, compiled by {facts['compiler']}\n\n{facts['processor']}, hashnoise "
-        f"{facts['library']}, {facts['date']}.{facts['note'] and ' '}{facts['note']} By `{facts['command']}`.\n\nEach "
+        f"# hashnoise::grid on a CPU, compiled by {facts['compiler']}\n\n{facts['processor']}, "
+        f"{facts['compiler']}, hashnoise {facts['library']} of the text {facts['text']}, {facts['date']}."
+        f"{facts['note'] and ' '}{facts['note']} By `{facts['command']}`.\n\nEach "
         f"number is a quotient of speeds that were measured in the same {facts['rounds']} rounds, in turns, and what "
         "stands behind ± is half the distance between the quartiles of the rounds. A grid has 1024 x 1024 or 128 x 128 x "
         f"64 points, {facts['step']} cells from each other, and sums have six octaves. A number that is less than its "
@@ -122,6 +127,7 @@ def main(arguments: Sequence[str]) -> int:
     newest = max((path for name in ("gcc", "clang") if (path := options.out / f"{name}.csv").is_file()),
                  key=lambda path: path.stat().st_mtime_ns)
     of = record.read(newest)
+    of.facts.update({"library": stamps.of_library(), stamps.TEXT: stamps.of_grid({}, GLSL)})
     newest.with_suffix(".md").write_text(page(of), encoding="utf-8")
     lines = missed(of)
     for line in lines:

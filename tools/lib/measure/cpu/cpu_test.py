@@ -11,11 +11,12 @@ from unittest import mock
 
 from base.tree import ROOT
 from catalog.tables.markdown import table
-from measure import record
+from measure import record, stamps
 from measure.cpu import command
 
 FACTS = {"date": "2026-01-01T00:00:00Z", "command": "tools/measure cpu", "compiler": "GCC 12.2.0",
-         "processor": "a processor", "library": "0.4.0", "rounds": "9", "step": "0.0371", "note": "A note.",
+         "processor": "a processor", "library": "0.4.0", "text": "01234567", "rounds": "9", "step": "0.0371",
+         "note": "A note.",
          "Python with out=": "0.85 ± 0.02", "Python with a new array": "0.95 ± 0.01"}
 
 
@@ -35,7 +36,8 @@ class Page(unittest.TestCase):
     def test_tells_which_aims_are_missed(self) -> None:
         of = record.Record(FACTS, ROWS)
         page = command.page(of)
-        for part in ("compiled by GCC 12.2.0\n\na processor, hashnoise 0.4.0, 2026-01-01T00:00:00Z. A note. By `tools/",
+        for part in ("compiled by GCC 12.2.0\n\na processor, GCC 12.2.0, hashnoise 0.4.0 of the text 01234567, "
+                     "2026-01-01T00:00:00Z. A note. By `tools/",
                      "| `perlin2` | 1.2 | 1.25 ± 0.03 | **0.75 ± 0.02** missed |",
                      "| `perlin2` | **0.55 ± 0.01** missed | 0.65 ± 0.01 |", "(`out=`) | **0.85 ± 0.02** missed |",
                      "with a new array each time | 0.95 ± 0.01 |", "| `perlin2` | avx2 | 1234 |", "| avx512 | 0.500 |"):
@@ -84,6 +86,7 @@ class Command(unittest.TestCase):
                 self.assertEqual(command.main(["program", "--out", folder, "--rounds", "3"]), 0)
             self.assertEqual(passed, [["program", "--out", folder, "--rounds", "3"]])
             self.assertIn("compiled by GCC", (out / "gcc.md").read_text(encoding="utf-8"))
+            self.assertEqual(stamps.stale(out / "gcc.md"), [])
             self.assertFalse((out / "clang.md").exists())
             self.assertIn(f"3 aims missed: {out}/gcc.md", printed.getvalue())
             with mock.patch.object(command.conform, "run", return_value=2):

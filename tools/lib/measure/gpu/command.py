@@ -34,9 +34,10 @@ from pathlib import Path
 
 from base import debian
 from base.debian import Missing
-from base.tree import ROOT, hn_conform
+from base.tree import GLSL, ROOT, hn_conform
 from base.usage import Parser
 from measure import record as records
+from measure import stamps
 from measure.gpu import comparing, drivers, operations, record, stripes
 from measure.gpu.chips import CHIPS, Chip
 from measure.gpu.compiling import Compiled, Device, compile_all
@@ -136,7 +137,7 @@ def run(options: argparse.Namespace) -> int:
         foreign = (*options.against, *against(given(options, PEERS)),
                    *stripes.against(given(options, stripes.PEERS), Path(scratch)))
         arguments += [word for one in foreign for word in ("--against", one)]
-        arguments += ["--glsl", str(options.glsl)] if options.glsl else []
+        arguments += ["--glsl", str(options.glsl)]  # the program may be older than the text here
         if not options.filter:
             arguments += operations.write_shaders(Path(scratch))
         dimensions = compile_spirv(hn_conform, Path(scratch), arguments)
@@ -154,6 +155,8 @@ def run(options: argparse.Namespace) -> int:
                            [price for chip in chips for price in record.prices(chip, shaders[chip.name])])):
         if content:
             records.write(options.out / name, content)
+            stamps.stamp(options.out / name, "; ".join(dict.fromkeys(device.driver for device in devices.values())),
+                         options.glsl)
     for line in (*skipped, *(f"FAILED {row.id} on {row.chip}: {row.problem}" for row in rows if row.problem)):
         print(line)
     print(f"{len(rows)} costs of {len(chips)} chips: {options.out}/{record.COSTS}")
@@ -183,7 +186,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
                         help="only this one; may be repeated")
     parser.add_argument("--filter", action="append", metavar="GLOB", default=[],
                         help="only the subjects whose id matches, as of bench; may be repeated")
-    parser.add_argument("--glsl", type=Path, metavar="DIR", help="another copy of the library: of glsl/hashnoise/")
+    parser.add_argument("--glsl", type=Path, metavar="DIR", default=GLSL,
+                        help="another copy of the library: of glsl/hashnoise/")
     parser.add_argument("--against", action="append", metavar="NAME=FILE:EXPRESSION", default=[],
                         help="also another shader file, as of bench; may be repeated")
     add_options(parser, (*PEERS, *stripes.PEERS))

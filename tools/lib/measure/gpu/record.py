@@ -68,7 +68,8 @@ def prices(chip: Chip, shaders: Mapping[str, Compiled]) -> list[dict[str, str]]:
 
 
 def read_costs(path: Path) -> dict[tuple[str, str], Row]:
-    rows = [Row(**found) for found in record.read(path, Row._fields, "tools/measure gpu").rows]
+    rows = [Row(*(found[name] for name in Row._fields))
+            for found in record.read(path, Row._fields, "tools/measure gpu").rows]
     for number, found in enumerate(rows, 2):
         if not found.problem and record.number(found.cost) is None:
             raise ValueError(f"{path}:{number}: the cost is {found.cost!r}, and not a number")

@@ -183,7 +183,7 @@ def judge_others(options, folder: Path) -> int:
         results += found
     if options.out:
         options.out.mkdir(parents=True, exist_ok=True)
-        others.write(results, options.out / "hashes.csv")
+        others.write(results, options.out / "hashes.csv", renderer.version)
     return 0 if all(judged.result.passed for judged in results) else 1
 
 

@@ -17,7 +17,7 @@ from pathlib import Path
 import numpy as np
 
 from base.renderer import NotCompiled, Renderer
-from measure import record
+from measure import record, stamps
 from measure.hashes import gate
 from measure.hashes.judgement import Finding
 from measure.hashes.library import Twin
@@ -162,7 +162,7 @@ def lines(found: Sequence[Judged]) -> list[str]:
     return printed
 
 
-def write(found: Sequence[Judged], path: Path) -> None:
+def write(found: Sequence[Judged], path: Path, by: str) -> None:
     rows = []
     for judged in found:
         result = judged.result
@@ -172,3 +172,4 @@ def write(found: Sequence[Judged], path: Path) -> None:
             result.name, result.dimensions, judged.place, sum(not f.passed for f in findings), len(findings), worst.test,
             f"{worst.statistic:.4g}", f"{worst.threshold:.4g}", f"{worst.p:.3g}"))))
     record.write(path, rows, RECORD)
+    stamps.stamp(path, by)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import contextlib
-import csv
 import io
 import tempfile
 import unittest
@@ -15,6 +14,7 @@ import numpy as np
 
 from base.renderer import Renderer
 from base.tree import ROOT
+from measure import stamps
 from measure.hashes import command, gate, library, others
 from measure.hashes.others import ORIGINS, Other
 
@@ -82,8 +82,7 @@ class Others(unittest.TestCase):
                 mock.patch.object(others, "words_of", lambda *a, real=others.words_of: real(*a)[:128, :128]):
             self.assertEqual(command.main(["--against", given, "--dimensions", "2", "--out", str(self.folder)]), 1)
         self.assertRegex(printed.getvalue(), r"^theirs 2D at -512, -512: fails \d+ of \d+ tests, such as ")
-        with open(self.folder / "hashes.csv", newline="", encoding="utf-8") as file:
-            row, = csv.DictReader(file)
+        row, = stamps.read(self.folder / "hashes.csv").rows
         self.assertEqual((row["hash"], row["dimensions"], row["origin"]), ("theirs", "2", "-512, -512"))
         self.assertGreater(int(row["failed"]), 1)
 

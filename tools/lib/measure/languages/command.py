@@ -23,6 +23,8 @@ from pathlib import Path
 from base.tree import GLSL
 from base.twin import NotBuilt
 from base.usage import Parser, whole
+from base.versions import version_of
+from measure import record, stamps
 from translate.pick.command import Choice, picker, read_library
 from translate.pick.comparison import compile_words
 from translate.pick.evaluate import Module
@@ -31,7 +33,6 @@ from translate.pick.runners import RUNNERS, NotInstalled, NotRun, Runner, ran
 FUNCTIONS = ("hn_perlin2", "hn_perlin3", "hn_simplex2", "hn_simplex3", "hn_value2", "hn_value3", "hn_cellular2",
              "hn_cellular3", "hn_fbm2", "hn_random2")
 ROUND = 500_000  # points of each function
-COLUMNS = "language,function,points,differing"
 
 
 class Words:
@@ -108,18 +109,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
     points = min(ROUND, -(-given.points // len(FUNCTIONS)))
     rounds = -(-given.points // (points * len(FUNCTIONS)))
     given.out.mkdir(parents=True, exist_ok=True)
-    record = given.out / "languages.csv"
+    file = given.out / "languages.csv"
+    compilers = "; ".join(version_of(runner.programs[0]) for runner in runners.values())
     sums = {}
     try:
         for number, sums in enumerate(compared(runners, rounds, points), 1):
-            lines = [COLUMNS, *(f"{language},{function},{number * points},{count}"
-                                for (language, function), count in sums.items())]
-            record.write_text("\n".join([*lines, ""]), encoding="ascii")  # each time, for whoever stops it
+            record.write(file, [{"language": language, "function": function, "points": number * points,
+                                 "differing": count} for (language, function), count in sums.items()])
+            stamps.stamp(file, compilers)  # each time, for whoever stops it
             print(f"round {number} of {rounds}: {sum(sums.values())} points differ", file=sys.stderr, flush=True)
     except (NotBuilt, NotRun, OSError) as error:
         print(f"tools/measure languages: {error}", file=sys.stderr)
         return 4
-    print(record)
+    print(file)
     return 1 if any(sums.values()) else 0
 
 

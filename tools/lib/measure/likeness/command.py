@@ -8,6 +8,7 @@ from pathlib import Path
 
 from base.renderer import Renderer
 from base.usage import Parser
+from measure import stamps
 from measure.likeness import picture, ports
 from measure.likeness.table import ROWS
 from measure.peers.copies import add_options, some_given
@@ -61,6 +62,7 @@ def run(paths: Mapping[str, Path], out: Path, pictures: Path | None, check: bool
     else:
         out.mkdir(parents=True, exist_ok=True)
         ports.write(found, out / ports.RECORD.name)
+        stamps.stamp(out / ports.RECORD.name, renderer.version)
     if pictures is not None:
         pictures.mkdir(parents=True, exist_ok=True)
         factors = {port.id: port.factor for port in found}

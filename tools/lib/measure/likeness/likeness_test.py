@@ -17,6 +17,7 @@ from unittest import mock
 from base.renderer import NotCompiled, Renderer
 from base.thorough import THOROUGH
 from base.tree import TOOLS
+from measure import stamps
 from measure.likeness import command, picture, ports
 from measure.likeness.measure import at_places, half, look
 from measure.likeness.table import PLAIN, ROWS, Row, own_sum
@@ -107,7 +108,8 @@ class Likeness(unittest.TestCase):
     def test_the_command_fails_with_what_it_finds(self):
         errors = io.StringIO()
         with mock.patch.object(ports, "ports", return_value=[self.found._replace(ported=self.found.ours)]), \
-                tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(errors):
+                mock.patch.object(stamps, "ROWS", [VALUE]), tempfile.TemporaryDirectory() as folder, \
+                contextlib.redirect_stderr(errors):
             self.assertEqual(command.run({}, Path(folder), None, check=False), 1)
             self.assertEqual([file.name for file in Path(folder).iterdir()], ["likeness.csv"])
         self.assertIn("the deviation of theirs", errors.getvalue())

@@ -13,9 +13,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from base.tree import ROOT, version
+from base.tree import GLSL, ROOT
 from base.usage import Parser
-from measure import record
+from measure import record, stamps
 from measure.elsewhere import NEON, Build, Failed, output_of
 from measure.neon.counting import Counter, Refused, of_a_fill
 from measure.neon.record import ARITHMETICS, OTHER, page
@@ -98,7 +98,8 @@ def count(program: Path, options: argparse.Namespace) -> record.Record | None:
     emulator = re.search(r"version ([\d.]+)", output_of(NEON.runner[0], "--version"))
     facts = {"date": time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime()), "command": command_of(options),
              "compiler": f"GCC {output_of(NEON.compiler, '-dumpfullversion').strip()}",
-             "emulator": f"QEMU {emulator[1] if emulator else 'of an unknown version'}", "library": version(),
+             "emulator": f"QEMU {emulator[1] if emulator else 'of an unknown version'}", "library": stamps.of_library(),
+             stamps.TEXT: stamps.of_grid({}, GLSL),
              "note": options.note, "points": points, "step": step}
     return record.Record(facts, rows)
 

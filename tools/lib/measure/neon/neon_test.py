@@ -15,6 +15,7 @@ from pathlib import Path
 from unittest import mock
 
 from base.tree import ROOT
+from measure import stamps
 from measure.elsewhere import NEON, Failed, output_of
 from measure.neon import command
 from measure.neon.counting import Counter, Refused, of_a_fill
@@ -123,6 +124,7 @@ class ByAStandIn(Case):
         self.assertIn("| `perlin2` | 2.50 | 0.50 | 0.80 |\n", page)
         self.assertIn("| `cellular3` | 10.0 | 20.0 | 12.5 | 25.0 |\n", page)
         self.assertIn(" A note. By `tools/measure neon", page)
+        self.assertEqual(stamps.stale(self.folder / "out" / "neon.md"), [])
         self.assertNotIn(str(self.folder), page + str(record))
 
     def test_some_subjects_without_another_library(self) -> None:

@@ -27,12 +27,13 @@ def page(of: Record) -> str:
     return f"""\
 # hashnoise::grid with NEON, in instructions
 
-{facts["compiler"]} for ARM, {facts["emulator"]}, hashnoise {facts["library"]}, {facts["date"]}.\
+{facts["compiler"]} for ARM, {facts["emulator"]}, hashnoise {facts["library"]} of the text {facts["text"]}, \
+{facts["date"]}.\
 {facts["note"] and " "}{facts["note"]} By `{facts["command"]}`.
 
 QEMU counted the instructions that filling a grid takes, by one thread. They are no times: a processor executes some \
-of them side by side, and waits for others. A grid has 1024 x 1024 or 128 x 128 x 64 points, {facts["step"]} cells from
-\\ each other, and sums have six octaves.
+of them side by side, and waits for others. A grid has 1024 x 1024 or 128 x 128 x 64 points, {facts["step"]} cells from \
+each other, and sums have six octaves.
 
 ## Beside each other
 

@@ -148,7 +148,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         verdict = {None: "    ", True: "FAIL", False: "pass"}[finding.fails]
         print(f"{verdict} {name:10} {finding.sentence}")
     if options.record:
-        record.put(options.record, options.subject, theirs.values())
+        record.put(options.record, options.subject, theirs.values(), sampler.renderer.version)
     if options.out:
         page.write(options.out, sampler, library, theirs, judged(library), compiled,
                    version(Path(options.noise.partition(":")[0])))

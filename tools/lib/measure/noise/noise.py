@@ -83,8 +83,8 @@ class Sampler:
 
     def __init__(self, subject: Subject, renderer: Renderer | None = None, times: int = 1) -> None:
         self.subject = subject
-        self._renderer = renderer or Renderer()
-        self._program = self._renderer.program(subject.shader(times))
+        self.renderer = renderer or Renderer()
+        self._program = self.renderer.program(subject.shader(times))
 
     def draw(self, origin: np.ndarray, along: np.ndarray, up: np.ndarray, turn: int = 0, seed: int = 0,
              gradient: bool = False) -> np.ndarray:
@@ -92,7 +92,7 @@ class Sampler:
         def four(vector: np.ndarray) -> tuple[float, ...]:
             return (*map(float, vector), *(0.0,) * (4 - len(vector)))
 
-        pixels = self._renderer.draw(self._program, origin=four(origin), along=four(along), up=four(up),
+        pixels = self.renderer.draw(self._program, origin=four(origin), along=four(along), up=four(up),
                                      setup=(float(seed), float(turn), float(gradient), 0.0))
         return np.frombuffer(pixels, np.float32).reshape(COUNT, 4)
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from base.renderer import Renderer
 from base.thorough import in_thorough_runs
+from measure import stamps
 from measure.noise import command, measures, page, record
 from measure.noise.measures import Finding, Measured
 from measure.noise.noise import Sampler, Subject
@@ -160,7 +161,8 @@ class Record(unittest.TestCase):
             path = Path(folder) / "new" / "judged.csv"
             for subject, repeats in ((first, 289.0), (second, 0.0), (first, 71.0)):
                 record.put(path, subject, [Finding("values", False, 0.25, ""), Finding("cost", None, 1.5, ""),
-                                           Finding("repeats", repeats > 0, repeats, "")])
+                                           Finding("repeats", repeats > 0, repeats, "")], "a renderer")
+            self.assertEqual(stamps.stale(path), [])
             rows = record.read(path)
         self.assertEqual([row["noise"] for row in rows], ["a"] * 3 + ["b"] * 3)
         shown = record.judge_table(rows).splitlines()

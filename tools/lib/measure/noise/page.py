@@ -66,4 +66,4 @@ def write(folder: Path, theirs: Sampler, ours: Sampler, found: Mapping[str, Find
                     if one]) for name, finding in found.items()]
     page.write(folder / "index.html", Path(__file__).with_name("judge.html"), subject=theirs.subject, commit=commit,
                rows=rows, version=version(), size=f"{len(theirs.subject.text.encode()):,}", seconds=f"{seconds:.2f}")
-    record.put(folder / "judged.csv", theirs.subject, found.values())
+    record.put(folder / "judged.csv", theirs.subject, found.values(), theirs.renderer.version)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from base.tree import ROOT
 from catalog.tables.markdown import table
-from measure import record
+from measure import record, stamps
 
 RECORD = ROOT / "docs" / "measured" / "results" / "judged.csv"
 COLUMNS = ("noise", "dimensions", "measure", "fails", "number")
@@ -23,8 +23,8 @@ def read(path: Path = RECORD) -> list[dict[str, str]]:
     return record.read(path).rows
 
 
-def put(path: Path, subject, findings: Iterable) -> None:
-    """The numbers of a noise, where it stood before or behind the others."""
+def put(path: Path, subject, findings: Iterable, by: str) -> None:
+    """The numbers of a noise, where it stood before or behind the others, and the renderer."""
     rows = read(path) if path.exists() else []
     of = {"noise": subject.name, "dimensions": str(subject.dimensions)}
     verdicts = {None: "", True: "yes", False: "no"}
@@ -32,7 +32,8 @@ def put(path: Path, subject, findings: Iterable) -> None:
            for finding in findings]
     kept = [row for row in rows if any(row[name] != value for name, value in of.items())]
     at = next((i for i, row in enumerate(rows) if all(row[name] == value for name, value in of.items())), len(kept))
-    record.write(path, [*kept[:at], *new, *kept[at:]], COLUMNS)
+    record.write(path, [*kept[:at], *new, *kept[at:]], (*COLUMNS, stamps.TEXT))
+    stamps.stamp(path, by, kind=RECORD.name)
 
 
 def judge_table(rows: Sequence[Mapping[str, str]]) -> str:

@@ -17,7 +17,7 @@ from scipy import stats
 from base.png import png
 from base.tree import HN_CONFORM
 from base.usage import Parser
-from measure import amd, conform, page, record
+from measure import amd, conform, page, record, stamps
 from measure.paper import plots
 from measure.record import Record
 
@@ -245,6 +245,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if (out / "table.csv").is_file() and not amd.add_counts(out / "table.csv", out / "spirv"):
         status = 1
     write_page(out)
+    for name in ("table", "statistics", "period", "bandwidth"):
+        if (out / f"{name}.csv").is_file():
+            stamps.stamp(out / f"{name}.csv", library=conform.library(others))
     if not options.dump:
         for folder in ("values", "spirv"):
             shutil.rmtree(out / folder, ignore_errors=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from base.tree import hn_conform
+from base.tree import GLSL, hn_conform
 from base.usage import Parser
 from measure import conform
 from measure.peers.copies import add_options, some_given
@@ -30,7 +30,7 @@ Exit status: that of hn-conform bench; 2 bad usage."""
 def options_of(paths: dict[str, Path], driver: str) -> list[str]:
     """The functions that hn-conform bench measures for the peers at these paths."""
     calls = [call for call in CALLS if call.peer in paths]
-    words = ["--driver", driver]
+    words = ["--driver", driver, "--glsl", str(GLSL)]  # the program may be older than the text here
     for ours in dict.fromkeys(call.ours for call in calls):
         words += ["--filter", f"{ours}.lattice"]
     for one in against(paths):

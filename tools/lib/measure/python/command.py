@@ -19,6 +19,8 @@ from functools import partial
 from pathlib import Path
 
 from base.usage import Parser, whole
+from base.versions import version_of
+from measure import stamps
 
 CALLS = Path(__file__).with_name("calls.py")
 COLUMNS = "noise,package,version,nanoseconds,ratio,spread\n"
@@ -38,5 +40,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given.out.mkdir(parents=True, exist_ok=True)
     record = given.out / "python.csv"
     record.write_text(COLUMNS + done.stdout, encoding="utf-8")
+    stamps.stamp(record, version_of(given.python))
     print(record)
     return 0

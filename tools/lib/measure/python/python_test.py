@@ -10,6 +10,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+from measure import stamps
 from measure.python import calls, command
 
 
@@ -31,7 +32,9 @@ class Command(unittest.TestCase):
     def test_writes_what_the_python_prints(self):
         status, output, record = self.call('echo "Perlin 2D,hashnoise,0.4.0,1,1,0"; test "$3" = 5', "--rounds", "5")
         self.assertEqual((status, output.strip()), (0, str(record)))
-        self.assertEqual(record.read_text(encoding="utf-8"), command.COLUMNS + "Perlin 2D,hashnoise,0.4.0,1,1,0\n")
+        self.assertIn(f"{command.COLUMNS.strip()},text\nPerlin 2D,hashnoise,0.4.0,1,1,0,",
+                      record.read_text(encoding="utf-8"))
+        self.assertEqual(stamps.stale(record), [])
 
     def test_fails_with_the_python(self):
         status, _, record = self.call("exit 3")

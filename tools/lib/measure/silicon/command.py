@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import datetime
 import functools
 import re
 import shutil
@@ -11,9 +10,9 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 from base import pypi
-from base.tree import ROOT, version
+from base.tree import ROOT
 from base.usage import Parser
-from measure import record
+from measure import record, stamps
 from measure.silicon import synthesis
 from translate.pick import command as pick
 from translate.pick.verilog_bench import SUM
@@ -107,8 +106,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if not program:
         return pypi.SKIPPED
     rows = measured([one for one in FUNCTIONS if not options.only or one[0] in options.only], program)
-    facts = {"date": datetime.date.today().isoformat(), "hashnoise": version(),
-             "yosys": synthesis.run("", "yosys", "-V"),
-             "nextpnr": synthesis.run("", program, "--version").partition("Version ")[2].strip(")\n")}
-    record.write(options.out or RECORD, rows, facts=facts)
+    record.write(options.out or RECORD, rows)
+    nextpnr_version = synthesis.run("", program, "--version").partition("Version ")[2].strip(")\n")
+    stamps.stamp(options.out or RECORD, f"{synthesis.run('', 'yosys', '-V').strip()}, {nextpnr_version}",
+                 kind=RECORD.name)
     return 0

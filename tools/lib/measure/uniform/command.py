@@ -9,11 +9,12 @@ from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 from base.tree import GLSL, ROOT
-from base.twin import NotBuilt
+from base.twin import COMPILER, NotBuilt
 from base.usage import Parser
+from base.versions import version_of
 from catalog.tables.markdown import table, with_section
 from catalog.tables.marks import between
-from measure import record
+from measure import record, stamps
 
 DESCRIPTION = """\
 Measures how uniform the results of hn_uniform are, for every noise and for sums of octaves, or fits its constants.
@@ -147,6 +148,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 rows = sorted((Row(*key, options.points, error) for key, error in errors.items()),
                               key=lambda row: (by_name.index(row.noise), row.octaves, row.gain))
                 write(options.out, rows)
+                stamps.stamp(options.out, version_of(COMPILER[0]), kind=RECORD.name)
                 problems = too_large(rows)
                 print("\n".join(problems) if problems else page_table(rows), end="\n" if problems else "")
                 return bool(problems)

@@ -3,13 +3,12 @@ tools/measure gpu, one chip of each compiler."""
 
 from __future__ import annotations
 
-import csv
 import re
-from pathlib import Path
 
 from base.tree import ROOT
 from catalog.javascript import drawn
 from catalog.model import read
+from measure import record
 
 RECORD = ROOT / "docs" / "measured" / "results" / "gpu"
 CHIPS = ("sm90", "ampere", "navi31", "adreno740", "m1", "acm")
@@ -18,11 +17,6 @@ UNROLLING = ("sm90", "acm")
 WITNESS = "adreno740"  # of loops
 LOOPS = re.compile(r"\bLoops [1-9]")  # in the kinds of a row
 CASE = re.compile(r"(?:noise([1-4])d|\w+)\.([a-z_]+)([1-4]?)\.lattice(\+fixed)?")
-
-
-def rows(path: Path) -> list[dict[str, str]]:
-    with path.open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
 
 
 def subject(case: str) -> str | None:
@@ -35,9 +29,9 @@ def counts() -> dict:
     """chips: their titles; of: {subject: the instructions and registers of each chip, "-" where there is no count}."""
     noises, sums = drawn(read())
     names = {one.name for one in (*noises, *sums)}
-    titles = {row["chip"]: row["title"] for row in rows(RECORD / "chips.csv")}
+    titles = {row["chip"]: row["title"] for row in record.read(RECORD / "chips.csv").rows}
     found: dict[str, dict[str, dict[str, str]]] = {}
-    for row in rows(RECORD / "costs.csv"):
+    for row in record.read(RECORD / "costs.csv").rows:
         name = subject(row["id"])
         if name and re.split(r"\d", name)[0] in names and row["chip"] in CHIPS and not row["problem"]:
             found.setdefault(name, {})[row["chip"]] = row

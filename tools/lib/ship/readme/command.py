@@ -28,10 +28,12 @@ from collections.abc import Sequence
 from base.tree import ROOT
 from base.usage import Parser
 from catalog.tables.markdown import with_section
+from measure import stamps
 from measure.compile import command as of_compilers
 from measure.gpu import pages as of_gpus
 from measure.likeness import ports
 from measure.noise import record as of_noises
+from measure.rust.command import TARGETS
 from measure.silicon import command as of_circuits
 from measure.uniform import command as of_uniform
 from ship.blender import files as blender
@@ -56,6 +58,7 @@ HASHES = "docs/measured/hashes.md"
 JUDGE = "docs/measured/judge.md"
 UNIFORM = "docs/guide/uniform.md"
 SILICON = "docs/measured/silicon.md"
+RECORDS = "docs/measured/results/README.md"
 SIZE = re.compile(r"(--strip --out noise\.glsl`, )\d+ kB")  # of the whole library, in the README
 
 
@@ -73,27 +76,35 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             (LANGUAGES, "tools/make readme: picked for programs", files.picked_for_programs()),
             (LANGUAGES, "tools/make readme: files", files.files_table()),
             (CONFORMANCE, "tools/make readme: times", of_commands.times_table(times)),
-            (MEASURING, "tools/make readme: costs", numbers.cost_table(costs, "navi21", "on AMD's NAVI21")),
-            (MEASURING, "tools/make readme: costs on a GPU",
-             numbers.cost_table(numbers.costs(numbers.GPU), "nvidia", "of NVIDIA's assembly")),
-            (MEASURING, "tools/make readme: costs by compilers", of_gpus.chip_table(of_gpus.costs())),
-            (DEFAULT_HASH, "tools/make readme: costs of the hash", of_gpus.titled_table(of_gpus.costs(), of_gpus.HASHED)),
-            (OPERATIONS, "tools/make readme: operations", of_gpus.operation_table(of_gpus.operation_costs())),
-            (UNIFORM, "tools/make readme: uniform", of_uniform.page_table(of_uniform.read())),
-            (MEASURING, "tools/make readme: noises", numbers.form_table(costs)),
-            (MEASURING, "tools/make readme: compile times", of_compilers.page_table(of_compilers.record())),
-            (MEASURING, "tools/make readme: peers", numbers.peer_table(numbers.peer_costs(numbers.CPU))),
-            (MEASURING, "tools/make readme: packages for Python", numbers.python_table(numbers.python_costs())),
-            (MEASURING, "tools/make readme: peers on a GPU", numbers.peer_table(numbers.peer_costs(numbers.GPU))),
-            (HASHES, "tools/make readme: hashes", hashes.hash_table(hashes.record())),
-            (JUDGE, "tools/make readme: judged", of_noises.judge_table(of_noises.read())),
-            (SILICON, "tools/make readme: circuits", of_circuits.table(circuits)),
+            *((page, f"tools/make readme: {name}", made + stamps.note(of)) for page, name, made, of in (
+                (MEASURING, "costs", numbers.cost_table(costs, "navi21", "on AMD's NAVI21"), "llvmpipe/bench.csv"),
+                (MEASURING, "costs on a GPU",
+                 numbers.cost_table(numbers.costs(numbers.GPU), "nvidia", "of NVIDIA's assembly"), "h100/bench.csv"),
+                (MEASURING, "costs by compilers", of_gpus.chip_table(of_gpus.costs()), "gpu/costs.csv"),
+                (DEFAULT_HASH, "costs of the hash", of_gpus.titled_table(of_gpus.costs(), of_gpus.HASHED),
+                 "gpu/costs.csv"),
+                (OPERATIONS, "operations", of_gpus.operation_table(of_gpus.operation_costs()), "gpu/operations.csv"),
+                (UNIFORM, "uniform", of_uniform.page_table(of_uniform.read()), "uniform.csv"),
+                (MEASURING, "noises", numbers.form_table(costs), "llvmpipe/bench.csv"),
+                (MEASURING, "compile times", of_compilers.page_table(of_compilers.record()), "llvmpipe/compile.csv"),
+                (MEASURING, "peers", numbers.peer_table(numbers.peer_costs(numbers.CPU)), "llvmpipe/peers.csv"),
+                (MEASURING, "packages for Python", numbers.package_table(numbers.package_costs("python")),
+                 "cpu/python.csv"),
+                *((MEASURING, f"crates on {target}",
+                   numbers.package_table([row for row in numbers.package_costs("rust") if row["target"] == target]),
+                   "cpu/rust.csv") for target in TARGETS),
+                (MEASURING, "peers on a GPU", numbers.peer_table(numbers.peer_costs(numbers.GPU)), "h100/peers.csv"),
+                (HASHES, "hashes", hashes.hash_table(hashes.record()), "hashes.csv"),
+                (JUDGE, "judged", of_noises.judge_table(of_noises.read()), "judged.csv"),
+                (SILICON, "circuits", of_circuits.table(circuits), "silicon.csv"))),
+            (RECORDS, "tools/make readme: records", stamps.records_table()),
             (ENGINES, "tools/make readme: nodes", files.nodes_table()),
             ("packages/blender/README.md", "tools/make readme: nodes", blender.node_table()),
             ("packages/materialx/README.md", "tools/make readme: nodes", materialx.node_table()),
             ("packages/unity/README.md", "tools/make readme: nodes", unity.node_table()),
             ("packages/unreal/README.md", "tools/make readme: nodes", unreal.node_table()),
             ("packages/isf/README.md", "tools/make readme: looks", isf.look_table()),
+            (MOVING, "tools/make readme: likeness", stamps.note("llvmpipe/likeness.csv")),
             *((MOVING, *named) for named in ports.page_tables(ports.read()))]
 
 

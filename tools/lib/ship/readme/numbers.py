@@ -9,13 +9,13 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import catalog.model
-from base.tree import GOLDEN, ROOT
+from base.tree import GOLDEN
 from base.twin import SOON, compile_program
 from catalog.tables.markdown import table
-from measure import record
+from measure import record, stamps
 from measure.peers.table import CALLS, PEERS, dimensions, subject
+from measure.stamps import RESULTS
 
-RESULTS = ROOT / "docs" / "measured" / "results"
 CPU, GPU = "llvmpipe", "h100"  # the renderers in RESULTS that pages name
 Costs = Mapping[str, Mapping[str, str]]  # the rows of bench.csv, by id
 
@@ -140,11 +140,13 @@ def cost_quotes() -> list[str]:
     """The README's sentences on costs by a clock: on the GPU, all by one table, and of packages for Python."""
     rows = peer_costs(GPU)
     one, six = ([_of_theirs(rows, noise.format(axes)) for axes in (2, 3)] for noise in ("Perlin {}D", "fBm {}D, 6 octaves"))
-    others = [float(row["ratio"]) for row in python_costs()
+    of = (stamps.read(RESULTS / name).facts["hashnoise"].split()[0] for name in (f"{GPU}/peers.csv", "cpu/python.csv"))
+    others = [float(row["ratio"]) for row in package_costs("python")
               if row["noise"].startswith("six octaves") and row["package"] != "hashnoise"]
     return [f"as much as FastNoiseLite's ({one[0]:.2f} times in 2D, {one[1]:.2f} in 3D), and six octaves a quarter "
             f"({six[0]:.2f} and {six[1]:.2f})",
-            f"take {min(others):.0f} to {max(others):.0f} times as long"]
+            f"take {min(others):.0f} to {max(others):.0f} times as long",
+            f"measured with {' and '.join(dict.fromkeys(of))}"]
 
 
 def golden_quote() -> str:
@@ -154,18 +156,22 @@ def golden_quote() -> str:
     return f"computes {found // 10_000 * 10_000:,} golden values"
 
 
-def python_costs() -> list[dict[str, str]]:
-    """The rows of python.csv."""
-    return record.read(RESULTS / "cpu" / "python.csv").rows
+def package_costs(language: str) -> list[dict[str, str]]:
+    """The rows of python.csv or rust.csv."""
+    return record.read(RESULTS / "cpu" / f"{language}.csv").rows
 
 
-def python_table(rows: Sequence[Mapping[str, str]]) -> str:
+def package_table(rows: Sequence[Mapping[str, str]]) -> str:
     """A row for each package, a column for each noise: nanoseconds, and the time in ours."""
     noises = dict.fromkeys(row["noise"] for row in rows)
-    found = {(row["package"], row["noise"]): f"{row['nanoseconds']} · {float(row['ratio']):.0f}" for row in rows}
+    found = {(row["package"], row["noise"]): f"{row['nanoseconds']} · {_two_digits(float(row['ratio']))}" for row in rows}
     packages = dict.fromkeys((row["package"], row["version"]) for row in rows)
     return table(("package", *noises), [[f"{package} {version}", *(found.get((package, noise), "") for noise in noises)]
                                         for package, version in packages])
+
+
+def _two_digits(ratio: float) -> str:
+    return f"{ratio:.0f}" if ratio >= 10 else f"{ratio:.2g}"
 
 
 def _of_theirs(rows: Costs, noise: str) -> float:

@@ -12,11 +12,10 @@ import tempfile
 from datetime import date
 from pathlib import Path
 
-from base.tree import GOLDEN, HN_CONFORM, ROOT, TOOLS, address, version
+from base.tree import HN_CONFORM, ROOT, TOOLS, address, version
 from catalog import copies
 from catalog.tables import glsl
-from measure.results.command import VERSIONS
-from measure.results.sets import FrozenSets, GoldenSets
+from measure import stamps
 from proof.vectors.files import vectors_folder
 from ship.recipes import RECIPES
 from ship.release import sbom
@@ -60,10 +59,7 @@ def problems() -> list[str]:
     if named != wanted or not is_day(day):
         found.append(f'CHANGELOG.md: the first heading is "## {named} ({day})", and must be "## {wanted} (DAY)" with '
                      "the day of the release, such as 2026-11-22")
-    digests = VERSIONS / f"{wanted}.csv"
-    if not digests.exists() or FrozenSets(digests).golden != GoldenSets(GOLDEN).golden:
-        found.append(f"{digests.relative_to(ROOT)}: it must have the checksums of the golden files; tools/make results "
-                     "--freeze writes it")
+    found += stamps.refusals()
     if address().startswith(STAND_IN):
         found.append(f"conformance/web/address.js: {address()} must be the project's address; write it there, and run "
                      "tools/make catalog")

@@ -66,7 +66,8 @@ class Comments(unittest.TestCase):
                                   ("fixed", "at most 6.81e-5 against the exact value, in any metric; of the offset at "
                                    "most 2.39e-6.")), 1):
             shown = files.written(files.Made(arithmetic, "cellular"))
-            self.assertEqual(shown.count("pub fn"), shown.count("#[must_use]\npub fn"))
+            self.assertEqual(shown.count("pub fn"), shown.count("#[inline]\n#[must_use]\npub fn"))
+            self.assertEqual(len(re.findall("(?m)^fn", shown)), shown.count("#[inline]\nfn"))
             comments = re.sub(r"\s*/// *", " ", "".join(re.findall(r"(?m)^///.*\n", shown)))
             with self.subTest(arithmetic):
                 self.assertIn(f"Error: {error}", comments)

@@ -71,9 +71,11 @@ def of_module(known: dict[str, Declared], functions: Sequence[str], most: int) -
     return found
 
 
-def must_use(shown: str) -> str:
-    """Nothing in the crate has an effect beside its result."""
-    return re.sub(r"(?m)^( *)pub fn", r"\1#[must_use]\n\1pub fn", shown)
+def marked(shown: str) -> str:
+    """Nothing in the crate has an effect beside its result. A loop over points whose calls are inline becomes one over
+    vectors: noise then takes half of the time, and with AVX-512 a fifth."""
+    return re.sub(r"(?m)^( *)((?:pub )?)fn", lambda found: f"{found[1]}#[inline]\n" + (
+        f"{found[1]}#[must_use]\n" if found[2] else "") + found[0], shown)
 
 
 def facts_of(program: Program, arithmetic: str) -> list[Facts]:
@@ -107,9 +109,9 @@ def written(made: Made) -> str:
     structs = sorted(set(STRUCT.findall(shown)))
     if is_of_places:
         shown = STRUCT.sub(lambda found: PLACE + found[0], re.sub("(?m)^pub fn", "fn", shown))
-        return MADE.format(version()) + ALIKE + shown.lstrip("\n") + must_use("".join(methods(n) for n in range(1, 5)))
+        return MADE.format(version()) + ALIKE + shown.lstrip("\n") + marked("".join(methods(n) for n in range(1, 5)))
     used = f"use super::place::{{{', '.join(structs)}}};\n\n" if structs else ""
-    return MADE.format(version()) + "\n" + used + must_use(STRUCT.sub("", shown)).lstrip("\n")
+    return MADE.format(version()) + "\n" + used + marked(STRUCT.sub("", shown)).lstrip("\n")
 
 
 def methods(n: int) -> str:

@@ -1,4 +1,4 @@
-"""Makes a site of docs/ and the other pages, with a search, the playground and the page of results.
+"""Makes a site of docs/ and the other pages, with a search and the playground.
 
     tools/make site [--out DIR]      into build/site or DIR; a site there is replaced
 
@@ -29,13 +29,11 @@ HERE = Path(__file__).parent
 ENVIRONMENT = ROOT / "build" / "site-environment"
 MARK = "searchindex.js"  # by which a folder is known as a site
 # Products beside the pages: the command, where its page appears, and its name in the site.
-EXTRA = (("playground.html", ["playground", "--out", "{}/playground.html"], "playground.html"),
-         ("results.html", ["make", "results", "--earlier", "--page", "{}"], "index.html"))
+EXTRA = (("playground.html", ["playground", "--out", "{}/playground.html"], "playground.html"),)
 MORE = """
 ## On this site
 
 - <a href="playground.html">The playground</a>
-- <a href="results.html">What devices returned</a>
 """
 
 

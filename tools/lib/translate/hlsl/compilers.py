@@ -19,7 +19,7 @@ import sys
 import tarfile
 import tempfile
 import zipfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -132,9 +132,24 @@ def refusals(file: Path, stage: str, entry: str) -> dict[str, str]:
         found["glslang"] = done.stdout
     if missing():
         return found
-    made = {"DXC": compile_by_dxc(file, STAGES[stage][0], entry, "-I", str(file.parent)),
-            "FXC": fxc().compile([file], STAGES[stage][1], entry)[0]}
-    return found | {name: one.messages for name, one in made.items() if not one.code}
+    made = {"DXC": compile_by_dxc([file], STAGES[stage][0], entry, "-I", str(file.parent)),
+            "FXC": fxc().compile([file], STAGES[stage][1], entry)}
+    return found | {name: one.messages for name, (one,) in made.items() if not one.code}
+
+
+def compiled(files: Sequence[Path], *command: str | Path, environment: Mapping[str, str] = os.environ) -> list[Compiled]:
+    """Results of files, which are in one folder, by a command that writes FILE.code and FILE.messages."""
+    written = [(Path(f"{file}.code"), Path(f"{file}.messages")) for file in files]
+    for path in itertools.chain(*written):  # of an earlier text
+        path.unlink(missing_ok=True)
+    done = subprocess.run([*command, *(file.name for file in files)], cwd=files[0].parent, env=environment,
+                          capture_output=True, text=True, errors="replace", check=False)
+    # Wine may end with 1, too.
+    if done.returncode not in (0, 1) or not written[-1][1].exists():
+        raise RuntimeError(f"{command} ended with {done.returncode}: {done.stdout}{done.stderr}")
+    return [Compiled(code.read_bytes() if code.exists() else b"",
+                     messages.read_bytes().decode(errors="replace").rstrip("\0"))
+            for code, messages in written]
 
 
 @functools.cache
@@ -166,29 +181,13 @@ class Fxc:
                             "WINEDLLOVERRIDES": f"{Path(FXC_LIBRARY).stem}=n;mscoree=;mshtml="}
 
     def compile(self, files: Sequence[Path], profile: str, entry: str = "main") -> list[Compiled]:
-        """Results of files, which are in one folder: an include is looked for from there on."""
-        written = [(Path(f"{file}.code"), Path(f"{file}.messages")) for file in files]
-        for path in itertools.chain(*written):  # of an earlier text
-            path.unlink(missing_ok=True)
-        done = subprocess.run(["wine", self.folder / "fxc.exe", profile, entry, *(file.name for file in files)],
-                              cwd=files[0].parent, env=self.environment, capture_output=True, text=True, check=False)
-        # Wine may end with 1, too.
-        if done.returncode not in (0, 1) or not written[-1][1].exists():
-            raise RuntimeError(f"FXC did not start: {done.stdout}{done.stderr}")
-        return [Compiled(code.read_bytes() if code.exists() else b"",
-                         messages.read_bytes().decode(errors="replace").rstrip("\0"))
-                for code, messages in written]
+        """An include is looked for from the files' folder on."""
+        return compiled(files, "wine", self.folder / "fxc.exe", profile, entry, environment=self.environment)
 
 
-def compile_by_dxc(file: Path, profile: str, entry: str = "main", *options: str) -> Compiled:
+def compile_by_dxc(files: Sequence[Path], profile: str, entry: str = "main", *options: str) -> list[Compiled]:
     """To what Direct3D takes, or by -spirv to SPIR-V."""
-    with tempfile.TemporaryDirectory() as folder:
-        code = Path(folder) / "code"
-        done = subprocess.run([dxc(), *options, "-T", profile, "-E", entry, "-Fo", code, file.name], cwd=file.parent,
-                              capture_output=True, text=True, errors="replace", check=False)
-        if done.returncode not in (0, 1):
-            raise RuntimeError(f"DXC ended with {done.returncode}: {done.stderr}")
-        return Compiled(code.read_bytes() if done.returncode == 0 else b"", done.stderr)
+    return compiled(files, dxc(), *options, "-T", profile, "-E", entry, "-each")
 
 
 def main(arguments: Sequence[str]) -> int:

@@ -90,14 +90,14 @@ class ByDxc(Compiler):
                 file = Path(folder) / f"{name}.hlsl"
                 file.write_text(text, encoding="ascii")
                 profile = {"pixel": "ps_6_0", "compute": "cs_6_0"}[stage]
-                made = compile_by_dxc(file, profile, "main", "-spirv", "-fspv-target-env=vulkan1.1", "-I",
-                                      str(GLSL.parent))
+                made, = compile_by_dxc([file], profile, "main", "-spirv", "-fspv-target-env=vulkan1.1", "-I",
+                                       str(GLSL.parent))
                 if made.code:
                     (Path(folder) / "code").write_bytes(made.code)
                     judged = subprocess.run(["spirv-val", "--target-env", "vulkan1.1", Path(folder) / "code"],
                                             capture_output=True, text=True, check=False)
                     made = made._replace(messages=made.messages + judged.stdout + judged.stderr)
-                    direct = compile_by_dxc(file, profile, "main", "-I", str(GLSL.parent))  # what Direct3D 12 takes
+                    direct, = compile_by_dxc([file], profile, "main", "-I", str(GLSL.parent))  # what Direct3D 12 takes
                     if not direct.code:
                         made = direct
                 found[name] = made

@@ -24,7 +24,7 @@ from translate.names import is_passed
 from translate.parsing.preprocessor import Preprocessor
 from translate.parsing.syntax import Binary, Function, Name, Number, Parentheses, Parser, definitions
 from translate.parsing.tokens import Unknown, tokens_of
-from translate.pick import command, comments, pages, printer, tsl, values
+from translate.pick import command, comments, pages, printer, shader, tsl, values
 from translate.pick.comparison import source
 from translate.pick.evaluate import Module
 from translate.pick.printer import Language
@@ -143,6 +143,13 @@ class Constants(unittest.TestCase):
             self.assertEqual(values.builtin("floatBitsToUint", "uint", (constant(given),)).value, word)
         self.assertNotIsInstance(values.builtin("floatBitsToUint", "uint", (constant("0.1"),)), values.Constant)
 
+    def test_a_step_between_neighbours_is_one(self) -> None:
+        """The library takes the origin off both, for compilers that see no constant otherwise."""
+        x, step, origin = values.Variable("uint", "x"), values.Constant("uint", 3), values.Constant("uint", 5)
+        ahead = values.binary("-", values.binary("+", x, step), origin)
+        self.assertEqual(values.binary("-", ahead, values.binary("-", x, origin)), step)
+        self.assertIsInstance(values.binary("-", ahead, values.binary("-", x, step)), values.Operation)
+
 
 class Shaders(unittest.TestCase):
     def spirv(self, shader: str) -> str:
@@ -189,6 +196,21 @@ class Shaders(unittest.TestCase):
             computed = set(re.findall(r"(%\w+) = OpF(?:Add|Sub|Mul|Div)", spirv))
             self.assertGreater(len(computed), 20)
             self.assertEqual(computed - set(re.findall(r"OpDecorate (%\w+) NoContraction", spirv)), set())
+
+    def test_a_shader_of_the_suite_keeps_its_head_and_main(self) -> None:
+        main = "uniform uint zero;\nvoid main() { colour = evaluate(zero); }\n"
+        of_precise = "float twice(float x) { precise float n = x * 2.0; return n; }\n"
+        for head, functions, short in (
+                ("#version 310 es\n// case\nprecision mediump int;\n",
+                 "highp uint twice(highp uint a) { precision highp int; return a * 2u; }\n"
+                 "highp uint evaluate(highp uint a) { return twice(a) + 1u; }\n",
+                 "highp uint evaluate(highp uint a) { return a * 2u + 1u; }\n"),
+                ("#version 400\n", f"{of_precise}uint evaluate(uint a) {{ return uint(twice(float(a))); }}\n",
+                 "uint evaluate(uint a) {\n  precise float n = float(a) * 2.0;\n  return uint(n);\n}\n")):
+            with self.subTest(head):
+                self.assertEqual(shader.shortened(head + functions + main), head + short + main)
+        for refused in ("#version 330\nvoid main() {}\n", f"struct pair {{ mediump int a; }};\n{main}"):
+            self.assertRaises(Unknown, shader.shortened, refused)
 
     def test_versions(self) -> None:
         """Each in its lowest version; ES where the user's own floats are of a lower precision. Godot's is compiled as

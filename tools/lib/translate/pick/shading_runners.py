@@ -144,7 +144,7 @@ class DxcRunner(HlslRunner):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "shader.hlsl"
             file.write_text(text, encoding="ascii")
-            made = compile_by_dxc(file, "cs_6_0", "main", "-spirv", "-fspv-target-env=vulkan1.1")
+            made, = compile_by_dxc([file], "cs_6_0", "main", "-spirv", "-fspv-target-env=vulkan1.1")
         if not made.code:
             raise NotRun(made.messages)
         return made.code

@@ -1,10 +1,13 @@
 """Translators that people have take each text of tools/pick: the oldest and the newest of each.
 
-    python3 -m translate.pick.translators_test [TOOL]...     by default all
+    python3 -m translate.pick.translators_test [TOOL]...     such as glslang or "glslang 12.0"; by default all
 
 A row of TRANSLATORS is a tool in a version, with how it is had and the languages it takes. By default the tools of
-Debian 12 take some functions; in a thorough run all tools take all functions in all arithmetics, which takes hours.
-Each must refuse a text with a fault, too.
+Debian 12 take some functions; in a thorough run all tools take all functions in all arithmetics, in half an hour of
+processor time. Then digests of the texts that a tool has taken are kept in build/translators/, and the next run takes
+others alone. Each tool must refuse a text with a fault, too. This tries all anew:
+
+    rm -rf ../../build/translators; HN_THOROUGH=1 python3 -B -m translate.pick.translators_test
 
 Exit status: 0 they do, 1 they do not, 77 what could be tried is right, but a tool cannot be had here.
 """
@@ -12,23 +15,25 @@ Exit status: 0 they do, 1 they do not, 77 what could be tried is right, but a to
 from __future__ import annotations
 
 import functools
+import hashlib
 import os
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from pathlib import Path
 from typing import NamedTuple
 
-from base.debian import Missing, program
+from base.debian import VERSIONS, Missing, program
 from base.javascript.environment import NODE
 from base.thorough import THOROUGH
 from base.tree import GLSL, ROOT
-from translate.hlsl.compilers import DXC, FXC, compile_by_dxc, dxc, dxc_of_windows, fxc, refusal
+from translate.hlsl.compilers import DXC, FXC, compile_by_dxc, compiled, dxc, dxc_of_windows, fxc, refusal
 from translate.pick import command
 from translate.pick.program import Program, chosen, read
 from translate.pick.runners import NotRun
@@ -57,13 +62,6 @@ class Translator(NamedTuple):
     by_default: bool = False  # what setup installs
 
 
-def one_by_one(refused: Callable[[Path], str]) -> Take:
-    def take(files: Sequence[Path]) -> Refused:
-        with ThreadPoolExecutor(os.cpu_count()) as pool:
-            return {file: said for file, said in zip(files, pool.map(refused, files)) if said}
-    return take
-
-
 def each(commands: Callable[[Path], Sequence[Sequence[str | Path]]]) -> Take:
     """By commands that succeed, one after the other, in silence but for what they write to standard output."""
     def refused(file: Path) -> str:
@@ -74,21 +72,17 @@ def each(commands: Callable[[Path], Sequence[Sequence[str | Path]]]) -> Take:
                 return f"{done.stdout}{done.stderr}" or f"{words[0]} ended with {done.returncode}"
         return ""
 
-    return one_by_one(refused)
+    return lambda files: {file: said for file in files if (said := refused(file))}
 
 
 def at_once(words: Callable[[Sequence[Path]], Sequence[str | Path]], variables: Mapping[str, str] = {}) -> Take:
     """By a program that prints `refused FILE: MESSAGE` in a line for each, and `done` in the end."""
     def take(files: Sequence[Path]) -> Refused:
-        found: Refused = {}
-        for i in range(0, len(files), 100):
-            done = subprocess.run([str(word) for word in words(files[i:i + 50])], env={**os.environ, **variables},
-                                  capture_output=True, text=True, check=False)
-            if not re.search(r"^done$", done.stdout, re.MULTILINE):
-                raise RuntimeError(f"{done.stdout}{done.stderr}"[-2000:])
-            lines = re.findall(r"^refused (.*?): (.*)$", done.stdout, re.MULTILINE)
-            found |= {Path(file): said for file, said in lines}
-        return found
+        done = subprocess.run([str(word) for word in words(files)], env={**os.environ, **variables},
+                              capture_output=True, text=True, check=False)
+        if not re.search(r"^done$", done.stdout, re.MULTILINE):
+            raise RuntimeError(f"{done.stdout}{done.stderr}"[-2000:])
+        return {Path(file): said for file, said in re.findall(r"^refused (.*?): (.*)$", done.stdout, re.MULTILINE)}
     return take
 
 
@@ -99,19 +93,34 @@ def own(name: str) -> Path:
     raise Missing(f"there is no {name} here")
 
 
+def to_spirv(validator: Path, file: Path) -> list[str | Path]:
+    return [validator, *(("-D",) if file.suffix == ".hlsl" else ()), "-V", "-S", "comp", "-e", "main", "-o",
+            file.with_suffix(".spv"), file]
+
+
 def glslang(find: Callable[[str], Path]) -> Take:
     validator = find("glslangValidator")
-    return each(lambda file: [[validator, *(("-D",) if file.suffix == ".hlsl" else ()), "-V", "-S", "comp", "-e",
-                               "main", "-o", file.with_suffix(".spv"), file]])
+    return each(lambda file: [to_spirv(validator, file)])
+
+
+@functools.cache
+def spirv(text: str) -> bytes:
+    """By Debian's glslang, which starts for longer than the others work on a text; nothing if it is refused."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "text.comp"
+        file.write_text(text, encoding="ascii")
+        done = subprocess.run(to_spirv(own("glslangValidator"), file), capture_output=True, check=False)
+        return b"" if done.returncode else file.with_suffix(".spv").read_bytes()
 
 
 def through_spirv(find: Callable[[str], Path]) -> Take:
     """SPIR-V of Debian's glslang is optimized, and becomes GLSL ES, HLSL and Metal."""
-    first, optimizer, cross = own("glslangValidator"), find("spirv-opt"), find("spirv-cross")
+    validator, optimizer, cross = own("spirv-val"), find("spirv-opt"), find("spirv-cross")
 
     def commands(file: Path) -> list[list[str | Path]]:
         made, less = file.with_suffix(".spv"), file.with_suffix(".less")
-        return [[first, "-V", "-o", made, file], [optimizer, "-O", "--validate-after-all", made, "-o", less],
+        made.write_bytes(spirv(file.read_text(encoding="ascii")))
+        return [[optimizer, "-O", made, "-o", less], [validator, less],
                 *([cross, less, *options, "--output", file.with_suffix(".out")] for options in (
                     ("--es", "--version", "310"), ("--hlsl", "--shader-model", "50"), ("--msl",)))]
     return each(commands)
@@ -187,9 +196,15 @@ def tint(version: str) -> Take:
     return at_once(lambda names: [NODE, "node", script, *names])
 
 
+@functools.cache
+def slang_compiler(package: str, thread: int) -> Slang:
+    """A thread's own, since a session is for one."""
+    return Slang(package)
+
+
 def slang(package: str, targets: Sequence[str]) -> Take:
     def take(files: Sequence[Path]) -> Refused:
-        compiler = Slang(package)
+        compiler = slang_compiler(package, threading.get_ident())
         found = {}
         for file in files:
             try:
@@ -211,33 +226,29 @@ def unbound(file: Path) -> Path:
 
 def by_dxc() -> Take:
     """To SPIR-V, which is valid, and to what Direct3D 12 takes."""
-    def refused(file: Path) -> str:
-        made = compile_by_dxc(file, "cs_6_0", "main", "-spirv", "-fspv-target-env=vulkan1.1")
-        code = file.with_suffix(".spv")
-        code.write_bytes(made.code)
-        return refusal(made) or validate([code]).get(code, "") or refusal(compile_by_dxc(unbound(file), "cs_6_0"))
+    def take(files: Sequence[Path]) -> Refused:
+        made = compile_by_dxc(files, "cs_6_0", "main", "-spirv", "-fspv-target-env=vulkan1.1")
+        wrong = validate([Path(f"{file}.code") for file in files])
+        direct = compile_by_dxc([*map(unbound, files)], "cs_6_0")
+        return {file: said for file, *ways in zip(files, made, direct)
+                if (said := refusal(ways[0]) or wrong.get(Path(f"{file}.code"), "") or refusal(ways[1]))}
 
     dxc()
     validate = each(lambda file: [[own("spirv-val"), "--target-env", "vulkan1.1", file]])
-    return one_by_one(refused)
-
-
-def by_dxc_of_windows() -> Take:
-    """To what Direct3D 12 takes, since Dawn's has no SPIR-V."""
-    variables = [f"{name}={fxc().environment[name]}" for name in ("WINEPREFIX", "WINEDEBUG")]
-    words = ["env", *variables, "wine", dxc_of_windows(of_npm("0.6.2") / "dist" / "win32-x64"), "-T", "cs_6_0"]
-    return each(lambda file: [[*words, "-Fo", file.with_suffix(".code").name, file.name]])
-
-
-def by_fxc() -> Take:
-    def take(files: Sequence[Path]) -> Refused:
-        found: Refused = {}
-        for i in range(0, len(files), 50):  # to start it takes a second
-            made = fxc().compile([*map(unbound, files[i:i + 50])], "cs_5_0")
-            found |= {file: said for file, one in zip(files[i:i + 50], made) if (said := refusal(one))}
-        return found
-    fxc()
     return take
+
+
+def of_windows(*command: str | Path) -> Take:
+    """By a command under wine, which takes a second to start, with texts without attributes of Vulkan."""
+    def take(files: Sequence[Path]) -> Refused:
+        made = compiled([*map(unbound, files)], "wine", *command, environment=fxc().environment)
+        return {file: said for file, one in zip(files, made) if (said := refusal(one))}
+    return take
+
+
+def dawns_dxc() -> Take:
+    """To what Direct3D 12 takes, since it has no SPIR-V."""
+    return of_windows(dxc_of_windows(of_npm("0.6.2") / "dist" / "win32-x64"), "-T", "cs_6_0", "-E", "main", "-each")
 
 
 def of_pypi(package: str) -> str:
@@ -253,7 +264,7 @@ TRANSLATORS = (
     Translator("SPIRV-Tools and SPIRV-Cross", "Debian 12", OF_GLSLANG, lambda: through_spirv(own), by_default=True),
     Translator("SPIRV-Tools and SPIRV-Cross", "Debian unstable", OF_GLSLANG, lambda: through_spirv(program)),
     Translator("naga", "0.14.0", OF_NAGA, lambda: naga("0.14.0")),
-    Translator("naga", "22.0.0", OF_NAGA, lambda: naga("22.0.0")),
+    Translator("naga", "22.0.0", OF_NAGA, lambda: naga("22.0.0", *STAGE)),
     Translator("naga", "30.0.1", OF_NAGA, lambda: naga("30.0.1", *STAGE)),
     Translator("wgpu", "0.13.2", OF_NAGA, lambda: wgpu("0.13.2")),
     Translator("wgpu", "0.22.2", OF_NAGA, lambda: wgpu("0.22.2")),
@@ -263,8 +274,9 @@ TRANSLATORS = (
     Translator("Slang", "slangtorch 1.2.0", ("slang",), lambda: slang("slangtorch==1.2.0", ("hlsl",))),
     Translator("Slang", of_pypi(PACKAGE), ("slang",), lambda: slang(PACKAGE, ("hlsl", "metal", "wgsl"))),
     Translator("DXC", of_pypi(DXC), ("hlsl",), by_dxc),
-    Translator("DXC", "webgpu 0.6.2", ("hlsl",), by_dxc_of_windows),
-    Translator("FXC", of_pypi(FXC), ("hlsl",), by_fxc),
+    Translator("DXC", "webgpu 0.6.2", ("hlsl",), dawns_dxc),
+    Translator("FXC", of_pypi(FXC), ("hlsl",),
+               lambda: of_windows(fxc().folder / "fxc.exe", "cs_5_0", "main")),
 )
 SMALL = ("hn_cellular2", "hn_place_at_cell2")
 
@@ -297,26 +309,56 @@ def all_texts(languages: Sequence[str]) -> dict[tuple[str, str], str]:
         return {key: text for found in pool.map(texts, *zip(*jobs)) for key, text in found.items()}
 
 
+KEPT = ROOT / "build" / "translators"
+
+
+@functools.cache
+def test_and_tools() -> str:
+    """They decide, too: this test, the callers of DXC and FXC, and the packages of Debian unstable that are here."""
+    files = (Path(__file__), *sorted((ROOT / "tools" / "lib" / "translate" / "hlsl").glob("*.*")),
+             *sorted((ROOT / "build" / "debian").glob(f"*/{VERSIONS}")))
+    return "".join(file.read_text(encoding="utf-8") for file in files)
+
+
+def digest(text: str) -> str:
+    return hashlib.sha256((test_and_tools() + text).encode()).hexdigest()
+
+
 class Taken(unittest.TestCase):
     translator: Translator
     take: Take
     languages: Sequence[str]  # of all translators
 
-    def refused(self, language: str, shaders: Mapping[str, str]) -> dict[str, str]:
-        with tempfile.TemporaryDirectory() as folder:
+    def refused(self, language: str, shaders: Mapping[str, str],
+                keep: Callable[[str], object] = lambda _: None) -> dict[str, str]:
+        """Messages by the names; `keep` gets the text of each other shader."""
+        found = {}
+        with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(os.cpu_count()) as pool:
             files = [Path(folder) / f"{name}.{FORMS[language][2]}" for name in shaders]
             for file, text in zip(files, shaders.values()):
                 file.write_text(text, encoding="ascii")
-            return {file.stem: said for file, said in type(self).take(files).items()}
+            parts = [files[i:i + 32] for i in range(0, len(files), 32)]
+            for part, refused in zip(parts, pool.map(type(self).take, parts)):
+                found |= {file.stem: said for file, said in refused.items()}
+                for file in part:
+                    if file not in refused:
+                        keep(shaders[file.stem])
+        return found
 
     def test_each_text(self) -> None:
+        tool = f"{self.translator.tool} {self.translator.version}"
+        KEPT.mkdir(parents=True, exist_ok=True)
         for language in self.translator.languages:
             shaders = {name: text for (name, of), text in all_texts(self.languages).items() if of == language
                        and (self.translator.tool not in ("naga", "wgpu") or not name.endswith("precise"))}
             self.assertGreater(len(shaders), 600 if THOROUGH else 1)
-            found = self.refused(language, shaders)
-            print(f"{self.translator.tool} {self.translator.version}: {len(shaders) - len(found)} of {len(shaders)} "
-                  f"texts of {language}", flush=True)
+            with (KEPT / f"{tool} {language}" if THOROUGH else Path(os.devnull)).open("a+", encoding="ascii") as kept:
+                kept.seek(0)
+                known = {*kept.read().split()}
+                new = {name: text for name, text in shaders.items() if digest(text) not in known}
+                found = self.refused(language, new, lambda text: print(digest(text), file=kept, flush=True))
+            print(f"{tool}: {len(shaders) - len(found)} of {len(shaders)} texts of {language}, {len(new)} of them new",
+                  flush=True)
             with self.subTest(language):
                 self.assertEqual(found, {})
 
@@ -344,7 +386,8 @@ class Page(unittest.TestCase):
 
 def main(tools: Sequence[str]) -> int:
     suite = unittest.defaultTestLoader.loadTestsFromTestCase(Page)
-    asked = [one for one in TRANSLATORS if (one.tool in tools if tools else THOROUGH or one.by_default)]
+    asked = [one for one in TRANSLATORS if ({one.tool, f"{one.tool} {one.version}"} & {*tools} if tools
+                                            else THOROUGH or one.by_default)]
     Taken.languages = tuple(language for language in FORMS if any(language in one.languages for one in asked))
     absent = []
     for one in asked:
