@@ -28,7 +28,7 @@ from catalog.tables.functions import read_functions
 from catalog.tables.glsl import files_of
 from catalog.tables.markdown import table
 from measure import record
-from measure.compile.texts import SUBJECTS
+from measure.compile.texts import SUBJECTS, WAYS
 from measure.likeness.table import ROWS
 from translate.parsing.preprocessor import Line, Macro, Preprocessor
 from translate.parsing.tokens import Unknown
@@ -162,11 +162,15 @@ def of_subject(row: Row, library: Path) -> str:
 
 def of_shader(row: Row, library: Path) -> str:
     """With the whole library, a file and what it includes, or a function alone, before its call."""
-    subject, = (one for one in SUBJECTS if one.picked == row["function"])
-    if row["way"] == "pick":
-        return reached(library, "lattice", (subject.file,), subject.call)
-    files = {"whole": glsl_files(library), "part": included(library, subject.file)}[row["way"]]
-    known = definitions(library, "lattice").texts.values()
+    way, _, arithmetic = row["way"].partition("+")
+    subject, = (one for one in SUBJECTS if one.noise == row["noise"])
+    configuration = "lattice" + f"+{arithmetic}" * bool(arithmetic)
+    if way == "pick":
+        return reached(library, configuration, (subject.file,), subject.call)
+    if way not in WAYS:
+        return NONE
+    files = {"whole": glsl_files(library), "file": included(library, subject.file)}[way]
+    known = definitions(library, configuration).texts.values()
     return digest(one.text for some in known for one in some if one.file in files)
 
 
