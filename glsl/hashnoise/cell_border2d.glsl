@@ -78,9 +78,7 @@ HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_i_num jitter, hn_uint seed, 
 //   period   2^32 cells per axis, or that of the tile
 //   cost     9, 1 and 15 hashes (none with HN_HASH_LATTICE), as many multiplications, and 15 square roots and divisions
 //   source   Quilez, "Voronoi edges", 2012, for the distance; docs/reference/contract.md, section 16
-HN_FN hn_float hn_cell_border(hn_place2 place, hn_uint seed) {
-  return hn_i_cell_border(place, HN_I_ONE, seed);
-}
+HN_FN hn_float hn_cell_border(hn_place2 place, hn_uint seed) { return hn_i_cell_border(place, HN_I_ONE, seed); }
 
 // The same in every dimension: tools/make writes it of cell_border2d.glsl.
 
