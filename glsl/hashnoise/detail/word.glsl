@@ -140,7 +140,8 @@ HN_FN hn_uint hn_i_odd(hn_uint sum) {
   return odd + (odd << 12u);
 }
 // The same join, axis by axis: each adds the product of its coordinate, or of a step along it, to an odd number. GPUs
-// have a product of 24 bits and an addition as one operation.
+// have a product of 24 bits and an addition as one operation. hn_i_word below takes the sum: with products hn_random
+// would cost 7 to 14% more on Apple, where a product costs four additions.
 //
 // HN_I_ODD_Y is the low 24 bits of HN_I_SUM_Y * HN_I_ODD_X, and so on. They are written out, because FXC takes every
 // product of two literals from 2^31 on for 2^31.

@@ -28,7 +28,7 @@ from catalog.tables.functions import read_functions
 from catalog.tables.glsl import files_of
 from catalog.tables.markdown import table
 from measure import record
-from measure.compile.texts import SUBJECTS
+from measure.compile.texts import SUBJECTS, WAYS
 from measure.likeness.table import ROWS
 from translate.parsing.preprocessor import Line, Macro, Preprocessor
 from translate.parsing.tokens import Unknown
@@ -47,6 +47,7 @@ WORDS = re.compile(r"\bhn_(?!bench)\w+|\bHN_\w+")
 COMMENT = re.compile(r"//.*|(?s:/\*.*?\*/)|^ *# .*|^#define HN_(?:VERSION_|I_NAMESPACE).*", re.MULTILINE)
 FOREIGN = re.compile(r"[^.]+|table\.\w+[23]")  # ids of subjects: other people's shaders, the empty one, tables
 PAGE = re.compile(r"(?P<by>[^\n]*), hashnoise (?P<hashnoise>[^\n]+?) of the text (?P<text>\w+), (?P<date>[\dTZ:-]+)\.")
+NUMBERS = ("gcc.csv", "clang.csv", "neon.csv")  # of pages, which alone are kept
 Row = Mapping[str, str]
 
 
@@ -161,11 +162,15 @@ def of_subject(row: Row, library: Path) -> str:
 
 def of_shader(row: Row, library: Path) -> str:
     """With the whole library, a file and what it includes, or a function alone, before its call."""
-    subject, = (one for one in SUBJECTS if one.picked == row["function"])
-    if row["way"] == "pick":
-        return reached(library, "lattice", (subject.file,), subject.call)
-    files = {"whole": glsl_files(library), "part": included(library, subject.file)}[row["way"]]
-    known = definitions(library, "lattice").texts.values()
+    way, _, arithmetic = row["way"].partition("+")
+    subject, = (one for one in SUBJECTS if one.noise == row["noise"])
+    configuration = "lattice" + f"+{arithmetic}" * bool(arithmetic)
+    if way == "pick":
+        return reached(library, configuration, (subject.file,), subject.call)
+    if way not in WAYS:
+        return NONE
+    files = {"whole": glsl_files(library), "file": included(library, subject.file)}[way]
+    known = definitions(library, configuration).texts.values()
     return digest(one.text for some in known for one in some if one.file in files)
 
 
@@ -279,8 +284,8 @@ def stale(path: Path, library: Path = GLSL) -> list[Row]:
 
 
 def paths(folder: Path = RESULTS) -> list[Path]:
-    """Of all records. ValueError for a file that is none."""
-    found = sorted(path for path in folder.rglob("*") if path.is_file() and path.name != "README.md")
+    """Of all records; of one with a page the page. ValueError for a file that is none."""
+    found = sorted(path for path in folder.rglob("*.*") if path.name not in ("README.md", *NUMBERS))
     for path in found:
         if path.name not in KINDS:
             raise ValueError(f"{path}: no command writes a record of this name (tools/lib/measure/stamps.py)")

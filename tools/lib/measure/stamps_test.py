@@ -85,6 +85,8 @@ class Texts(unittest.TestCase):
             stamps.stale(page)
         page.write_text("A processor, hashnoise 1.0.0 at 12, with changes of the text 00000000, 2026-11-26T17:25:13Z.\n")
         self.assertEqual((stamps.read(page).facts["by"], len(stamps.stale(page))), ("A processor", 1))
+        self.put("gcc.csv", "empty2")
+        self.assertEqual(stamps.paths(self.root / "results"), [self.file, page])
         self.put("costs.txt", "empty2")
         with self.assertRaisesRegex(ValueError, "costs.txt: no command writes"):
             stamps.paths(self.root / "results")

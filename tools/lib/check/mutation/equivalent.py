@@ -123,6 +123,10 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     # So is that of a falloff, modulo 2^32: uint(-t) is 2^32 - t.
     *alike("detail/falloff.glsl", ("hn_i_falloff_square(t)", "hn_i_falloff_square(-t)")),
 
+    # Only the first component is taken.
+    *alike("detail/arithmetic.glsl", ("vec2(floor(p), 0.0f)", "vec2(floor(p), 0.015625f)")),
+    *alike("detail/falloff.glsl", ("vec2(x, 0.0f)", "vec2(x, 0.015625f)")),
+
     # The fixed fade is the same for every fraction with either (all of them were compared by the oracle's tests). The
     # last two would round a square another way that is 2^15 or 2^15 - 1 modulo 2^16, and there is none.
     *alike("detail/arithmetic.glsl", ("+ 4u, 524287u)", "+ 4u, 524286u)"), ("1572864u", "1572865u"),

@@ -1,32 +1,41 @@
-"""Tests of tools/measure compile: its times, and how it treats compilers' messages."""
+"""Tests of tools/measure compile: its times, and how it treats compilers' messages and compilers that are missing."""
 
 from __future__ import annotations
 
 import contextlib
 import io
 import shutil
-import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
 
-from measure.compile import command, texts
-from measure.compile.texts import SUBJECTS, WAYS, fragment, shaders
+from measure.compile import command, compilers, texts
+from measure.compile.compilers import COMPILERS, DESKTOP, ES, Place
+from measure.compile.texts import EMPTY, FIXED, SUBJECTS, WAYS, jobs
+from measure.gpu.command import DRIVERS
+
+ALL_WAYS = [way + suffix for suffix in ("", FIXED) for way in WAYS]
 
 
 class CompileTimes(unittest.TestCase):
     def setUp(self):
         self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        self.place = Place(self.folder, {}, DRIVERS)
+        for module in (texts, command):  # fewer shaders are faster
+            self.enterContext(mock.patch.object(module, "SUBJECTS", SUBJECTS[:1]))
 
     def main(self, *arguments: str) -> tuple[int, str]:
-        errors = io.StringIO()
-        with contextlib.redirect_stderr(errors):
+        said = io.StringIO()
+        with contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
             try:
                 status = command.main(arguments)
             except SystemExit as stop:
                 status = stop.code
-        return status, errors.getvalue()
+        return status, said.getvalue()
+
+    def measured(self, *arguments: str) -> tuple[int, str]:
+        return self.main("--rounds", "1", "--out", str(self.folder / "compile.csv"), *arguments)
 
     def program(self, text: str) -> str:
         path = self.folder / "program"
@@ -35,57 +44,79 @@ class CompileTimes(unittest.TestCase):
         return str(path)
 
     def test_what_is_timed_compiles(self):
-        for version in ("#version 330", "#version 300 es\nprecision highp float;\nprecision highp int;"):
-            for subject, way, library in shaders():
-                if way == "whole":  # another test compiles these
-                    continue
-                path = self.folder / "shader.frag"
-                path.write_text(fragment(version, subject, library))
-                done = subprocess.run(["glslangValidator", path], capture_output=True, text=True, check=False)
-                self.assertEqual(done.returncode, 0, f"{subject.picked}, {way}: {done.stdout}")
+        for number, job in enumerate(jobs("glsl", {})):
+            if job.way.startswith("whole"):  # another test compiles these
+                continue
+            for version, options in ((DESKTOP, compilers.glslang()), (ES, ["glslangValidator"])):
+                file = self.folder / f"{number}.frag"
+                file.write_text(job.shader("glsl", version))
+                compilers.run(self.folder, *options, file)
 
     def test_a_record_of_a_compiler(self):
-        out = self.folder / "compile.csv"
-        with mock.patch.object(texts, "SUBJECTS", SUBJECTS[:1]):
-            self.assertEqual(self.main("--compiler", "glslang", "--rounds", "1", "--out", str(out))[0], 0)
-        with mock.patch.object(command, "RECORD", out):
+        peers = self.folder / "peers"
+        peers.mkdir()
+        (peers / "Perlin2D.glsl").write_text("float Perlin2D(vec2 p) { return p.x; }")
+        status, said = self.measured("--compiler", "glslang", "--wombat", str(peers))
+        self.assertEqual((status, said), (0, "glslang: 1 rounds\n"))
+        with mock.patch.object(command, "RECORD", self.folder / "compile.csv"):
             rows = command.record()
-        self.assertEqual([row["way"] for row in rows], list(WAYS))
-        sizes = {row["way"]: int(row["bytes"]) for row in rows if row["function"] == "hn_perlin2"}
-        self.assertGreater(sizes["whole"], 3 * sizes["part"])
-        self.assertGreater(sizes["part"], 10 * sizes["pick"])
+        self.assertEqual([row["way"] for row in rows], [*ALL_WAYS, "W"])
+        sizes = {row["way"]: int(row["bytes"]) for row in rows}
+        self.assertGreater(sizes["whole"], 3 * sizes["file"])
+        self.assertGreater(sizes["file"], 10 * sizes["pick"])
+
+    def test_each_language_has_each_shader(self):
+        library = self.folder / "GLSL" / "FastNoiseLite.glsl"
+        for file in (library, self.folder / "HLSL" / "FastNoiseLite.hlsl"):
+            file.parent.mkdir()
+            file.write_text("// a library\n")
+        for language, theirs in (("glsl", "F"), ("hlsl", "F"), ("wgsl", None)):
+            with mock.patch.object(texts, "library"):
+                found = [job.way for job in jobs(language, {"fastnoiselite": library})]
+            self.assertEqual(found, [EMPTY, *ALL_WAYS, *filter(None, [theirs])])
 
     def test_the_table(self):
-        rows = [{"function": subject.picked, "way": way, "compiler": compiler, "bytes": "1500", "ms": f"{number}.4"}
-                for subject in SUBJECTS for compiler in command.COMPILERS for number, way in enumerate(WAYS, 7)]
-        self.assertIn("| `hn_perlin2` | 1.5 / 1.5 / 1.5 | 7 / 8 / 9 |", command.page_table(rows))
+        rows = [{"noise": "Perlin 2D", "way": way, "compiler": compiler, "ms": f"{number}.4"}
+                for compiler in [*COMPILERS][:-1]
+                for number, way in enumerate([*ALL_WAYS, "F"], 0 if compiler == "glslang" else 7996)]
+        found = command.page_table(rows)
+        self.assertIn("| glslang, to SPIR-V | < 1 / 1 / 2; 3 / 4 / 5; F 6 |", found)
+        self.assertIn("| RADV, AMD Navi 31 | 7,996 / 7,997 / 7,998; 7,999 / 8,000 / 8,001; F 8,002 |", found)
         with self.assertRaises(LookupError):
             command.page_table(rows[1:])
+        self.assertIn(f"| {COMPILERS[[*COMPILERS][-1]].title} | missing |", found)
+        rows = [{**row, "noise": "fBm 3D, 6 octaves"} for row in rows]
+        self.assertEqual(command.quote(rows), "takes 7996 ms, of a pick 7998 ms, and of FastNoiseLite's file 8.0 s")
 
-    def test_a_refused_shader_is_told(self):
-        refusing = self.program("echo 'ERROR: 0:7: no such thing'; exit 2")
+    def test_a_refused_shader_is_named(self):
+        refusing = self.program("case $5 in 2.frag) echo 'ERROR: 0:7: no such thing'; exit 2;; esac")
         with mock.patch.object(shutil, "which", return_value=refusing):
-            status, errors = self.main("--compiler", "glslang", "--out", str(self.folder / "out.csv"))
+            status, said = self.measured("--compiler", "glslang")
         self.assertEqual(status, 1)
-        self.assertIn("no such thing", errors)
-        self.assertFalse((self.folder / "out.csv").exists())
+        self.assertRegex(said, r"Perlin 2D, file, is refused: program ended with status 2: ERROR: 0:7: no such thing\n")
 
-    def test_a_page_that_fails_is_told(self):
-        failing = self.program("echo '<pre id=\"times\">failed: there is no WebGL2</pre>'")
-        with self.assertRaisesRegex(command.Failed, "failed: there is no WebGL2"):
-            command.by_angle(failing, self.folder, 1)
-        with self.assertRaisesRegex(command.Failed, "left no report"):
-            command.by_angle(self.program("true"), self.folder, 1)
+    def test_a_page_that_fails_is_named(self):
+        for text, why in (("echo '<pre id=\"times\">failed: there is no WebGL2</pre>'", "failed: there is no WebGL2"),
+                          ("true", "left no report")):
+            with mock.patch.object(shutil, "which", return_value=self.program(text)), \
+                    self.assertRaisesRegex(compilers.Failed, why):
+                command.measured(COMPILERS["angle"], self.place, 1)
+
+    def test_a_missing_compiler_is_named(self):
+        with mock.patch.object(shutil, "which", return_value=None):
+            status, said = self.measured("--compiler", "naga", "--compiler", "angle")
+        self.assertEqual(status, 3)
+        self.assertIn("angle is missing: there is no chromium", said)
+        status, said = self.measured("--compiler", "radv", "--drivers", str(self.folder))
+        self.assertEqual(status, 3)
+        self.assertIn("radv is missing: there are no drivers in", said)
 
     def test_bad_usage(self):
-        for arguments, message in ((["--compiler", "fxc"], "invalid choice: 'fxc'"), (["--rounds", "0"], "not from 1 to 100")):
-            status, errors = self.main(*arguments)
+        for arguments, message in ((["--compiler", "fxd"], "invalid choice: 'fxd'"), (["--rounds", "0"], "not from 1 to 100"),
+                                   (["--wombat", "nowhere"], "--wombat: there is no nowhere")):
+            status, said = self.main(*arguments)
             self.assertEqual(status, 2)
-            self.assertIn(message, errors)
-        with mock.patch.object(shutil, "which", return_value=None):
-            status, errors = self.main("--compiler", "angle")
-        self.assertEqual(status, 2)
-        self.assertIn("there is no chromium", errors)
+            self.assertIn(message, said)
 
 
 if __name__ == "__main__":

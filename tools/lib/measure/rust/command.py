@@ -29,7 +29,7 @@ from measure import record, stamps
 OURS = "hashnoise"
 FOLDER = ROOT / "build" / "measure-rust"
 CALLS = Path(__file__).with_name("calls.rs")
-# Versions of which calls.rs has the interface. bevy_math has the vectors of noiz.
+# calls.rs is written for these versions. bevy_math has the vectors of noiz.
 OTHERS = {"fastnoise-lite": "1.1.1", "libnoise": "1.2.0", "noise": "0.9.0", "noiz": "0.6.0", "bevy_math": "0.20.0"}
 MODULES = "place,hash,perlin,value,simplex,cellular,fbm"
 TARGETS = ("x86-64", "x86-64-v3")

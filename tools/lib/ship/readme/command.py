@@ -125,7 +125,8 @@ def problems(check: bool) -> list[str]:
     elif right != readme:
         found.append(f"{README}: the size of the single file is not what it should be; run tools/make readme")
     found += [f"{README}: it must state {quote!r}"
-              for quote in (*numbers.cost_quotes(), numbers.golden_quote(), of_commands.times_quote(times))
+              for quote in (*numbers.cost_quotes(), of_compilers.quote(of_compilers.record()),
+                            numbers.golden_quote(), of_commands.times_quote(times))
               if quote not in readme]
     return found
 

@@ -143,6 +143,13 @@ class Constants(unittest.TestCase):
             self.assertEqual(values.builtin("floatBitsToUint", "uint", (constant(given),)).value, word)
         self.assertNotIsInstance(values.builtin("floatBitsToUint", "uint", (constant("0.1"),)), values.Constant)
 
+    def test_a_step_between_neighbours_is_one(self) -> None:
+        """The library takes the origin off both, for compilers that see no constant otherwise."""
+        x, step, origin = values.Variable("uint", "x"), values.Constant("uint", 3), values.Constant("uint", 5)
+        ahead = values.binary("-", values.binary("+", x, step), origin)
+        self.assertEqual(values.binary("-", ahead, values.binary("-", x, origin)), step)
+        self.assertIsInstance(values.binary("-", ahead, values.binary("-", x, step)), values.Operation)
+
 
 class Shaders(unittest.TestCase):
     def spirv(self, shader: str) -> str:

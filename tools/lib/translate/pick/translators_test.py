@@ -3,9 +3,11 @@
     python3 -m translate.pick.translators_test [TOOL]...     such as glslang or "glslang 12.0"; by default all
 
 A row of TRANSLATORS is a tool in a version, with how it is had and the languages it takes. By default the tools of
-Debian 12 take some functions; in a thorough run all tools take all functions in all arithmetics, which takes hours.
-Then digests of the texts that a tool has taken are kept in build/translators/, and the next run takes others alone:
-remove the folder to try all anew. Each tool must refuse a text with a fault, too.
+Debian 12 take some functions; in a thorough run all tools take all functions in all arithmetics, in half an hour of
+processor time. Then digests of the texts that a tool has taken are kept in build/translators/, and the next run takes
+others alone. Each tool must refuse a text with a fault, too. This tries all anew:
+
+    rm -rf ../../build/translators; HN_THOROUGH=1 python3 -B -m translate.pick.translators_test
 
 Exit status: 0 they do, 1 they do not, 77 what could be tried is right, but a tool cannot be had here.
 """

@@ -186,6 +186,8 @@ def binary(sign: str, left: Node, right: Node) -> Node:
             return _wrapped(left.type, quotient if sign == "/" else left.value - quotient * right.value)
     if sign == "-" and left is right and left.type in ("float", "int", "uint"):  # what is computed is finite
         return NOTHING if left.type == "float" else Constant(left.type, 0)
+    if left.type == right.type == "uint" and sign == "-" and less_the_same(left, right):
+        left, right = left.arguments[0], right.arguments[0]
     if whole and sign == "-" and isinstance(left, Operation) and left.kind == "binary" and left.name == "+" and (
             left.arguments[0] is right):
         return left.arguments[1]
@@ -206,6 +208,12 @@ def binary(sign: str, left: Node, right: Node) -> Node:
     elif sign in "*/" and isinstance(right, Constant) and right.value.rstrip("fF") == "1.0":
         return left
     return operation("binary", sign, type_, (left, right))
+
+
+def less_the_same(left: Node, right: Node) -> bool:
+    """Whether both are differences from one constant."""
+    return all(isinstance(one, Operation) and one.kind == "binary" and one.name == "-" for one in (left, right)) and (
+        isinstance(left.arguments[1], Constant) and left.arguments[1] == right.arguments[1])
 
 
 def builtin(name: str, type_: str, arguments: tuple[Node, ...]) -> Node:
