@@ -39,8 +39,16 @@ HN_I_INLINE hn_i_num along2(Uint word, hn_i_num x, hn_i_num y) {
 HN_I_INLINE Float signed_by(Float x, Uint word, std::uint32_t shift) {
   return uintBitsToFloat(floatBitsToUint(x) ^ ((word << shift) & 0x80000000u));
 }
+// SSE and AVX2 compare numbers with a sign alone, and GCC makes two steps of each other comparison.
+HN_I_INLINE Mask is_below(Uint word, std::uint32_t n) {
+#if defined(__SSE4_1__) && !defined(__AVX512F__)
+  return Int(word ^ 0x80000000u) < static_cast<std::int32_t>(n ^ 0x80000000u);
+#else
+  return word < n;
+#endif
+}
 HN_I_INLINE hn_i_num along3(Uint word, Float x, Float y, Float z) {
-  const Float a = hn_i_select(word < 0xAAAAAAAAu, x, y), b = hn_i_select(word < 0x55555555u, y, z);
+  const Float a = hn_i_select(is_below(word, 0xAAAAAAAAu), x, y), b = hn_i_select(is_below(word, 0x55555555u), y, z);
 #if HN_ARITHMETIC == HN_FIXED
   return hn_i_beyond_12(signed_by(a, word, 9u) + 12.0f + signed_by(b, word, 10u));
 #else
