@@ -20,33 +20,29 @@
 // The same in 3 and 4 dimensions: tools/make writes it of detail/cell2d.glsl.
 
 #if HN_ARITHMETIC == HN_FAST
-HN_FN hn_ivec3 hn_i_cell(const hn_vec3 p) { return ivec3(floor(p)); }
-HN_FN hn_ivec4 hn_i_cell(const hn_vec4 p) { return ivec4(floor(p)); }
-HN_FN hn_vec3 hn_i_fraction(const hn_vec3 p) {
+HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(floor(p)); }
+HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(floor(p)); }
+HN_FN hn_vec3 hn_i_fraction(hn_vec3 p) {
   HN_I_AS_WRITTEN hn_vec3 f = p - floor(p);
   return f;
 }
-HN_FN hn_vec4 hn_i_fraction(const hn_vec4 p) {
+HN_FN hn_vec4 hn_i_fraction(hn_vec4 p) {
   HN_I_AS_WRITTEN hn_vec4 f = p - floor(p);
   return f;
 }
-HN_FN hn_vec3 hn_i_to_num(const hn_vec3 f) { return f; }
-HN_FN hn_vec4 hn_i_to_num(const hn_vec4 f) { return f; }
+HN_FN hn_vec3 hn_i_to_num(hn_vec3 f) { return f; }
+HN_FN hn_vec4 hn_i_to_num(hn_vec4 f) { return f; }
 #else
-HN_FN hn_ivec3 hn_i_cell(const hn_vec3 p) { return ivec3(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z)); }
-HN_FN hn_ivec4 hn_i_cell(const hn_vec4 p) {
-  return ivec4(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z), hn_i_cell(p.w));
-}
-HN_FN hn_i_num3 hn_i_fraction(const hn_vec3 p) {
+HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z)); }
+HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z), hn_i_cell(p.w)); }
+HN_FN hn_i_num3 hn_i_fraction(hn_vec3 p) {
   return hn_i_vector(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z));
 }
-HN_FN hn_i_num4 hn_i_fraction(const hn_vec4 p) {
+HN_FN hn_i_num4 hn_i_fraction(hn_vec4 p) {
   return hn_i_vector(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z), hn_i_fraction(p.w));
 }
-HN_FN hn_i_num3 hn_i_to_num(const hn_vec3 f) {
-  return hn_i_vector(hn_i_to_num(f.x), hn_i_to_num(f.y), hn_i_to_num(f.z));
-}
-HN_FN hn_i_num4 hn_i_to_num(const hn_vec4 f) {
+HN_FN hn_i_num3 hn_i_to_num(hn_vec3 f) { return hn_i_vector(hn_i_to_num(f.x), hn_i_to_num(f.y), hn_i_to_num(f.z)); }
+HN_FN hn_i_num4 hn_i_to_num(hn_vec4 f) {
   return hn_i_vector(hn_i_to_num(f.x), hn_i_to_num(f.y), hn_i_to_num(f.z), hn_i_to_num(f.w));
 }
 #endif
@@ -123,15 +119,15 @@ HN_FN hn_place4 hn_i_place(hn_ivec4 cell, hn_i_num4 fraction, hn_ivec4 rest) {
 //   error    none: this loses nothing that the noise does not
 //   cost     none that the noise does not have
 //   source   docs/reference/contract.md, section 6
-HN_FN hn_place1 hn_place(const hn_int cell, const hn_float f) {
+HN_FN hn_place1 hn_place(hn_int cell, hn_float f) {
   return hn_i_place(cell, hn_i_to_num(f), HN_I_REST(hn_i_rest_of_fraction(f)));
 }
-HN_FN hn_place3 hn_place(const hn_ivec3 cell, const hn_vec3 f) {
+HN_FN hn_place3 hn_place(hn_ivec3 cell, hn_vec3 f) {
   return hn_i_place(cell, hn_i_to_num(f),
                     ivec3(HN_I_REST(hn_i_rest_of_fraction(f.x)), HN_I_REST(hn_i_rest_of_fraction(f.y)),
                           HN_I_REST(hn_i_rest_of_fraction(f.z))));
 }
-HN_FN hn_place4 hn_place(const hn_ivec4 cell, const hn_vec4 f) {
+HN_FN hn_place4 hn_place(hn_ivec4 cell, hn_vec4 f) {
   return hn_i_place(cell, hn_i_to_num(f),
                     ivec4(HN_I_REST(hn_i_rest_of_fraction(f.x)), HN_I_REST(hn_i_rest_of_fraction(f.y)),
                           HN_I_REST(hn_i_rest_of_fraction(f.z)), HN_I_REST(hn_i_rest_of_fraction(f.w))));
@@ -144,11 +140,11 @@ HN_FN hn_place4 hn_place(const hn_ivec4 cell, const hn_vec4 f) {
 //   error    none
 //   cost     none
 //   source   as above
-HN_FN hn_place1 hn_place(const hn_int cell) { return hn_i_place(cell, hn_i_to_num(0.0f), 0); }
-HN_FN hn_place3 hn_place(const hn_ivec3 cell) {
+HN_FN hn_place1 hn_place(hn_int cell) { return hn_i_place(cell, hn_i_to_num(0.0f), 0); }
+HN_FN hn_place3 hn_place(hn_ivec3 cell) {
   return hn_i_place(cell, hn_i_to_num(vec3(0.0f, 0.0f, 0.0f)), ivec3(0, 0, 0));
 }
-HN_FN hn_place4 hn_place(const hn_ivec4 cell) {
+HN_FN hn_place4 hn_place(hn_ivec4 cell) {
   return hn_i_place(cell, hn_i_to_num(vec4(0.0f, 0.0f, 0.0f, 0.0f)), ivec4(0, 0, 0, 0));
 }
 
@@ -160,15 +156,15 @@ HN_FN hn_place4 hn_place(const hn_ivec4 cell) {
 //   error    floats round the fraction of a small negative position
 //   cost     as above
 //   source   as above
-HN_FN hn_place1 hn_place(const hn_float p) {
+HN_FN hn_place1 hn_place(hn_float p) {
   return hn_i_place(hn_i_cell(p), hn_i_fraction(p), HN_I_REST(hn_i_rest_of_position(p)));
 }
-HN_FN hn_place3 hn_place(const hn_vec3 p) {
+HN_FN hn_place3 hn_place(hn_vec3 p) {
   return hn_i_place(hn_i_cell(p), hn_i_fraction(p),
                     ivec3(HN_I_REST(hn_i_rest_of_position(p.x)), HN_I_REST(hn_i_rest_of_position(p.y)),
                           HN_I_REST(hn_i_rest_of_position(p.z))));
 }
-HN_FN hn_place4 hn_place(const hn_vec4 p) {
+HN_FN hn_place4 hn_place(hn_vec4 p) {
   return hn_i_place(hn_i_cell(p), hn_i_fraction(p),
                     ivec4(HN_I_REST(hn_i_rest_of_position(p.x)), HN_I_REST(hn_i_rest_of_position(p.y)),
                           HN_I_REST(hn_i_rest_of_position(p.z)), HN_I_REST(hn_i_rest_of_position(p.w))));
@@ -186,27 +182,27 @@ HN_FN hn_place4 hn_place(const hn_vec4 p) {
 //   cost     for the noise a mask along each axis if the period is a constant power of two, else a division; a few
 //            comparisons along each axis, and for simplex and cellular noise up to two multiplications
 //   source   docs/reference/contract.md, section 6
-HN_FN hn_place1 hn_tile(const hn_place1 place, hn_int period) {
+HN_FN hn_place1 hn_tile(hn_place1 place, hn_int period) {
   hn_place1 tile = place;
   tile.period = period;
   tile.tiled = true;
   return tile;
 }
-HN_FN hn_place3 hn_tile(const hn_place3 place, hn_ivec3 period) {
+HN_FN hn_place3 hn_tile(hn_place3 place, hn_ivec3 period) {
   hn_place3 tile = place;
   tile.period = period;
   tile.tiled = true;
   return tile;
 }
-HN_FN hn_place4 hn_tile(const hn_place4 place, hn_ivec4 period) {
+HN_FN hn_place4 hn_tile(hn_place4 place, hn_ivec4 period) {
   hn_place4 tile = place;
   tile.period = period;
   tile.tiled = true;
   return tile;
 }
-HN_FN hn_place1 hn_tile(const hn_float p, const hn_int period) { return hn_tile(hn_place(p), period); }
-HN_FN hn_place3 hn_tile(const hn_vec3 p, const hn_ivec3 period) { return hn_tile(hn_place(p), period); }
-HN_FN hn_place4 hn_tile(const hn_vec4 p, const hn_ivec4 period) { return hn_tile(hn_place(p), period); }
+HN_FN hn_place1 hn_tile(hn_float p, hn_int period) { return hn_tile(hn_place(p), period); }
+HN_FN hn_place3 hn_tile(hn_vec3 p, hn_ivec3 period) { return hn_tile(hn_place(p), period); }
+HN_FN hn_place4 hn_tile(hn_vec4 p, hn_ivec4 period) { return hn_tile(hn_place(p), period); }
 
 // The position of a place, for your own noise in a fractal.
 //   place    the place
@@ -214,13 +210,13 @@ HN_FN hn_place4 hn_tile(const hn_vec4 p, const hn_ivec4 period) { return hn_tile
 //   returns  its cell and its fraction in one float along each axis
 //   error    that of a float, far out
 //   source   as of hn_place
-HN_FN hn_float hn_position(const hn_place1 place) { return hn_i_position_of(place.cell, place.fraction, place.rest); }
-HN_FN hn_vec3 hn_position(const hn_place3 place) {
+HN_FN hn_float hn_position(hn_place1 place) { return hn_i_position_of(place.cell, place.fraction, place.rest); }
+HN_FN hn_vec3 hn_position(hn_place3 place) {
   return vec3(hn_i_position_of(place.cell.x, place.fraction.x, place.rest.x),
               hn_i_position_of(place.cell.y, place.fraction.y, place.rest.y),
               hn_i_position_of(place.cell.z, place.fraction.z, place.rest.z));
 }
-HN_FN hn_vec4 hn_position(const hn_place4 place) {
+HN_FN hn_vec4 hn_position(hn_place4 place) {
   return vec4(hn_i_position_of(place.cell.x, place.fraction.x, place.rest.x),
               hn_i_position_of(place.cell.y, place.fraction.y, place.rest.y),
               hn_i_position_of(place.cell.z, place.fraction.z, place.rest.z),

@@ -35,9 +35,6 @@
 //   hn_i_truth(c)              the condition as a bool, if it is the same for all points
 //   hn_i_any(c)                whether the condition holds at one of the points
 //
-// In this folder a parameter that its function does not change is const: glslang passes a value then, and no variable
-// that drivers would have to remove.
-//
 // cell2d.glsl has the cell, the fraction and the fade of a vector; place.glsl and cell.glsl have those of other
 // dimensions. value.glsl has the steps of value noise, derivative.glsl those of derivatives, cubic_spline.glsl those of
 // splines, direction_turning.glsl those of rotating gradients, falloff.glsl those of simplex noise, and octave.glsl
@@ -75,30 +72,30 @@
 #define HN_I_FLOAT_UNITS_RAMP 536870912.0f
 
 // In C++ numbers may be vectors of many points, and these have no ?: operator, and conditions that are no bool.
-HN_FN hn_float hn_i_select(const bool condition, const hn_float a, const hn_float b) { return condition ? a : b; }
-HN_FN hn_int hn_i_select(const bool condition, const hn_int a, const hn_int b) { return condition ? a : b; }
-HN_FN hn_uint hn_i_select(const bool condition, const hn_uint a, const hn_uint b) { return condition ? a : b; }
-HN_FN hn_int hn_i_choice(const bool condition, const hn_int a, const hn_int b) { return condition ? a : b; }
-HN_FN bool hn_i_truth(const bool condition) { return condition; }
-HN_FN bool hn_i_any(const bool condition) { return condition; }
+HN_FN hn_float hn_i_select(bool condition, hn_float a, hn_float b) { return condition ? a : b; }
+HN_FN hn_int hn_i_select(bool condition, hn_int a, hn_int b) { return condition ? a : b; }
+HN_FN hn_uint hn_i_select(bool condition, hn_uint a, hn_uint b) { return condition ? a : b; }
+HN_FN hn_int hn_i_choice(bool condition, hn_int a, hn_int b) { return condition ? a : b; }
+HN_FN bool hn_i_truth(bool condition) { return condition; }
+HN_FN bool hn_i_any(bool condition) { return condition; }
 
-HN_FN hn_float hn_i_minus(const hn_float a, const hn_float b) {
+HN_FN hn_float hn_i_minus(hn_float a, hn_float b) {
   HN_I_AS_WRITTEN hn_float n = a - b;
   return n;
 }
 
 // abs and max would do for integers, too, but drivers got both wrong: abs(x), and -x of max(max(x, -x), y).
-HN_FN hn_float hn_i_size(const hn_float x) { return abs(x); }
-HN_FN hn_int hn_i_size(const hn_int x) { return hn_i_select(x < 0, -x, x); }
+HN_FN hn_float hn_i_size(hn_float x) { return abs(x); }
+HN_FN hn_int hn_i_size(hn_int x) { return hn_i_select(x < 0, -x, x); }
 
-HN_FN hn_float hn_i_signed(const hn_float m, const hn_uint word) {
+HN_FN hn_float hn_i_signed(hn_float m, hn_uint word) {
 #if HN_I_BITCAST
   return uintBitsToFloat(floatBitsToUint(m) | (word & 0x80000000u));
 #else
   return hn_i_select((word & 0x80000000u) != 0u, -m, m);
 #endif
 }
-HN_FN hn_int hn_i_signed(const hn_int m, const hn_uint word) { return hn_i_select((word & 0x80000000u) != 0u, -m, m); }
+HN_FN hn_int hn_i_signed(hn_int m, hn_uint word) { return hn_i_select((word & 0x80000000u) != 0u, -m, m); }
 
 #if HN_ARITHMETIC != HN_FIXED
 
@@ -108,92 +105,88 @@ HN_FN hn_int hn_i_signed(const hn_int m, const hn_uint word) { return hn_i_selec
 #define hn_i_num4 hn_vec4
 #define HN_I_ONE 1.0f
 
-HN_FN hn_vec2 hn_i_vector(const hn_float x, const hn_float y) { return vec2(x, y); }
+HN_FN hn_vec2 hn_i_vector(hn_float x, hn_float y) { return vec2(x, y); }
 // The same in 3 and 4 dimensions: tools/make writes it.
-HN_FN hn_vec3 hn_i_vector(const hn_float x, const hn_float y, const hn_float z) { return vec3(x, y, z); }
-HN_FN hn_vec4 hn_i_vector(const hn_float x, const hn_float y, const hn_float z, const hn_float w) {
-  return vec4(x, y, z, w);
-}
+HN_FN hn_vec3 hn_i_vector(hn_float x, hn_float y, hn_float z) { return vec3(x, y, z); }
+HN_FN hn_vec4 hn_i_vector(hn_float x, hn_float y, hn_float z, hn_float w) { return vec4(x, y, z, w); }
 
 #if HN_ARITHMETIC == HN_FAST
 
 // This takes the constructor of a vector, since in C++ it has a result for a float that does not fit, too.
-HN_FN hn_int hn_i_cell(const hn_float p) { return ivec2(vec2(floor(p), 0.0f)).x; }
+HN_FN hn_int hn_i_cell(hn_float p) { return ivec2(vec2(floor(p), 0.0f)).x; }
 
-HN_FN hn_float hn_i_fraction(const hn_float p) {
+HN_FN hn_float hn_i_fraction(hn_float p) {
   HN_I_AS_WRITTEN hn_float f = p - floor(p);
   return f;
 }
-HN_FN hn_float hn_i_to_num(const hn_float f) { return f; }
-HN_FN hn_float hn_i_flushed(const hn_float n) { return n; }
+HN_FN hn_float hn_i_to_num(hn_float f) { return f; }
+HN_FN hn_float hn_i_flushed(hn_float n) { return n; }
 
 #else  // HN_PRECISE
 
 #define HN_I_TINY (1.0f / 4294967296.0f)  // 2^-32
 
 // Replaces a number by 0 if it is so small that a product could be subnormal: drivers may flush subnormal numbers to 0.
-HN_FN hn_float hn_i_to_num(const hn_float x) { return hn_i_select(abs(x) < HN_I_TINY, 0.0f, x); }
+HN_FN hn_float hn_i_to_num(hn_float x) { return hn_i_select(abs(x) < HN_I_TINY, 0.0f, x); }
 
 // Replaces a result by 0 if it is so small that flushed subnormal numbers could have changed it: what they lose is at
 // most 2^-126, which is less than half of the last bit of any larger result.
-HN_FN hn_float hn_i_flushed(const hn_float n) {
-  return hn_i_select(abs(n) < HN_I_TINY * HN_I_TINY * HN_I_TINY, 0.0f, n);
-}
+HN_FN hn_float hn_i_flushed(hn_float n) { return hn_i_select(abs(n) < HN_I_TINY * HN_I_TINY * HN_I_TINY, 0.0f, n); }
 
 // Converting a float that does not fit an int is undefined. 2147483520 is the largest float below 2^31. In this order a
 // NaN, which octaves far beyond the domain reach, has a cell in C++, too.
-HN_FN hn_int hn_i_cell(const hn_float p) { return int(min(max(-2147483648.0f, floor(hn_i_to_num(p))), 2147483520.0f)); }
+HN_FN hn_int hn_i_cell(hn_float p) { return int(min(max(-2147483648.0f, floor(hn_i_to_num(p))), 2147483520.0f)); }
 
-HN_FN hn_float hn_i_fraction(const hn_float p) {
+HN_FN hn_float hn_i_fraction(hn_float p) {
   hn_float q = hn_i_to_num(p);
   return hn_i_minus(q, floor(q));
 }
 
 #endif
 
-HN_FN hn_float hn_i_plus(const hn_float a, const hn_float b) {
+HN_FN hn_float hn_i_plus(hn_float a, hn_float b) {
   HN_I_PRECISE hn_float n = a + b;
   return n;
 }
-HN_FN hn_float hn_i_times(const hn_float a, const hn_float b) {
+HN_FN hn_float hn_i_times(hn_float a, hn_float b) {
   HN_I_PRECISE hn_float n = a * b;
   return n;
 }
 
-HN_FN hn_float hn_i_times_plus(const hn_float a, const hn_float b, const hn_float c) {
+HN_FN hn_float hn_i_times_plus(hn_float a, hn_float b, hn_float c) {
   HN_I_PRECISE hn_float n = a * b + c;
   return n;
 }
 
-HN_FN hn_float hn_i_dot(const hn_vec2 g, const hn_float x, const hn_float y) {
+HN_FN hn_float hn_i_dot(hn_vec2 g, hn_float x, hn_float y) {
   HN_I_PRECISE hn_float n = g.x * x + g.y * y;
   return n;
 }
 // The same in 3 dimensions: tools/make writes it.
-HN_FN hn_float hn_i_dot(const hn_vec3 g, const hn_float x, const hn_float y, const hn_float z) {
+HN_FN hn_float hn_i_dot(hn_vec3 g, hn_float x, hn_float y, hn_float z) {
   HN_I_PRECISE hn_float n = g.x * x + g.y * y + g.z * z;
   return n;
 }
 
 // This form avoids the cancellation of the usual one.
-HN_FN hn_float hn_i_fade(const hn_float f) {
+HN_FN hn_float hn_i_fade(hn_float f) {
   HN_I_AS_WRITTEN hn_float d = f - 1.0f;
   HN_I_PRECISE hn_float t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
   return t;
 }
 
-HN_FN hn_float hn_i_lerp(const hn_float a, const hn_float b, const hn_float t) {
+HN_FN hn_float hn_i_lerp(hn_float a, hn_float b, hn_float t) {
   HN_I_PRECISE hn_float n = a + t * (b - a);
   return n;
 }
 
-HN_FN hn_float hn_i_scaled(const hn_float n, const hn_int s) {
+HN_FN hn_float hn_i_scaled(hn_float n, hn_int s) {
   HN_I_PRECISE hn_float scaled = n * (hn_i_float(s) * (1.0f / 1024.0f));
   return scaled;
 }
 
-HN_FN hn_float hn_i_value(const hn_float n) { return hn_i_flushed(n); }
-HN_FN hn_float hn_i_derivative(const hn_float n) { return hn_i_flushed(n); }
+HN_FN hn_float hn_i_value(hn_float n) { return hn_i_flushed(n); }
+HN_FN hn_float hn_i_derivative(hn_float n) { return hn_i_flushed(n); }
 
 #else  // HN_FIXED
 
@@ -203,37 +196,37 @@ HN_FN hn_float hn_i_derivative(const hn_float n) { return hn_i_flushed(n); }
 #define hn_i_num4 hn_ivec4
 #define HN_I_ONE HN_I_UNITS_FRACTION
 
-HN_FN hn_ivec2 hn_i_vector(const hn_int x, const hn_int y) { return ivec2(x, y); }
+HN_FN hn_ivec2 hn_i_vector(hn_int x, hn_int y) { return ivec2(x, y); }
 // The same in 3 and 4 dimensions: tools/make writes it.
-HN_FN hn_ivec3 hn_i_vector(const hn_int x, const hn_int y, const hn_int z) { return ivec3(x, y, z); }
-HN_FN hn_ivec4 hn_i_vector(const hn_int x, const hn_int y, const hn_int z, const hn_int w) { return ivec4(x, y, z, w); }
+HN_FN hn_ivec3 hn_i_vector(hn_int x, hn_int y, hn_int z) { return ivec3(x, y, z); }
+HN_FN hn_ivec4 hn_i_vector(hn_int x, hn_int y, hn_int z, hn_int w) { return ivec4(x, y, z, w); }
 
 // The position, or the nearest that has a cell: converting a float that does not fit an int is undefined. 2147483520 is
 // the largest float below 2^31. In this order, here and wherever a float is limited, a NaN becomes the least number.
-HN_FN hn_float hn_i_in_cells(const hn_float p) { return min(max(-2147483648.0f, p), 2147483520.0f); }
+HN_FN hn_float hn_i_in_cells(hn_float p) { return min(max(-2147483648.0f, p), 2147483520.0f); }
 
 // Every step up to the integers is exact in floats, so rounding, contraction and flushed subnormal numbers cannot
 // change it. p - floor(p) would not be exact: for a small negative p it has too many bits. So the whole part is cut off
 // towards 0, and the rest, in (-1, 1), may be negative. An infinity has the rest of the last cell, which is 0.
-HN_FN hn_float hn_i_beside_cell(const hn_float p) {
+HN_FN hn_float hn_i_beside_cell(hn_float p) {
   hn_float q = hn_i_in_cells(p);
   return q - trunc(q);
 }
-HN_FN hn_int hn_i_rest(const hn_float p) { return int(hn_i_beside_cell(p) * HN_I_FLOAT_UNITS_FRACTION); }
+HN_FN hn_int hn_i_rest(hn_float p) { return int(hn_i_beside_cell(p) * HN_I_FLOAT_UNITS_FRACTION); }
 
-HN_FN hn_int hn_i_cell(const hn_float p) { return int(trunc(hn_i_in_cells(p))) + (hn_i_rest(p) >> 20); }
+HN_FN hn_int hn_i_cell(hn_float p) { return int(trunc(hn_i_in_cells(p))) + (hn_i_rest(p) >> 20); }
 
-HN_FN hn_int hn_i_fraction(const hn_float p) { return hn_i_rest(p) & (HN_I_UNITS_FRACTION - 1); }
+HN_FN hn_int hn_i_fraction(hn_float p) { return hn_i_rest(p) & (HN_I_UNITS_FRACTION - 1); }
 
-HN_FN hn_int hn_i_to_num(const hn_float f) { return int(min(max(0.0f, f), 1.0f) * HN_I_FLOAT_UNITS_FRACTION); }
+HN_FN hn_int hn_i_to_num(hn_float f) { return int(min(max(0.0f, f), 1.0f) * HN_I_FLOAT_UNITS_FRACTION); }
 
-HN_FN hn_int hn_i_plus(const hn_int a, const hn_int b) { return a + b; }
-HN_FN hn_int hn_i_minus(const hn_int a, const hn_int b) { return a - b; }
+HN_FN hn_int hn_i_plus(hn_int a, hn_int b) { return a + b; }
+HN_FN hn_int hn_i_minus(hn_int a, hn_int b) { return a - b; }
 
 // The distance of a fraction from the nearer end, in units of 2^-17, rounded. It has 16 bits, so it is never 1/2, which
 // has one bit more. It is unsigned, so that compilers see a product of 24 bits in its square. AMD and Adreno compute
 // that at a third of the cost of one of 32 bits.
-HN_FN hn_uint hn_i_from_end(const hn_int f) {
+HN_FN hn_uint hn_i_from_end(hn_int f) {
   hn_uint x = uint(f);
   return min(min(x, 1048576u - x) + 4u, 524287u) >> 3u;
 }
@@ -241,7 +234,7 @@ HN_FN hn_uint hn_i_from_end(const hn_int f) {
 // The result is in units of 2^-18 and never falls. With the nearer end at 0, f^3 (10 - 15 f + 6 f^2) is computed as f Q
 // with Q = f^2 (4 + R) and R = 6 - 15 f + 6 f^2. The other half is the mirror image. x has 16 bits and its square 32.
 // The summands 32768 and 16384 round. r is below 2^19: its mask is for compilers, as above.
-HN_FN hn_int hn_i_fade(const hn_int f) {
+HN_FN hn_int hn_i_fade(hn_int f) {
   hn_uint x = hn_i_from_end(f);
   hn_uint square = x * x;
   hn_uint z = (square + 32768u) >> 16u;
@@ -253,24 +246,24 @@ HN_FN hn_int hn_i_fade(const hn_int f) {
 
 // Computes a product of 31 and 19 bits, divided by 2^18, from two products that fit 32 bits: one by the high and one by
 // the low half of t.
-HN_FN hn_int hn_i_part(const hn_int d, const hn_int t) { return (d >> 9) * (t >> 9) + (d >> 18) * (t & 511); }
+HN_FN hn_int hn_i_part(hn_int d, hn_int t) { return (d >> 9) * (t >> 9) + (d >> 18) * (t & 511); }
 
-HN_FN hn_int hn_i_lerp(const hn_int a, const hn_int b, const hn_int t) { return a + hn_i_part(b - a, t); }
+HN_FN hn_int hn_i_lerp(hn_int a, hn_int b, hn_int t) { return a + hn_i_part(b - a, t); }
 
 // Converts units of 2^-29 to units of 2^-21, rounded.
-HN_FN hn_int hn_i_scaled(const hn_int n, const hn_int s) { return (((n + 256) >> 9) * s + 256) >> 9; }
+HN_FN hn_int hn_i_scaled(hn_int n, hn_int s) { return (((n + 256) >> 9) * s + 256) >> 9; }
 
-HN_FN hn_float hn_i_value(const hn_int n) { return HN_I_NOT_WHOLE(hn_i_float(n) * (1.0f / HN_I_FLOAT_UNITS_VALUE)); }
+HN_FN hn_float hn_i_value(hn_int n) { return HN_I_NOT_WHOLE(hn_i_float(n) * (1.0f / HN_I_FLOAT_UNITS_VALUE)); }
 
 // The step that takes a noise from units of 2^-29 to units of 2^-21 takes a derivative from units of 2^-27 to units of
 // 2^-19.
-HN_FN hn_float hn_i_derivative(const hn_int n) { return hn_i_float(n) * (1.0f / HN_I_FLOAT_UNITS_SLOPE); }
+HN_FN hn_float hn_i_derivative(hn_int n) { return hn_i_float(n) * (1.0f / HN_I_FLOAT_UNITS_SLOPE); }
 
 #endif
 
-HN_FN hn_i_num hn_i_minus_one(const hn_i_num f) { return hn_i_minus(f, HN_I_ONE); }
+HN_FN hn_i_num hn_i_minus_one(hn_i_num f) { return hn_i_minus(f, HN_I_ONE); }
 
-HN_FN hn_i_num hn_i_lerp(const hn_i_num4 n, const hn_i_num x, const hn_i_num y) {
+HN_FN hn_i_num hn_i_lerp(hn_i_num4 n, hn_i_num x, hn_i_num y) {
   return hn_i_lerp(hn_i_lerp(n.x, n.y, x), hn_i_lerp(n.z, n.w, x), y);
 }
 

@@ -7,26 +7,26 @@
 #include "block2d.glsl"
 #include "cell.glsl"
 
-HN_FN hn_uvec3 hn_i_previous(const hn_uvec3 lower) {
+HN_FN hn_uvec3 hn_i_previous(hn_uvec3 lower) {
   return uvec3(hn_i_previous(uvec2(lower.x, lower.y)), lower.z - HN_I_STEP_Z);
 }
-HN_FN hn_uvec4 hn_i_previous(const hn_uvec4 lower) {
+HN_FN hn_uvec4 hn_i_previous(hn_uvec4 lower) {
   return uvec4(hn_i_previous(uvec3(lower.x, lower.y, lower.z)), lower.w - HN_I_STEP_W);
 }
 
 // The same in 3 and 4 dimensions: tools/make writes it of block2d.glsl.
 
-HN_FN hn_uvec3 hn_i_previous(const hn_uvec3 c, const hn_ivec3 period) {
+HN_FN hn_uvec3 hn_i_previous(hn_uvec3 c, hn_ivec3 period) {
   return uvec3(hn_i_previous(c.x, period.x), hn_i_previous(c.y, period.y), hn_i_previous(c.z, period.z));
 }
-HN_FN hn_uvec4 hn_i_previous(const hn_uvec4 c, const hn_ivec4 period) {
+HN_FN hn_uvec4 hn_i_previous(hn_uvec4 c, hn_ivec4 period) {
   return uvec4(hn_i_previous(c.x, period.x), hn_i_previous(c.y, period.y), hn_i_previous(c.z, period.z),
                hn_i_previous(c.w, period.w));
 }
 
 // The same in 3 dimensions: tools/make writes it of block2d.glsl.
 
-HN_FN hn_uvec3 hn_i_following(const hn_uvec3 c, const hn_ivec3 period) {
+HN_FN hn_uvec3 hn_i_following(hn_uvec3 c, hn_ivec3 period) {
   return uvec3(hn_i_following(c.x, period.x), hn_i_following(c.y, period.y), hn_i_following(c.z, period.z));
 }
 
@@ -45,7 +45,7 @@ struct hn_i_block4 {
   hn_uvec4 following;
 };
 
-HN_FN hn_i_block3 hn_i_block(const hn_place3 place) {
+HN_FN hn_i_block3 hn_i_block(hn_place3 place) {
   HN_I_NEW(hn_i_block3, block);
   if (place.tiled) {
     hn_uvec3 c = hn_i_wrap(place.cell, place.period);
@@ -59,7 +59,7 @@ HN_FN hn_i_block3 hn_i_block(const hn_place3 place) {
   }
   return block;
 }
-HN_FN hn_i_block4 hn_i_block(const hn_place4 place) {
+HN_FN hn_i_block4 hn_i_block(hn_place4 place) {
   HN_I_NEW(hn_i_block4, block);
   if (place.tiled) {
     hn_uvec4 c = hn_i_wrap(place.cell, place.period);
@@ -76,13 +76,13 @@ HN_FN hn_i_block4 hn_i_block(const hn_place4 place) {
 
 // By hand in each dimension.
 
-HN_FN hn_uvec3 hn_i_coordinates_x(const hn_i_block3 block) {
+HN_FN hn_uvec3 hn_i_coordinates_x(hn_i_block3 block) {
   return uvec3(block.previous.x, block.cell.x, block.following.x);
 }
-HN_FN hn_uvec3 hn_i_coordinates_y(const hn_i_block3 block) {
+HN_FN hn_uvec3 hn_i_coordinates_y(hn_i_block3 block) {
   return uvec3(block.previous.y, block.cell.y, block.following.y);
 }
-HN_FN hn_uvec3 hn_i_coordinates_z(const hn_i_block3 block) {
+HN_FN hn_uvec3 hn_i_coordinates_z(hn_i_block3 block) {
   return uvec3(block.previous.z, block.cell.z, block.following.z);
 }
 

@@ -7,25 +7,23 @@
 #include "cell2d.glsl"
 
 // The lower corner of the previous cell along each axis.
-HN_FN hn_uvec2 hn_i_previous(const hn_uvec2 lower) { return uvec2(lower.x - HN_I_STEP_X, lower.y - HN_I_STEP_Y); }
+HN_FN hn_uvec2 hn_i_previous(hn_uvec2 lower) { return uvec2(lower.x - HN_I_STEP_X, lower.y - HN_I_STEP_Y); }
 
 // The wrapped coordinates before another one and after it. Without a period the one before 0 is -1.
-HN_FN hn_uint hn_i_previous(const hn_uint c, const hn_int period) {
-  return hn_i_select(c == 0u, uint(max(period, 0)), c) - 1u;
-}
-HN_FN hn_uint hn_i_following(const hn_uint c, const hn_int period) {
+HN_FN hn_uint hn_i_previous(hn_uint c, hn_int period) { return hn_i_select(c == 0u, uint(max(period, 0)), c) - 1u; }
+HN_FN hn_uint hn_i_following(hn_uint c, hn_int period) {
   return hn_i_select(c + 1u == uint(max(period, 0)), 0u, c + 1u);
 }
 
 // The same in 3 and 4 dimensions: tools/make writes it of block2d.glsl.
 
-HN_FN hn_uvec2 hn_i_previous(const hn_uvec2 c, const hn_ivec2 period) {
+HN_FN hn_uvec2 hn_i_previous(hn_uvec2 c, hn_ivec2 period) {
   return uvec2(hn_i_previous(c.x, period.x), hn_i_previous(c.y, period.y));
 }
 
 // The same in 3 dimensions: tools/make writes it of block2d.glsl.
 
-HN_FN hn_uvec2 hn_i_following(const hn_uvec2 c, const hn_ivec2 period) {
+HN_FN hn_uvec2 hn_i_following(hn_uvec2 c, hn_ivec2 period) {
   return uvec2(hn_i_following(c.x, period.x), hn_i_following(c.y, period.y));
 }
 
@@ -39,7 +37,7 @@ struct hn_i_block2 {
   hn_uvec2 following;
 };
 
-HN_FN hn_i_block2 hn_i_block(const hn_place2 place) {
+HN_FN hn_i_block2 hn_i_block(hn_place2 place) {
   HN_I_NEW(hn_i_block2, block);
   if (place.tiled) {
     hn_uvec2 c = hn_i_wrap(place.cell, place.period);
@@ -58,14 +56,12 @@ HN_FN hn_i_block2 hn_i_block(const hn_place2 place) {
 
 // The spread coordinates of a block along an axis. Of such three hn_i_triple_at chooses the first, the second or the
 // third, for an n of -1, 0 or 1.
-HN_FN hn_uvec3 hn_i_coordinates_x(const hn_i_block2 block) {
+HN_FN hn_uvec3 hn_i_coordinates_x(hn_i_block2 block) {
   return uvec3(block.previous.x, block.cell.x, block.following.x);
 }
-HN_FN hn_uvec3 hn_i_coordinates_y(const hn_i_block2 block) {
+HN_FN hn_uvec3 hn_i_coordinates_y(hn_i_block2 block) {
   return uvec3(block.previous.y, block.cell.y, block.following.y);
 }
-HN_FN hn_uint hn_i_triple_at(const hn_uvec3 v, const hn_int n) {
-  return hn_i_select(n < 0, v.x, hn_i_select(n > 0, v.z, v.y));
-}
+HN_FN hn_uint hn_i_triple_at(hn_uvec3 v, hn_int n) { return hn_i_select(n < 0, v.x, hn_i_select(n > 0, v.z, v.y)); }
 
 #endif

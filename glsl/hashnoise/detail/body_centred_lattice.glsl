@@ -18,19 +18,19 @@
 #define HN_I_CENTRE_JOIN 0x00165667u
 
 // Chooses b along each axis where the place is nearer to the far end of the cell, else a.
-HN_FN hn_uvec3 hn_i_nearer(const hn_i_num3 f, const hn_uvec3 a, const hn_uvec3 b) {
+HN_FN hn_uvec3 hn_i_nearer(hn_i_num3 f, hn_uvec3 a, hn_uvec3 b) {
   hn_i_num middle = hn_i_quarters(2);
   return uvec3(hn_i_select(f.x > middle, b.x, a.x), hn_i_select(f.y > middle, b.y, a.y),
                hn_i_select(f.z > middle, b.z, a.z));
 }
-HN_FN hn_uvec4 hn_i_nearer(const hn_i_num4 f, const hn_uvec4 a, const hn_uvec4 b) {
+HN_FN hn_uvec4 hn_i_nearer(hn_i_num4 f, hn_uvec4 a, hn_uvec4 b) {
   return uvec4(hn_i_nearer(hn_i_vector(f.x, f.y, f.z), uvec3(a.x, a.y, a.z), uvec3(b.x, b.y, b.z)),
                hn_i_select(f.w > hn_i_quarters(2), b.w, a.w));
 }
 
 // The offsets along one axis: from the nearest corner of the cell, from the farthest, from the centre of the cell, and
 // from the nearest centre of another cell.
-HN_FN hn_i_num4 hn_i_offsets(const hn_i_num f) {
+HN_FN hn_i_num4 hn_i_offsets(hn_i_num f) {
   hn_i_num middle = hn_i_quarters(2);
   hn_i_num ahead = hn_i_minus_one(f);
   hn_i_num inner = hn_i_minus(f, middle);
@@ -39,13 +39,13 @@ HN_FN hn_i_num4 hn_i_offsets(const hn_i_num f) {
 }
 
 // The ramp of a point in space, before it is weighted. The gradient may be rotated by a sixth of a turn.
-HN_FN hn_i_num hn_i_ramp_of(const hn_uint h, const hn_i_num x, const hn_i_num y, const hn_i_num z, const bool turned) {
+HN_FN hn_i_num hn_i_ramp_of(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, bool turned) {
   return hn_i_ramp_of3(hn_i_along3(h, hn_i_offset(x), hn_i_offset(y), hn_i_offset(z), turned));
 }
 
 // A sum of weighted ramps is at most 1024 / 4918 in space, and 1024 / 4298 in four dimensions (tools/make bounds).
-HN_FN hn_i_num hn_i_scaled_simplex3(const hn_i_num n) { return hn_i_scaled(n, 4918); }
-HN_FN hn_i_num hn_i_scaled_simplex4(const hn_i_num n) { return hn_i_scaled_ramps(n, 4298); }
+HN_FN hn_i_num hn_i_scaled_simplex3(hn_i_num n) { return hn_i_scaled(n, 4918); }
+HN_FN hn_i_num hn_i_scaled_simplex4(hn_i_num n) { return hn_i_scaled_ramps(n, 4298); }
 
 // ---------------------------------------------------------------------------------------------------------------------
 // The points of a small kernel. At a place within 1/2 of a point along every axis, only that point and its neighbour
@@ -54,15 +54,15 @@ HN_FN hn_i_num hn_i_scaled_simplex4(const hn_i_num n) { return hn_i_scaled_ramps
 // each kind are enough: the nearest corner, the next one, the nearest centre and the next one. Ties need no care: where
 // two offsets are the largest, both neighbours are at the radius or beyond it.
 
-HN_FN hn_i_num hn_i_largest(const hn_i_num3 size) { return max(max(size.x, size.y), size.z); }
-HN_FN hn_i_num hn_i_smallest(const hn_i_num3 size) { return min(min(size.x, size.y), size.z); }
-HN_FN hn_i_num hn_i_largest(const hn_i_num4 size) { return max(max(size.x, size.y), max(size.z, size.w)); }
-HN_FN hn_i_num hn_i_smallest(const hn_i_num4 size) { return min(min(size.x, size.y), min(size.z, size.w)); }
+HN_FN hn_i_num hn_i_largest(hn_i_num3 size) { return max(max(size.x, size.y), size.z); }
+HN_FN hn_i_num hn_i_smallest(hn_i_num3 size) { return min(min(size.x, size.y), size.z); }
+HN_FN hn_i_num hn_i_largest(hn_i_num4 size) { return max(max(size.x, size.y), max(size.z, size.w)); }
+HN_FN hn_i_num hn_i_smallest(hn_i_num4 size) { return min(min(size.x, size.y), min(size.z, size.w)); }
 
 // The hashes of the four points of a cell and, through the out parameters, the offsets from them along each axis and
 // how near they are. The size of an offset from a centre is 1/2 less that from a corner: so it is the largest where
 // that is the smallest. The squares of the distances differ by sums of sizes alone.
-HN_FN hn_uvec4 hn_i_four_points(const hn_i_block3 block, const hn_i_num3 f, const hn_uint seed, HN_I_OUT(hn_i_num4) x,
+HN_FN hn_uvec4 hn_i_four_points(hn_i_block3 block, hn_i_num3 f, hn_uint seed, HN_I_OUT(hn_i_num4) x,
                                 HN_I_OUT(hn_i_num4) y, HN_I_OUT(hn_i_num4) z, HN_I_OUT(hn_i_num4) near_by) {
   hn_i_num4 dx = hn_i_offsets(f.x);
   hn_i_num4 dy = hn_i_offsets(f.y);
@@ -96,7 +96,7 @@ HN_FN hn_uvec4 hn_i_four_points(const hn_i_block3 block, const hn_i_num3 f, cons
                 hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM));
 }
 
-HN_FN hn_uvec4 hn_i_four_points(const hn_i_block4 block, const hn_i_num4 f, const hn_uint seed, HN_I_OUT(hn_i_num4) x,
+HN_FN hn_uvec4 hn_i_four_points(hn_i_block4 block, hn_i_num4 f, hn_uint seed, HN_I_OUT(hn_i_num4) x,
                                 HN_I_OUT(hn_i_num4) y, HN_I_OUT(hn_i_num4) z, HN_I_OUT(hn_i_num4) w,
                                 HN_I_OUT(hn_i_num4) near_by) {
   hn_i_num4 dx = hn_i_offsets(f.x);

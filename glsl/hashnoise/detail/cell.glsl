@@ -7,19 +7,19 @@
 #include "../place.glsl"
 #include "cell2d.glsl"
 
-HN_FN hn_uvec3 hn_i_upper(const hn_uvec3 lower) {
+HN_FN hn_uvec3 hn_i_upper(hn_uvec3 lower) {
   return uvec3(hn_i_upper(lower.x), lower.y + HN_I_STEP_Y, lower.z + HN_I_STEP_Z);
 }
-HN_FN hn_uvec4 hn_i_upper(const hn_uvec4 lower) {
+HN_FN hn_uvec4 hn_i_upper(hn_uvec4 lower) {
   return uvec4(hn_i_upper(lower.x), lower.y + HN_I_STEP_Y, lower.z + HN_I_STEP_Z, lower.w + HN_I_STEP_W);
 }
 
-HN_FN hn_uvec3 hn_i_upper(const hn_uvec3 lower, const hn_uvec3 c, const hn_ivec3 period) {
+HN_FN hn_uvec3 hn_i_upper(hn_uvec3 lower, hn_uvec3 c, hn_ivec3 period) {
   hn_uvec3 upper = hn_i_upper(lower);
   return uvec3(hn_i_upper(lower.x, c.x, period.x), hn_i_upper_at_seam(upper.y, c.y, period.y, 0u),
                hn_i_upper_at_seam(upper.z, c.z, period.z, 0u));
 }
-HN_FN hn_uvec4 hn_i_upper(const hn_uvec4 lower, const hn_uvec4 c, const hn_ivec4 period) {
+HN_FN hn_uvec4 hn_i_upper(hn_uvec4 lower, hn_uvec4 c, hn_ivec4 period) {
   hn_uvec4 upper = hn_i_upper(lower);
   return uvec4(hn_i_upper(lower.x, c.x, period.x), hn_i_upper_at_seam(upper.y, c.y, period.y, 0u),
                hn_i_upper_at_seam(upper.z, c.z, period.z, 0u), hn_i_upper_at_seam(upper.w, c.w, period.w, 0u));
@@ -29,27 +29,25 @@ HN_FN hn_uvec4 hn_i_upper(const hn_uvec4 lower, const hn_uvec4 c, const hn_ivec4
 
 // The fade of a fraction along each axis.
 #if HN_ARITHMETIC != HN_FIXED
-HN_FN hn_vec3 hn_i_fade(const hn_vec3 f) {
+HN_FN hn_vec3 hn_i_fade(hn_vec3 f) {
   HN_I_AS_WRITTEN hn_vec3 d = f - 1.0f;
   HN_I_PRECISE hn_vec3 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
   return t;
 }
-HN_FN hn_vec4 hn_i_fade(const hn_vec4 f) {
+HN_FN hn_vec4 hn_i_fade(hn_vec4 f) {
   HN_I_AS_WRITTEN hn_vec4 d = f - 1.0f;
   HN_I_PRECISE hn_vec4 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
   return t;
 }
 #else
-HN_FN hn_ivec3 hn_i_fade(const hn_ivec3 f) { return ivec3(hn_i_fade(f.x), hn_i_fade(f.y), hn_i_fade(f.z)); }
-HN_FN hn_ivec4 hn_i_fade(const hn_ivec4 f) {
-  return ivec4(hn_i_fade(f.x), hn_i_fade(f.y), hn_i_fade(f.z), hn_i_fade(f.w));
-}
+HN_FN hn_ivec3 hn_i_fade(hn_ivec3 f) { return ivec3(hn_i_fade(f.x), hn_i_fade(f.y), hn_i_fade(f.z)); }
+HN_FN hn_ivec4 hn_i_fade(hn_ivec4 f) { return ivec4(hn_i_fade(f.x), hn_i_fade(f.y), hn_i_fade(f.z), hn_i_fade(f.w)); }
 #endif
 
-HN_FN hn_uvec3 hn_i_wrap(const hn_ivec3 c, const hn_ivec3 period) {
+HN_FN hn_uvec3 hn_i_wrap(hn_ivec3 c, hn_ivec3 period) {
   return uvec3(hn_i_wrap(c.x, period.x), hn_i_wrap(c.y, period.y), hn_i_wrap(c.z, period.z));
 }
-HN_FN hn_uvec4 hn_i_wrap(const hn_ivec4 c, const hn_ivec4 period) {
+HN_FN hn_uvec4 hn_i_wrap(hn_ivec4 c, hn_ivec4 period) {
   return uvec4(hn_i_wrap(c.x, period.x), hn_i_wrap(c.y, period.y), hn_i_wrap(c.z, period.z), hn_i_wrap(c.w, period.w));
 }
 
@@ -70,7 +68,7 @@ struct hn_i_box4 {
   hn_uvec4 upper;
 };
 
-HN_FN hn_i_box1 hn_i_box(const hn_place1 place) {
+HN_FN hn_i_box1 hn_i_box(hn_place1 place) {
   HN_I_NEW(hn_i_box1, box);
   if (place.tiled) {
     hn_uint c = hn_i_wrap(place.cell, place.period);
@@ -82,7 +80,7 @@ HN_FN hn_i_box1 hn_i_box(const hn_place1 place) {
   }
   return box;
 }
-HN_FN hn_i_box3 hn_i_box(const hn_place3 place) {
+HN_FN hn_i_box3 hn_i_box(hn_place3 place) {
   HN_I_NEW(hn_i_box3, box);
   if (place.tiled) {
     hn_uvec3 c = hn_i_wrap(place.cell, place.period);
@@ -94,7 +92,7 @@ HN_FN hn_i_box3 hn_i_box(const hn_place3 place) {
   }
   return box;
 }
-HN_FN hn_i_box4 hn_i_box(const hn_place4 place) {
+HN_FN hn_i_box4 hn_i_box(hn_place4 place) {
   HN_I_NEW(hn_i_box4, box);
   if (place.tiled) {
     hn_uvec4 c = hn_i_wrap(place.cell, place.period);
@@ -111,14 +109,14 @@ HN_FN hn_i_box4 hn_i_box(const hn_place4 place) {
 
 // The hashes of the corners of a box: of both ends of a line, of the front or back face of a cube along z, and in four
 // dimensions of the square that z and w choose.
-HN_FN hn_uvec2 hn_i_corners(const hn_i_box1 box, const hn_uint seed) {
+HN_FN hn_uvec2 hn_i_corners(hn_i_box1 box, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_uint join = hn_i_seed_join(s);
   hn_uint odd = hn_i_odd(box.lower, s);
   return uvec2(hn_i_word(hn_i_high(box.lower) ^ join, odd),
                hn_i_word(hn_i_high(box.upper) ^ join, hn_i_odd_x(hn_i_step_x(box.lower, box.upper), odd)));
 }
-HN_FN hn_uvec4 hn_i_corners(const hn_i_box3 box, const bool back, const hn_uint seed) {
+HN_FN hn_uvec4 hn_i_corners(hn_i_box3 box, bool back, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_uvec3 lower = box.lower;
   hn_uvec3 upper = box.upper;
@@ -126,7 +124,7 @@ HN_FN hn_uvec4 hn_i_corners(const hn_i_box3 box, const bool back, const hn_uint 
   hn_uint more = hn_i_select(back, hn_i_odd_z(upper.z - lower.z, 0u), 0u);
   return hn_i_corners(uvec2(lower.x, lower.y), uvec2(upper.x, upper.y), join, hn_i_odd(lower, s), more);
 }
-HN_FN hn_uvec4 hn_i_corners(const hn_i_box4 box, const bool far_z, const bool far_w, const hn_uint seed) {
+HN_FN hn_uvec4 hn_i_corners(hn_i_box4 box, bool far_z, bool far_w, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_uvec4 lower = box.lower;
   hn_uvec4 upper = box.upper;

@@ -10,10 +10,10 @@
 // The rest of a fraction and of a position, which the numbers of HN_ARITHMETIC do not hold; with floats it is 0. The
 // rest of a position has its sign, as the result of hn_i_rest has.
 #if HN_ARITHMETIC == HN_FIXED
-HN_FN hn_int hn_i_rest_of_fraction(const hn_float f) {
+HN_FN hn_int hn_i_rest_of_fraction(hn_float f) {
   return int(min(max(0.0f, f), 1.0f) * HN_I_FLOAT_UNITS_POSITION) - hn_i_to_num(f) * 16;
 }
-HN_FN hn_int hn_i_rest_of_position(const hn_float p) {
+HN_FN hn_int hn_i_rest_of_position(hn_float p) {
   return int(hn_i_beside_cell(p) * HN_I_FLOAT_UNITS_POSITION) - hn_i_rest(p) * 16;
 }
 #define HN_I_REST(rest) rest
@@ -23,11 +23,11 @@ HN_FN hn_int hn_i_rest_of_position(const hn_float p) {
 
 // The position along one axis. Floats have no rest.
 #if HN_ARITHMETIC == HN_FIXED
-HN_FN hn_float hn_i_position_of(const hn_int cell, const hn_int fraction, const hn_int rest) {
+HN_FN hn_float hn_i_position_of(hn_int cell, hn_int fraction, hn_int rest) {
   return hn_i_float(cell) + HN_I_NOT_WHOLE(hn_i_float(fraction * 16 + rest) * (1.0f / HN_I_FLOAT_UNITS_POSITION));
 }
 #else
-HN_FN hn_float hn_i_position_of(const hn_int cell, const hn_float fraction, const hn_int rest) {
+HN_FN hn_float hn_i_position_of(hn_int cell, hn_float fraction, hn_int rest) {
   return hn_i_float(cell) + (fraction + hn_i_float(rest));
 }
 #endif
@@ -35,16 +35,16 @@ HN_FN hn_float hn_i_position_of(const hn_int cell, const hn_float fraction, cons
 // The same in 3 and 4 dimensions: tools/make writes it of detail/cell2d.glsl.
 
 #if HN_ARITHMETIC == HN_FAST
-HN_FN hn_ivec2 hn_i_cell(const hn_vec2 p) { return ivec2(floor(p)); }
-HN_FN hn_vec2 hn_i_fraction(const hn_vec2 p) {
+HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(floor(p)); }
+HN_FN hn_vec2 hn_i_fraction(hn_vec2 p) {
   HN_I_AS_WRITTEN hn_vec2 f = p - floor(p);
   return f;
 }
-HN_FN hn_vec2 hn_i_to_num(const hn_vec2 f) { return f; }
+HN_FN hn_vec2 hn_i_to_num(hn_vec2 f) { return f; }
 #else
-HN_FN hn_ivec2 hn_i_cell(const hn_vec2 p) { return ivec2(hn_i_cell(p.x), hn_i_cell(p.y)); }
-HN_FN hn_i_num2 hn_i_fraction(const hn_vec2 p) { return hn_i_vector(hn_i_fraction(p.x), hn_i_fraction(p.y)); }
-HN_FN hn_i_num2 hn_i_to_num(const hn_vec2 f) { return hn_i_vector(hn_i_to_num(f.x), hn_i_to_num(f.y)); }
+HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(hn_i_cell(p.x), hn_i_cell(p.y)); }
+HN_FN hn_i_num2 hn_i_fraction(hn_vec2 p) { return hn_i_vector(hn_i_fraction(p.x), hn_i_fraction(p.y)); }
+HN_FN hn_i_num2 hn_i_to_num(hn_vec2 f) { return hn_i_vector(hn_i_to_num(f.x), hn_i_to_num(f.y)); }
 #endif
 
 // The same in 1, 3 and 4 dimensions: tools/make writes it of detail/cell2d.glsl.
@@ -85,7 +85,7 @@ HN_FN hn_place2 hn_i_place(hn_ivec2 cell, hn_i_num2 fraction, hn_ivec2 rest) {
 //   error    none: this loses nothing that the noise does not
 //   cost     none that the noise does not have
 //   source   docs/reference/contract.md, section 6
-HN_FN hn_place2 hn_place(const hn_ivec2 cell, const hn_vec2 f) {
+HN_FN hn_place2 hn_place(hn_ivec2 cell, hn_vec2 f) {
   return hn_i_place(cell, hn_i_to_num(f),
                     ivec2(HN_I_REST(hn_i_rest_of_fraction(f.x)), HN_I_REST(hn_i_rest_of_fraction(f.y))));
 }
@@ -97,7 +97,7 @@ HN_FN hn_place2 hn_place(const hn_ivec2 cell, const hn_vec2 f) {
 //   error    none
 //   cost     none
 //   source   as above
-HN_FN hn_place2 hn_place(const hn_ivec2 cell) { return hn_i_place(cell, hn_i_to_num(vec2(0.0f, 0.0f)), ivec2(0, 0)); }
+HN_FN hn_place2 hn_place(hn_ivec2 cell) { return hn_i_place(cell, hn_i_to_num(vec2(0.0f, 0.0f)), ivec2(0, 0)); }
 
 // A place from a position. hn_perlin(hn_place(p), seed) is hn_perlin(p, seed).
 //   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
@@ -107,7 +107,7 @@ HN_FN hn_place2 hn_place(const hn_ivec2 cell) { return hn_i_place(cell, hn_i_to_
 //   error    floats round the fraction of a small negative position
 //   cost     as above
 //   source   as above
-HN_FN hn_place2 hn_place(const hn_vec2 p) {
+HN_FN hn_place2 hn_place(hn_vec2 p) {
   return hn_i_place(hn_i_cell(p), hn_i_fraction(p),
                     ivec2(HN_I_REST(hn_i_rest_of_position(p.x)), HN_I_REST(hn_i_rest_of_position(p.y))));
 }
@@ -124,13 +124,13 @@ HN_FN hn_place2 hn_place(const hn_vec2 p) {
 //   cost     for the noise a mask along each axis if the period is a constant power of two, else a division; a few
 //            comparisons along each axis, and for simplex and cellular noise up to two multiplications
 //   source   docs/reference/contract.md, section 6
-HN_FN hn_place2 hn_tile(const hn_place2 place, hn_ivec2 period) {
+HN_FN hn_place2 hn_tile(hn_place2 place, hn_ivec2 period) {
   hn_place2 tile = place;
   tile.period = period;
   tile.tiled = true;
   return tile;
 }
-HN_FN hn_place2 hn_tile(const hn_vec2 p, const hn_ivec2 period) { return hn_tile(hn_place(p), period); }
+HN_FN hn_place2 hn_tile(hn_vec2 p, hn_ivec2 period) { return hn_tile(hn_place(p), period); }
 
 // The position of a place, for your own noise in a fractal.
 //   place    the place
@@ -138,7 +138,7 @@ HN_FN hn_place2 hn_tile(const hn_vec2 p, const hn_ivec2 period) { return hn_tile
 //   returns  its cell and its fraction in one float along each axis
 //   error    that of a float, far out
 //   source   as of hn_place
-HN_FN hn_vec2 hn_position(const hn_place2 place) {
+HN_FN hn_vec2 hn_position(hn_place2 place) {
   return vec2(hn_i_position_of(place.cell.x, place.fraction.x, place.rest.x),
               hn_i_position_of(place.cell.y, place.fraction.y, place.rest.y));
 }
@@ -147,13 +147,13 @@ HN_FN hn_vec2 hn_position(const hn_place2 place) {
 
 // The upper corner of a cell, from its lower corner, both by their spread coordinates. Along an axis the upper one is a
 // step further. Without a period a step adds a constant.
-HN_FN hn_uint hn_i_upper(const hn_uint lower) { return lower + HN_I_STEP_X; }
-HN_FN hn_uvec2 hn_i_upper(const hn_uvec2 lower) { return uvec2(hn_i_upper(lower.x), lower.y + HN_I_STEP_Y); }
+HN_FN hn_uint hn_i_upper(hn_uint lower) { return lower + HN_I_STEP_X; }
+HN_FN hn_uvec2 hn_i_upper(hn_uvec2 lower) { return uvec2(hn_i_upper(lower.x), lower.y + HN_I_STEP_Y); }
 
 // A coordinate in [0, period); without a period (0, or less) the coordinate as it is. For a power of two it is a mask,
 // and for no period, too. For others it is the remainder of floored division. GLSL leaves % of negative numbers
 // undefined, so these count back from -1. If the period is a constant, then one of the two is left.
-HN_FN hn_uint hn_i_wrap(const hn_int c, const hn_int period) {
+HN_FN hn_uint hn_i_wrap(hn_int c, hn_int period) {
   hn_uint size = uint(max(period, 0));
   hn_uint mask = size - 1u;
   hn_uint rest = uint(hn_i_select(c < 0, -1 - c, c)) % max(size, 1u);
@@ -163,16 +163,16 @@ HN_FN hn_uint hn_i_wrap(const hn_int c, const hn_int period) {
 
 // The spread coordinate of an upper corner. In the last cell of a period that is the spread coordinate of 0, which is
 // `zero`; in any other it is `upper`.
-HN_FN hn_uint hn_i_upper_at_seam(const hn_uint upper, const hn_uint c, const hn_int period, const hn_uint zero) {
+HN_FN hn_uint hn_i_upper_at_seam(hn_uint upper, hn_uint c, hn_int period, hn_uint zero) {
   return hn_i_select(c + 1u == uint(max(period, 0)), zero, upper);
 }
 
 // The upper corner of a cell with a period. c has the wrapped coordinates of the cell, and hn_i_spread(c) is its lower
 // corner.
-HN_FN hn_uint hn_i_upper(const hn_uint lower, const hn_uint c, const hn_int period) {
+HN_FN hn_uint hn_i_upper(hn_uint lower, hn_uint c, hn_int period) {
   return hn_i_upper_at_seam(hn_i_upper(lower), c, period, HN_I_ORIGIN_X);
 }
-HN_FN hn_uvec2 hn_i_upper(const hn_uvec2 lower, const hn_uvec2 c, const hn_ivec2 period) {
+HN_FN hn_uvec2 hn_i_upper(hn_uvec2 lower, hn_uvec2 c, hn_ivec2 period) {
   hn_uvec2 upper = hn_i_upper(lower);
   return uvec2(hn_i_upper(lower.x, c.x, period.x), hn_i_upper_at_seam(upper.y, c.y, period.y, 0u));
 }
@@ -181,8 +181,7 @@ HN_FN hn_uvec2 hn_i_upper(const hn_uvec2 lower, const hn_uvec2 c, const hn_ivec2
 // corner. Other axes and the seed add `join` to the exclusive or. `odd` is the odd number of the first corner, and
 // `more` is added to all four (it is even). Without a period `more` and the steps along x and y are constants, so they
 // are added first.
-HN_FN hn_uvec4 hn_i_corners(const hn_uvec2 c0, const hn_uvec2 c1, const hn_uint join, const hn_uint odd,
-                            const hn_uint more) {
+HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c0, hn_uvec2 c1, hn_uint join, hn_uint odd, hn_uint more) {
   hn_uvec2 a = hn_i_high(c0);
   hn_uvec2 b = hn_i_high(c1);
   a.y ^= join;
@@ -197,16 +196,16 @@ HN_FN hn_uvec4 hn_i_corners(const hn_uvec2 c0, const hn_uvec2 c1, const hn_uint 
 
 // The fade of a fraction along each axis.
 #if HN_ARITHMETIC != HN_FIXED
-HN_FN hn_vec2 hn_i_fade(const hn_vec2 f) {
+HN_FN hn_vec2 hn_i_fade(hn_vec2 f) {
   HN_I_AS_WRITTEN hn_vec2 d = f - 1.0f;
   HN_I_PRECISE hn_vec2 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
   return t;
 }
 #else
-HN_FN hn_ivec2 hn_i_fade(const hn_ivec2 f) { return ivec2(hn_i_fade(f.x), hn_i_fade(f.y)); }
+HN_FN hn_ivec2 hn_i_fade(hn_ivec2 f) { return ivec2(hn_i_fade(f.x), hn_i_fade(f.y)); }
 #endif
 
-HN_FN hn_uvec2 hn_i_wrap(const hn_ivec2 c, const hn_ivec2 period) {
+HN_FN hn_uvec2 hn_i_wrap(hn_ivec2 c, hn_ivec2 period) {
   return uvec2(hn_i_wrap(c.x, period.x), hn_i_wrap(c.y, period.y));
 }
 
@@ -219,7 +218,7 @@ struct hn_i_box2 {
   hn_uvec2 upper;
 };
 
-HN_FN hn_i_box2 hn_i_box(const hn_place2 place) {
+HN_FN hn_i_box2 hn_i_box(hn_place2 place) {
   HN_I_NEW(hn_i_box2, box);
   if (place.tiled) {
     hn_uvec2 c = hn_i_wrap(place.cell, place.period);
@@ -235,7 +234,7 @@ HN_FN hn_i_box2 hn_i_box(const hn_place2 place) {
 // By hand in each dimension.
 
 // The same for a box.
-HN_FN hn_uvec4 hn_i_corners(const hn_i_box2 box, const hn_uint seed) {
+HN_FN hn_uvec4 hn_i_corners(hn_i_box2 box, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   return hn_i_corners(box.lower, box.upper, hn_i_seed_join(s), hn_i_odd(box.lower, s), 0u);
 }

@@ -13,7 +13,7 @@
 #if HN_ARITHMETIC != HN_FIXED
 
 // The weights of the points 2 and 0 mirror those of -1 and 1. The sum of all is 1.
-HN_FN hn_vec4 hn_i_spline(const hn_float f) {
+HN_FN hn_vec4 hn_i_spline(hn_float f) {
   HN_I_AS_WRITTEN hn_float g = 1.0f - f;
   HN_I_PRECISE hn_float first = g * g * g * (1.0f / 6.0f);
   HN_I_PRECISE hn_float last = f * f * f * (1.0f / 6.0f);
@@ -22,7 +22,7 @@ HN_FN hn_vec4 hn_i_spline(const hn_float f) {
   return vec4(first, second, third, last);
 }
 
-HN_FN hn_float hn_i_blend(const hn_vec4 n, const hn_vec4 w) {
+HN_FN hn_float hn_i_blend(hn_vec4 n, hn_vec4 w) {
   HN_I_PRECISE hn_float sum = n.x * w.x + n.y * w.y + n.z * w.z + n.w * w.w;
   return sum;
 }
@@ -30,14 +30,14 @@ HN_FN hn_float hn_i_blend(const hn_vec4 n, const hn_vec4 w) {
 #else
 
 // A sixth of a cube, in units of 2^-30, of x in units of 2^-15: by the high and by the low bits of the square.
-HN_FN hn_uint hn_i_sixth_of_cube(const hn_uint x) {
+HN_FN hn_uint hn_i_sixth_of_cube(hn_uint x) {
   hn_uint square = x * x;
   return ((square >> 15u) * x + (((square & 32767u) * x) >> 15u)) / 6u;
 }
 
 // The weights are in units of 2^-18, and their sum is 2^18. 715829931 is 2/3 in units of 2^-30 and 2048 more, which
 // rounds.
-HN_FN hn_ivec4 hn_i_spline(const hn_int f) {
+HN_FN hn_ivec4 hn_i_spline(hn_int f) {
   hn_uint x = uint(f + 16) >> 5u;
   hn_uint before = hn_i_sixth_of_cube(32768u - x);
   hn_uint after = hn_i_sixth_of_cube(x);
@@ -47,7 +47,7 @@ HN_FN hn_ivec4 hn_i_spline(const hn_int f) {
   return ivec4(first, second, HN_I_UNITS_WEIGHT - first - second - last, last);
 }
 
-HN_FN hn_int hn_i_blend(const hn_ivec4 n, const hn_ivec4 w) {
+HN_FN hn_int hn_i_blend(hn_ivec4 n, hn_ivec4 w) {
   return hn_i_part(n.x, w.x) + hn_i_part(n.y, w.y) + hn_i_part(n.z, w.z) + hn_i_part(n.w, w.w);
 }
 
@@ -55,8 +55,7 @@ HN_FN hn_int hn_i_blend(const hn_ivec4 n, const hn_ivec4 w) {
 
 // The spread coordinates of the points -1, 0, 1 and 2 along one axis of a place. `step` is the factor that spreads the
 // axis, and `zero` is the spread coordinate of 0.
-HN_FN hn_uvec4 hn_i_line(const hn_int cell, const hn_int period, const bool tiled, const hn_uint step,
-                         const hn_uint zero) {
+HN_FN hn_uvec4 hn_i_line(hn_int cell, hn_int period, bool tiled, hn_uint step, hn_uint zero) {
   hn_uint first = uint(cell) * step + zero;
   hn_uvec4 coordinates = uvec4(first - step, first, first + step, first + 2u * step);
   if (tiled) {
@@ -71,13 +70,13 @@ HN_FN hn_uvec4 hn_i_line(const hn_int cell, const hn_int period, const bool tile
 }
 
 // The high bits of these coordinates; the shift is that of the axis.
-HN_FN hn_uvec4 hn_i_high_of_line(const hn_uvec4 v, const hn_uint shift) {
+HN_FN hn_uvec4 hn_i_high_of_line(hn_uvec4 v, hn_uint shift) {
   return uvec4(v.x >> shift, v.y >> shift, v.z >> shift, v.w >> shift);
 }
 
 // The numbers of four points along x, blended with the weights w. The other axes and the seed add `join` to the
 // exclusive or. `odd` is the odd number of the second point.
-HN_FN hn_i_num hn_i_cubic_row(const hn_uvec4 x, const hn_uint join, const hn_uint odd, const hn_i_num4 w) {
+HN_FN hn_i_num hn_i_cubic_row(hn_uvec4 x, hn_uint join, hn_uint odd, hn_i_num4 w) {
   hn_uvec4 a = hn_i_high_of_line(x, 12u);
   hn_uvec4 h = uvec4(hn_i_word(a.x ^ join, hn_i_odd_x(hn_i_step_x(x.y, x.x), odd)), hn_i_word(a.y ^ join, odd),
                      hn_i_word(a.z ^ join, hn_i_odd_x(hn_i_step_x(x.y, x.z), odd)),
@@ -86,8 +85,7 @@ HN_FN hn_i_num hn_i_cubic_row(const hn_uvec4 x, const hn_uint join, const hn_uin
 }
 
 // The same for four rows along y. `odd` is the odd number of the second point of the second row.
-HN_FN hn_i_num hn_i_cubic_square(const hn_uvec4 x, const hn_uvec4 y, const hn_uint join, const hn_uint odd,
-                                 const hn_i_num4 wx, const hn_i_num4 wy) {
+HN_FN hn_i_num hn_i_cubic_square(hn_uvec4 x, hn_uvec4 y, hn_uint join, hn_uint odd, hn_i_num4 wx, hn_i_num4 wy) {
   hn_uvec4 b = hn_i_high_of_line(y, 11u);
   hn_i_num4 rows =
       hn_i_vector(hn_i_cubic_row(x, b.x ^ join, hn_i_odd_y(y.x - y.y, odd), wx), hn_i_cubic_row(x, b.y ^ join, odd, wx),

@@ -19,62 +19,60 @@
 
 #if HN_ARITHMETIC != HN_FIXED
 
-HN_FN hn_vec2 hn_i_d_fade(const hn_vec2 f) {
+HN_FN hn_vec2 hn_i_d_fade(hn_vec2 f) {
   HN_I_PRECISE hn_vec2 q = f - f * f;
   HN_I_PRECISE hn_vec2 s = q * q * 30.0f;
   return s;
 }
 // The same in 1, 3 and 4 dimensions: tools/make writes it.
-HN_FN hn_float hn_i_d_fade(const hn_float f) {
+HN_FN hn_float hn_i_d_fade(hn_float f) {
   HN_I_PRECISE hn_float q = f - f * f;
   HN_I_PRECISE hn_float s = q * q * 30.0f;
   return s;
 }
-HN_FN hn_vec3 hn_i_d_fade(const hn_vec3 f) {
+HN_FN hn_vec3 hn_i_d_fade(hn_vec3 f) {
   HN_I_PRECISE hn_vec3 q = f - f * f;
   HN_I_PRECISE hn_vec3 s = q * q * 30.0f;
   return s;
 }
-HN_FN hn_vec4 hn_i_d_fade(const hn_vec4 f) {
+HN_FN hn_vec4 hn_i_d_fade(hn_vec4 f) {
   HN_I_PRECISE hn_vec4 q = f - f * f;
   HN_I_PRECISE hn_vec4 s = q * q * 30.0f;
   return s;
 }
 
-HN_FN hn_float hn_i_d_corner(const hn_float a, const hn_float b) { return hn_i_minus(b, a); }
-HN_FN hn_float hn_i_d_faded(const hn_float rise, const hn_float slope) { return hn_i_times(rise, slope); }
-HN_FN hn_float hn_i_d_faded(const hn_float g, const hn_float rise, const hn_float slope) {
-  return hn_i_times_plus(rise, slope, g);
-}
+HN_FN hn_float hn_i_d_corner(hn_float a, hn_float b) { return hn_i_minus(b, a); }
+HN_FN hn_float hn_i_d_faded(hn_float rise, hn_float slope) { return hn_i_times(rise, slope); }
+HN_FN hn_float hn_i_d_faded(hn_float g, hn_float rise, hn_float slope) { return hn_i_times_plus(rise, slope, g); }
 
-HN_FN hn_float hn_i_of_d_corners(const hn_float n) { return n; }
+HN_FN hn_float hn_i_of_d_corners(hn_float n) { return n; }
 
 #else
 
 // The result is in units of 2^-18. x is that of the fade, in units of 2^-17, and q = x (1 - x) is at most 1/4, in units
 // of 2^-18.
-HN_FN hn_int hn_i_d_fade(const hn_int f) {
+HN_FN hn_int hn_i_d_fade(hn_int f) {
   hn_uint x = hn_i_from_end(f);
   hn_uint q = (x * (131072u - x)) >> 16u;
   return int((((q * q) >> 4u) * 15u + 4096u) >> 13u);
 }
-HN_FN hn_ivec2 hn_i_d_fade(const hn_ivec2 f) { return ivec2(hn_i_d_fade(f.x), hn_i_d_fade(f.y)); }
+HN_FN hn_ivec2 hn_i_d_fade(hn_ivec2 f) { return ivec2(hn_i_d_fade(f.x), hn_i_d_fade(f.y)); }
 // The same in 3 and 4 dimensions: tools/make writes it.
-HN_FN hn_ivec3 hn_i_d_fade(const hn_ivec3 f) { return ivec3(hn_i_d_fade(f.x), hn_i_d_fade(f.y), hn_i_d_fade(f.z)); }
-HN_FN hn_ivec4 hn_i_d_fade(const hn_ivec4 f) {
+HN_FN hn_ivec3 hn_i_d_fade(hn_ivec3 f) { return ivec3(hn_i_d_fade(f.x), hn_i_d_fade(f.y), hn_i_d_fade(f.z)); }
+HN_FN hn_ivec4 hn_i_d_fade(hn_ivec4 f) {
   return ivec4(hn_i_d_fade(f.x), hn_i_d_fade(f.y), hn_i_d_fade(f.z), hn_i_d_fade(f.w));
 }
 
 // Rises are in units of 2^-27, and so is what is made of them: there is room for the slope of a fade, up to 15/8.
-HN_FN hn_int hn_i_d_corner(const hn_int a, const hn_int b) { return (b - a) >> 2; }
-HN_FN hn_int hn_i_d_faded(const hn_int rise, const hn_int slope) { return hn_i_part(rise, slope); }
-HN_FN hn_int hn_i_d_faded(const hn_int g, const hn_int rise, const hn_int slope) { return g + hn_i_part(rise, slope); }
+HN_FN hn_int hn_i_d_corner(hn_int a, hn_int b) { return (b - a) >> 2; }
+HN_FN hn_int hn_i_d_faded(hn_int rise, hn_int slope) { return hn_i_part(rise, slope); }
+HN_FN hn_int hn_i_d_faded(hn_int g, hn_int rise, hn_int slope) { return g + hn_i_part(rise, slope); }
 
-HN_FN hn_int hn_i_of_d_corners(const hn_int n) { return (n + 128) >> 8; }
+HN_FN hn_int hn_i_of_d_corners(hn_int n) { return (n + 128) >> 8; }
 
 #endif
 
-HN_FN hn_i_num3 hn_i_lerp_d(const hn_i_num4 n, const hn_i_num2 t, const hn_i_num2 s) {
+HN_FN hn_i_num3 hn_i_lerp_d(hn_i_num4 n, hn_i_num2 t, hn_i_num2 s) {
   hn_i_num lower = hn_i_lerp(n.x, n.y, t.x);
   hn_i_num upper = hn_i_lerp(n.z, n.w, t.x);
   hn_i_num along_x = hn_i_lerp(hn_i_d_corner(n.x, n.y), hn_i_d_corner(n.z, n.w), t.y);
@@ -82,14 +80,14 @@ HN_FN hn_i_num3 hn_i_lerp_d(const hn_i_num4 n, const hn_i_num2 t, const hn_i_num
                      hn_i_d_faded(hn_i_d_corner(lower, upper), s.y));
 }
 
-HN_FN hn_derivatives2x2 hn_i_of_components(const hn_vec3 x, const hn_vec3 y) {
+HN_FN hn_derivatives2x2 hn_i_of_components(hn_vec3 x, hn_vec3 y) {
   HN_I_NEW(hn_derivatives2x2, d);
   d.value = vec2(x.x, y.x);
   d.dx = vec2(x.y, y.y);
   d.dy = vec2(x.z, y.z);
   return d;
 }
-HN_FN hn_derivatives3x3 hn_i_of_components(const hn_vec4 x, const hn_vec4 y, const hn_vec4 z) {
+HN_FN hn_derivatives3x3 hn_i_of_components(hn_vec4 x, hn_vec4 y, hn_vec4 z) {
   HN_I_NEW(hn_derivatives3x3, d);
   d.value = vec3(x.x, y.x, z.x);
   d.dx = vec3(x.y, y.y, z.y);

@@ -28,47 +28,47 @@
 // Bits behind an exponent make a float without a shift and without a conversion from integer. But a compiler that knows
 // the offset may multiply out the difference, and round. So HN_FIXED chooses.
 #if HN_I_BITCAST && HN_ARITHMETIC != HN_FIXED
-HN_FN hn_float hn_i_quarters_of(const hn_uint h) {
+HN_FN hn_float hn_i_quarters_of(hn_uint h) {
   return hn_i_minus(uintBitsToFloat((h & 0x00600000u) | 0x40000000u), 2.75f);
 }
 #else
-HN_FN hn_float hn_i_quarters_of(const hn_uint h) {
+HN_FN hn_float hn_i_quarters_of(hn_uint h) {
   hn_float one = 0.25f;
   hn_float three = 0.75f;
   return hn_i_select((h & 0x00400000u) != 0u, hn_i_select((h & 0x00200000u) != 0u, three, one),
                      hn_i_select((h & 0x00200000u) != 0u, -one, -three));
 }
 #endif
-HN_FN hn_vec2 hn_i_direction2(const hn_uint h) {
+HN_FN hn_vec2 hn_i_direction2(hn_uint h) {
   hn_float x = hn_i_quarters_of(h);
   return vec2(x, hn_i_signed(hn_i_minus(1.0f, abs(x)), h));
 }
-HN_FN hn_vec2 hn_i_turned(const hn_vec2 g, const bool turned) {
+HN_FN hn_vec2 hn_i_turned(hn_vec2 g, bool turned) {
   hn_vec2 n = g;
   if (turned) n = vec2(-g.y, g.x);
   return n;
 }
-HN_FN hn_vec2 hn_i_direction2(const hn_uint h, const bool turned) { return hn_i_turned(hn_i_direction2(h), turned); }
+HN_FN hn_vec2 hn_i_direction2(hn_uint h, bool turned) { return hn_i_turned(hn_i_direction2(h), turned); }
 
 #if HN_ARITHMETIC != HN_FIXED
 
-HN_FN hn_float hn_i_offset(const hn_float x) { return x; }
-HN_FN hn_float hn_i_far(const hn_float x) { return hn_i_minus_one(x); }
-HN_FN hn_float hn_i_exact(const hn_float t) { return t; }
-HN_FN hn_float hn_i_along2(const hn_vec2 g, const hn_float x, const hn_float y) { return hn_i_dot(g, x, y); }
-HN_FN hn_float hn_i_ramp_of2(const hn_float n) { return n; }
-HN_FN hn_float hn_i_edge2(const hn_float a, const hn_float b, const hn_float t) { return hn_i_lerp(a, b, t); }
-HN_FN hn_float hn_i_d_edge2(const hn_float a, const hn_float b) { return hn_i_minus(b, a); }
-HN_FN hn_float hn_i_lerp_components(const hn_float g, const hn_float h, const hn_float t) { return hn_i_lerp(g, h, t); }
+HN_FN hn_float hn_i_offset(hn_float x) { return x; }
+HN_FN hn_float hn_i_far(hn_float x) { return hn_i_minus_one(x); }
+HN_FN hn_float hn_i_exact(hn_float t) { return t; }
+HN_FN hn_float hn_i_along2(hn_vec2 g, hn_float x, hn_float y) { return hn_i_dot(g, x, y); }
+HN_FN hn_float hn_i_ramp_of2(hn_float n) { return n; }
+HN_FN hn_float hn_i_edge2(hn_float a, hn_float b, hn_float t) { return hn_i_lerp(a, b, t); }
+HN_FN hn_float hn_i_d_edge2(hn_float a, hn_float b) { return hn_i_minus(b, a); }
+HN_FN hn_float hn_i_lerp_components(hn_float g, hn_float h, hn_float t) { return hn_i_lerp(g, h, t); }
 
-HN_FN hn_float hn_i_gradient1(const hn_uint h) {
+HN_FN hn_float hn_i_gradient1(hn_uint h) {
 #if HN_I_BITCAST
   return hn_i_minus(uintBitsToFloat((h & 0x007FC000u) | 0x40000000u), 3.0f - 1.0f / 512.0f);
 #else
   return hn_i_minus(hn_i_float((h >> 14u) & 511u) * (1.0f / 256.0f), 1.0f - 1.0f / 512.0f);
 #endif
 }
-HN_FN hn_float hn_i_ramp1(const hn_float g, const hn_float x) { return hn_i_times(g, x); }
+HN_FN hn_float hn_i_ramp1(hn_float g, hn_float x) { return hn_i_times(g, x); }
 
 #else
 
@@ -77,41 +77,39 @@ HN_FN hn_float hn_i_ramp1(const hn_float g, const hn_float x) { return hn_i_time
 // and so is each partial sum. So no order of the sum rounds, and no contraction. No part may be a difference from a
 // large constant, such as a number whose bits stand behind an exponent: a compiler that knows the other parts would add
 // up such constants, and the sum would have too few bits.
-HN_FN hn_float hn_i_offset(const hn_int x) { return hn_i_float(x) * (1.0f / HN_I_FLOAT_UNITS_FRACTION); }
-HN_FN hn_float hn_i_far(const hn_float x) { return x - 1.0f; }
+HN_FN hn_float hn_i_offset(hn_int x) { return hn_i_float(x) * (1.0f / HN_I_FLOAT_UNITS_FRACTION); }
+HN_FN hn_float hn_i_far(hn_float x) { return x - 1.0f; }
 #if HN_I_BITCAST
-HN_FN hn_int hn_i_beyond_3(const hn_float n) { return int(floatBitsToUint(n) - 0x40400000u); }
-HN_FN hn_int hn_i_beyond_12(const hn_float n) { return int(floatBitsToUint(n) - 0x41400000u); }
+HN_FN hn_int hn_i_beyond_3(hn_float n) { return int(floatBitsToUint(n) - 0x40400000u); }
+HN_FN hn_int hn_i_beyond_12(hn_float n) { return int(floatBitsToUint(n) - 0x41400000u); }
 #else
-HN_FN hn_int hn_i_beyond_3(const hn_float n) { return int((n - 3.0f) * 4194304.0f); }
-HN_FN hn_int hn_i_beyond_12(const hn_float n) { return int((n - 12.0f) * HN_I_FLOAT_UNITS_FRACTION); }
+HN_FN hn_int hn_i_beyond_3(hn_float n) { return int((n - 3.0f) * 4194304.0f); }
+HN_FN hn_int hn_i_beyond_12(hn_float n) { return int((n - 12.0f) * HN_I_FLOAT_UNITS_FRACTION); }
 #endif
 
-HN_FN hn_float hn_i_exact(const hn_int t) { return hn_i_offset(t * 4); }
-HN_FN hn_int hn_i_along2(const hn_vec2 g, const hn_float x, const hn_float y) {
-  return hn_i_beyond_3(g.x * x + 3.0f + g.y * y);
-}
-HN_FN hn_int hn_i_ramp_of2(const hn_int n) { return n * 128; }
+HN_FN hn_float hn_i_exact(hn_int t) { return hn_i_offset(t * 4); }
+HN_FN hn_int hn_i_along2(hn_vec2 g, hn_float x, hn_float y) { return hn_i_beyond_3(g.x * x + 3.0f + g.y * y); }
+HN_FN hn_int hn_i_ramp_of2(hn_int n) { return n * 128; }
 
 // These are hn_i_lerp and hn_i_d_corner of ramps, without the bits that are 0 in them.
-HN_FN hn_int hn_i_edge2(const hn_int a, const hn_int b, const hn_int t) {
+HN_FN hn_int hn_i_edge2(hn_int a, hn_int b, hn_int t) {
   hn_int d = b - a;
   return a * 128 + ((d >> 2) * (t >> 9) + (d >> 11) * (t & 511));
 }
-HN_FN hn_int hn_i_d_edge2(const hn_int a, const hn_int b) { return (b - a) * 32; }
+HN_FN hn_int hn_i_d_edge2(hn_int a, hn_int b) { return (b - a) * 32; }
 
-HN_FN hn_int hn_i_weighted_component(const hn_float g, const hn_float w) { return hn_i_beyond_3(g * w + 3.0f) * 32; }
-HN_FN hn_int hn_i_lerp_components(const hn_float g, const hn_float h, const hn_float t) {
+HN_FN hn_int hn_i_weighted_component(hn_float g, hn_float w) { return hn_i_beyond_3(g * w + 3.0f) * 32; }
+HN_FN hn_int hn_i_lerp_components(hn_float g, hn_float h, hn_float t) {
   return hn_i_beyond_3((h - g) * t + (g + 3.0f)) * 32;
 }
 
 // In units of 2^-27.
-HN_FN hn_int hn_i_gradient1(const hn_uint h) { return (int((h >> 13u) & 1022u) - 511) * 262144; }
-HN_FN hn_int hn_i_ramp1(const hn_int g, const hn_int x) { return (g >> 18) * x; }
+HN_FN hn_int hn_i_gradient1(hn_uint h) { return (int((h >> 13u) & 1022u) - 511) * 262144; }
+HN_FN hn_int hn_i_ramp1(hn_int g, hn_int x) { return (g >> 18) * x; }
 
 #endif
 
-HN_FN hn_i_num hn_i_scaled1(const hn_i_num n) { return hn_i_scaled(n, 2048); }
+HN_FN hn_i_num hn_i_scaled1(hn_i_num n) { return hn_i_scaled(n, 2048); }
 
 // Each HN_GRADIENT offers these functions:
 //
@@ -122,7 +120,7 @@ HN_FN hn_i_num hn_i_scaled1(const hn_i_num n) { return hn_i_scaled(n, 2048); }
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
 // From the hashes of the corners, where the gradients may be rotated by a quarter turn.
-HN_FN hn_i_num4 hn_i_ramps(const hn_uvec4 h, const hn_i_num2 f, const bool turned) {
+HN_FN hn_i_num4 hn_i_ramps(hn_uvec4 h, hn_i_num2 f, bool turned) {
   hn_float x = hn_i_offset(f.x);
   hn_float y = hn_i_offset(f.y);
   hn_float x1 = hn_i_far(x);
@@ -131,22 +129,22 @@ HN_FN hn_i_num4 hn_i_ramps(const hn_uvec4 h, const hn_i_num2 f, const bool turne
                      hn_i_along2(hn_i_direction2(h.z, turned), x, y1),
                      hn_i_along2(hn_i_direction2(h.w, turned), x1, y1));
 }
-HN_FN hn_i_num4 hn_i_ramps(const hn_i_box2 box, const hn_i_num2 f, const hn_uint seed) {
+HN_FN hn_i_num4 hn_i_ramps(hn_i_box2 box, hn_i_num2 f, hn_uint seed) {
   return hn_i_ramps(hn_i_corners(box, seed), f, false);
 }
 
-HN_FN hn_i_num hn_i_face2(const hn_i_num4 n, const hn_i_num x, const hn_i_num y) {
+HN_FN hn_i_num hn_i_face2(hn_i_num4 n, hn_i_num x, hn_i_num y) {
   return hn_i_lerp(hn_i_edge2(n.x, n.y, x), hn_i_edge2(n.z, n.w, x), y);
 }
 
 // Noise before it is scaled, from the hashes of the corners and the fades.
-HN_FN hn_i_num hn_i_cell_of_ramps(const hn_uvec4 h, const hn_i_num2 f, const hn_i_num2 t, const bool turned) {
+HN_FN hn_i_num hn_i_cell_of_ramps(hn_uvec4 h, hn_i_num2 f, hn_i_num2 t, bool turned) {
   return hn_i_face2(hn_i_ramps(h, f, turned), t.x, t.y);
 }
 
 // 1831 / 1024 is just below 1 / 0.55902: the largest value that a noise has before it is scaled, with rotating
 // gradients, too (tools/make bounds).
-HN_FN hn_i_num hn_i_scaled2(const hn_i_num n) { return hn_i_scaled(n, 1831); }
+HN_FN hn_i_num hn_i_scaled2(hn_i_num n) { return hn_i_scaled(n, 1831); }
 
 #endif
 

@@ -20,16 +20,16 @@
 //   hn_i_ramp_of4, hn_i_edge4, hn_i_d_edge4, hn_i_lerp_components4 and hn_i_d_weighted_ramp4 are those of
 //   direction.glsl and falloff.glsl in the units of four dimensions
 
-HN_FN hn_float hn_i_flipped(const hn_float x, const hn_uint word) {
+HN_FN hn_float hn_i_flipped(hn_float x, hn_uint word) {
 #if HN_I_BITCAST
   return uintBitsToFloat(floatBitsToUint(x) ^ (word & 0x80000000u));
 #else
   return hn_i_select((word & 0x80000000u) != 0u, -x, x);
 #endif
 }
-HN_FN hn_int hn_i_flipped(const hn_int x, const hn_uint word) { return hn_i_select((word & 0x80000000u) != 0u, -x, x); }
+HN_FN hn_int hn_i_flipped(hn_int x, hn_uint word) { return hn_i_select((word & 0x80000000u) != 0u, -x, x); }
 
-HN_FN hn_i_num hn_i_along4(const hn_uint h, const hn_i_num x, const hn_i_num y, const hn_i_num z, const hn_i_num w) {
+HN_FN hn_i_num hn_i_along4(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num w) {
   hn_uint second = h & 0x00100000u;
   hn_i_num a = hn_i_select(second != 0u, hn_i_select(h < 0x55555555u, z, y), x);
   hn_i_num b = hn_i_select(second != 0u, hn_i_select(h < 0xAAAAAAAAu, w, z),
@@ -37,7 +37,7 @@ HN_FN hn_i_num hn_i_along4(const hn_uint h, const hn_i_num x, const hn_i_num y, 
   return hn_i_plus(hn_i_flipped(a, h << 9u), hn_i_flipped(b, h << 10u));
 }
 
-HN_FN hn_vec4 hn_i_direction4(const hn_uint h) {
+HN_FN hn_vec4 hn_i_direction4(hn_uint h) {
   hn_uint second = h & 0x00100000u;
   hn_vec2 g = vec2(hn_i_flipped(1.0f, h << 9u), hn_i_flipped(1.0f, h << 10u));
   hn_float a1 = hn_i_select(second != 0u, 0.0f, g.x);  // of the first pair
@@ -50,41 +50,37 @@ HN_FN hn_vec4 hn_i_direction4(const hn_uint h) {
 }
 
 #if HN_ARITHMETIC != HN_FIXED
-HN_FN hn_float hn_i_along4(const hn_vec4 g, const hn_float x, const hn_float y, const hn_float z, const hn_float w) {
+HN_FN hn_float hn_i_along4(hn_vec4 g, hn_float x, hn_float y, hn_float z, hn_float w) {
   HN_I_PRECISE hn_float n = g.x * x + g.y * y + g.z * z + g.w * w;
   return n;
 }
-HN_FN hn_float hn_i_ramp_of4(const hn_float n) { return n; }
-HN_FN hn_float hn_i_edge4(const hn_float a, const hn_float b, const hn_float t) { return hn_i_lerp(a, b, t); }
-HN_FN hn_float hn_i_d_edge4(const hn_float a, const hn_float b) { return hn_i_minus(b, a); }
-HN_FN hn_float hn_i_lerp_components4(const hn_float g, const hn_float h, const hn_float t) {
-  return hn_i_lerp(g, h, t);
-}
-HN_FN hn_float hn_i_d_weighted_ramp4(const hn_float g, const hn_float w, const hn_float k, const hn_float x) {
+HN_FN hn_float hn_i_ramp_of4(hn_float n) { return n; }
+HN_FN hn_float hn_i_edge4(hn_float a, hn_float b, hn_float t) { return hn_i_lerp(a, b, t); }
+HN_FN hn_float hn_i_d_edge4(hn_float a, hn_float b) { return hn_i_minus(b, a); }
+HN_FN hn_float hn_i_lerp_components4(hn_float g, hn_float h, hn_float t) { return hn_i_lerp(g, h, t); }
+HN_FN hn_float hn_i_d_weighted_ramp4(hn_float g, hn_float w, hn_float k, hn_float x) {
   return hn_i_d_weighted_ramp(g, w, k, x);
 }
-HN_FN hn_float hn_i_scaled_ramps(const hn_float n, const hn_int s) { return hn_i_scaled(n, s); }
+HN_FN hn_float hn_i_scaled_ramps(hn_float n, hn_int s) { return hn_i_scaled(n, s); }
 #else
-HN_FN hn_int hn_i_along4(const hn_vec4 g, const hn_float x, const hn_float y, const hn_float z, const hn_float w) {
+HN_FN hn_int hn_i_along4(hn_vec4 g, hn_float x, hn_float y, hn_float z, hn_float w) {
   return hn_i_beyond_12(g.x * x + 12.0f + g.y * y + g.z * z + g.w * w);
 }
-HN_FN hn_int hn_i_ramp_of4(const hn_int n) { return n * 256; }
-HN_FN hn_int hn_i_edge4(const hn_int a, const hn_int b, const hn_int t) {
+HN_FN hn_int hn_i_ramp_of4(hn_int n) { return n * 256; }
+HN_FN hn_int hn_i_edge4(hn_int a, hn_int b, hn_int t) {
   hn_int d = b - a;
   return a * 256 + ((d >> 1) * (t >> 9) + (d >> 10) * (t & 511));
 }
-HN_FN hn_int hn_i_d_edge4(const hn_int a, const hn_int b) { return (b - a) * 64; }
-HN_FN hn_int hn_i_lerp_components4(const hn_float g, const hn_float h, const hn_float t) {
-  return hn_i_lerp_components(g, h, t) >> 1;
-}
-HN_FN hn_int hn_i_d_weighted_ramp4(const hn_float g, const hn_int w, const hn_int k, const hn_int x) {
+HN_FN hn_int hn_i_d_edge4(hn_int a, hn_int b) { return (b - a) * 64; }
+HN_FN hn_int hn_i_lerp_components4(hn_float g, hn_float h, hn_float t) { return hn_i_lerp_components(g, h, t) >> 1; }
+HN_FN hn_int hn_i_d_weighted_ramp4(hn_float g, hn_int w, hn_int k, hn_int x) {
   return (hn_i_weighted_component(g, hn_i_exact(w)) >> 1) - 2 * hn_i_part(k, x >> 2);
 }
-HN_FN hn_int hn_i_scaled_ramps(const hn_int n, const hn_int s) { return hn_i_scaled(n, s + s); }
+HN_FN hn_int hn_i_scaled_ramps(hn_int n, hn_int s) { return hn_i_scaled(n, s + s); }
 #endif
 
 // 953 / 1024 is 1 / 1.073455, rounded down. 1.073455 is the largest value of Perlin noise before it is scaled
 // (tools/make bounds).
-HN_FN hn_i_num hn_i_scaled4(const hn_i_num n) { return hn_i_scaled_ramps(n, 953); }
+HN_FN hn_i_num hn_i_scaled4(hn_i_num n) { return hn_i_scaled_ramps(n, 953); }
 
 #endif

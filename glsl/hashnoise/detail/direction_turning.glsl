@@ -20,44 +20,42 @@
 
 #if HN_ARITHMETIC != HN_FIXED
 
-HN_FN hn_vec2 hn_i_rotation(const hn_float cosine, const hn_float sine) { return vec2(cosine, sine); }
-HN_FN hn_vec2 hn_i_to_sixths(const hn_vec2 r) {
+HN_FN hn_vec2 hn_i_rotation(hn_float cosine, hn_float sine) { return vec2(cosine, sine); }
+HN_FN hn_vec2 hn_i_to_sixths(hn_vec2 r) {
   HN_I_PRECISE hn_float e = r.y * 1.15470054f;
   HN_I_PRECISE hn_float g = r.x - 0.5f * e;
   return vec2(g, e);
 }
 
-HN_FN hn_float hn_i_mixed(const hn_vec2 r, const hn_float a, const hn_float b) {
+HN_FN hn_float hn_i_mixed(hn_vec2 r, hn_float a, hn_float b) {
   HN_I_PRECISE hn_float n = r.x * a + r.y * b;
   return n;
 }
 
 #else
 
-HN_FN hn_ivec2 hn_i_rotation(const hn_int cosine, const hn_int sine) { return ivec2(cosine * 4, sine * 4); }
-HN_FN hn_ivec2 hn_i_to_sixths(const hn_ivec2 r) {
+HN_FN hn_ivec2 hn_i_rotation(hn_int cosine, hn_int sine) { return ivec2(cosine * 4, sine * 4); }
+HN_FN hn_ivec2 hn_i_to_sixths(hn_ivec2 r) {
   hn_int e = r.y + (((r.y >> 2) * 20277) >> 15);
   return ivec2(r.x - (e >> 1), e);
 }
-HN_FN hn_int hn_i_mixed(const hn_ivec2 r, const hn_int a, const hn_int b) {
-  return hn_i_part(a, r.x) + hn_i_part(b, r.y);
-}
+HN_FN hn_int hn_i_mixed(hn_ivec2 r, hn_int a, hn_int b) { return hn_i_part(a, r.x) + hn_i_part(b, r.y); }
 
 #endif
 
-HN_FN hn_i_num2 hn_i_rotation(const hn_float phase) {
+HN_FN hn_i_num2 hn_i_rotation(hn_float phase) {
   hn_uint angle = hn_i_angle(phase);
   return hn_i_rotation(hn_i_wave(angle + 0x40000000u, 0u), hn_i_wave(angle, 0u));
 }
 
 // After the angle a gradient is cos g + sin (2 e - g) / sqrt(3), since e is cos(60 degrees) g and sin(60 degrees) times
 // what is perpendicular to it.
-HN_FN hn_i_num2 hn_i_rotation3(const hn_float phase) { return hn_i_to_sixths(hn_i_rotation(phase)); }
+HN_FN hn_i_num2 hn_i_rotation3(hn_float phase) { return hn_i_to_sixths(hn_i_rotation(phase)); }
 
-HN_FN hn_i_num3 hn_i_mixed(const hn_i_num2 r, const hn_i_num3 a, const hn_i_num3 b) {
+HN_FN hn_i_num3 hn_i_mixed(hn_i_num2 r, hn_i_num3 a, hn_i_num3 b) {
   return hn_i_vector(hn_i_mixed(r, a.x, b.x), hn_i_mixed(r, a.y, b.y), hn_i_mixed(r, a.z, b.z));
 }
-HN_FN hn_i_num4 hn_i_mixed(const hn_i_num2 r, const hn_i_num4 a, const hn_i_num4 b) {
+HN_FN hn_i_num4 hn_i_mixed(hn_i_num2 r, hn_i_num4 a, hn_i_num4 b) {
   return hn_i_vector(hn_i_mixed(r, a.x, b.x), hn_i_mixed(r, a.y, b.y), hn_i_mixed(r, a.z, b.z),
                      hn_i_mixed(r, a.w, b.w));
 }

@@ -9,17 +9,15 @@
 
 // The same in every dimension: tools/make writes it of feature_points2d.glsl.
 
-HN_FN hn_i_num2 hn_i_from_centre(const hn_i_num2 f) {
-  return hn_i_vector(hn_i_from_centre(f.x), hn_i_from_centre(f.y));
-}
+HN_FN hn_i_num2 hn_i_from_centre(hn_i_num2 f) { return hn_i_vector(hn_i_from_centre(f.x), hn_i_from_centre(f.y)); }
 
 // Chooses b along each axis where the place is above the centre of its cell, else a.
-HN_FN hn_uvec2 hn_i_toward_place(const hn_i_num2 d, const hn_uvec2 a, const hn_uvec2 b) {
+HN_FN hn_uvec2 hn_i_toward_place(hn_i_num2 d, hn_uvec2 a, hn_uvec2 b) {
   return uvec2(hn_i_select(d.x > HN_I_NO_OFFSET, b.x, a.x), hn_i_select(d.y > HN_I_NO_OFFSET, b.y, a.y));
 }
 
 // The spread coordinates of the cell that is two steps away along all axes, on the side of the place.
-HN_FN hn_uvec2 hn_i_far_cell(const hn_place2 place, const hn_i_block2 block, const hn_i_num2 d) {
+HN_FN hn_uvec2 hn_i_far_cell(hn_place2 place, hn_i_block2 block, hn_i_num2 d) {
   hn_uvec2 two;
   if (place.tiled) {
     hn_uvec2 c = hn_i_wrap(place.cell, place.period);
@@ -32,7 +30,7 @@ HN_FN hn_uvec2 hn_i_far_cell(const hn_place2 place, const hn_i_block2 block, con
 }
 
 // The cell of the block with a code, modulo the period.
-HN_FN hn_ivec2 hn_i_cell_of(const hn_place2 place, const hn_i_rank code) {
+HN_FN hn_ivec2 hn_i_cell_of(hn_place2 place, hn_i_rank code) {
   hn_uvec2 c = hn_i_wrap(place.cell, place.period);
   hn_uvec2 before = hn_i_previous(c, place.period);
   hn_uvec2 after = hn_i_following(c, place.period);
@@ -45,8 +43,8 @@ HN_FN hn_ivec2 hn_i_cell_of(const hn_place2 place, const hn_i_rank code) {
 // The directions of three hashes along each axis. In HN_FIXED they are in units of 2^-9.
 #if HN_ARITHMETIC != HN_FIXED
 
-HN_FN hn_vec3 hn_i_points_x(const hn_uvec3 words) { return hn_i_fields2(words); }
-HN_FN hn_vec3 hn_i_points_y(const hn_uvec3 words) {
+HN_FN hn_vec3 hn_i_points_x(hn_uvec3 words) { return hn_i_fields2(words); }
+HN_FN hn_vec3 hn_i_points_y(hn_uvec3 words) {
   HN_I_PRECISE hn_vec3 m = vec3(1.0f, 1.0f, 1.0f) - abs(hn_i_fields2(words));
   return hn_i_signed(m, words);
 }
@@ -55,15 +53,15 @@ HN_FN hn_vec3 hn_i_points_y(const hn_uvec3 words) {
 
 // They are computed as floats, since on GPUs the absolute value of a float costs nothing, and that of an integer does.
 // No step rounds: the floats are whole numbers of few bits.
-HN_FN hn_vec3 hn_i_whole_points(const hn_uvec3 words) {
+HN_FN hn_vec3 hn_i_whole_points(hn_uvec3 words) {
 #if HN_I_BITCAST
   return uintBitsToFloat(hn_i_or(hn_i_and(words, 0x007FC000u), 0x44800000u)) - 1535.0f;
 #else
   return hn_i_fields2(words) * 512.0f;
 #endif
 }
-HN_FN hn_ivec3 hn_i_points_x(const hn_uvec3 words) { return ivec3(hn_i_whole_points(words)); }
-HN_FN hn_ivec3 hn_i_points_y(const hn_uvec3 words) {
+HN_FN hn_ivec3 hn_i_points_x(hn_uvec3 words) { return ivec3(hn_i_whole_points(words)); }
+HN_FN hn_ivec3 hn_i_points_y(hn_uvec3 words) {
   return ivec3(hn_i_signed(vec3(512.0f, 512.0f, 512.0f) - abs(hn_i_whole_points(words)), words));
 }
 
@@ -71,19 +69,18 @@ HN_FN hn_ivec3 hn_i_points_y(const hn_uvec3 words) {
 
 // Subtracts the points of three cells, along each axis: x and y hold the offsets of the place from the centres of the
 // cells, and the results its offsets from their points.
-HN_FN hn_i_num3 hn_i_from_x(const hn_uvec3 words, const hn_i_num3 x, const hn_i_num jitter) {
+HN_FN hn_i_num3 hn_i_from_x(hn_uvec3 words, hn_i_num3 x, hn_i_num jitter) {
   return hn_i_offsets_from_points(x, hn_i_points_x(words), jitter);
 }
-HN_FN hn_i_num3 hn_i_from_y(const hn_uvec3 words, const hn_i_num3 y, const hn_i_num jitter) {
+HN_FN hn_i_num3 hn_i_from_y(hn_uvec3 words, hn_i_num3 y, hn_i_num jitter) {
   return hn_i_offsets_from_points(y, hn_i_points_y(words), jitter);
 }
-HN_FN hn_i_rank3 hn_i_squares(const hn_uvec3 words, const hn_i_num3 x, const hn_i_num3 y, const hn_i_num jitter) {
+HN_FN hn_i_rank3 hn_i_squares(hn_uvec3 words, hn_i_num3 x, hn_i_num3 y, hn_i_num jitter) {
   return hn_i_squares(hn_i_from_x(words, x, jitter), hn_i_from_y(words, y, jitter));
 }
 
 // The ranks of the distances to these points.
-HN_FN hn_i_rank3 hn_i_ranks(const hn_uvec3 words, const hn_i_num3 x, const hn_i_num3 y, const hn_i_num jitter,
-                            const hn_int metric) {
+HN_FN hn_i_rank3 hn_i_ranks(hn_uvec3 words, hn_i_num3 x, hn_i_num3 y, hn_i_num jitter, hn_int metric) {
   if (metric == HN_METRIC_MANHATTAN || metric == HN_METRIC_CHEBYSHEV || metric == HN_METRIC_HYBRID) {
     hn_i_rank3 a = hn_i_sizes(hn_i_from_x(words, x, jitter));
     hn_i_rank3 b = hn_i_sizes(hn_i_from_y(words, y, jitter));
@@ -96,12 +93,12 @@ HN_FN hn_i_rank3 hn_i_ranks(const hn_uvec3 words, const hn_i_num3 x, const hn_i_
 
 // The hashes of a row of the cells around a place, from their spread coordinates: along x at y, and along y at x. s is
 // the mixed seed.
-HN_FN hn_uvec3 hn_i_words_along_x(const hn_i_block2 block, const hn_uint y, const hn_uint s) {
+HN_FN hn_uvec3 hn_i_words_along_x(hn_i_block2 block, hn_uint y, hn_uint s) {
   hn_uvec3 x = hn_i_coordinates_x(block);
   return hn_i_row_words(x >> HN_I_HIGH_X, hn_i_odds_x(x), hn_i_high(uvec2(0u, y)).y ^ hn_i_seed_join(s),
                         hn_i_odd_y(y - block.cell.y, hn_i_odd(block.cell, s)));
 }
-HN_FN hn_uvec3 hn_i_words_along_y(const hn_i_block2 block, const hn_uint x, const hn_uint s) {
+HN_FN hn_uvec3 hn_i_words_along_y(hn_i_block2 block, hn_uint x, hn_uint s) {
   hn_uvec3 y = hn_i_coordinates_y(block);
   return hn_i_row_words(y >> HN_I_HIGH_Y, hn_i_odds_y(y), hn_i_high(x) ^ hn_i_seed_join(s),
                         hn_i_odd_x(x - block.cell.x, hn_i_odd(block.cell, s)));
@@ -109,8 +106,7 @@ HN_FN hn_uvec3 hn_i_words_along_y(const hn_i_block2 block, const hn_uint x, cons
 
 // The three smallest ranks of the points of a cell and its neighbours, and the code of the nearest one's cell. d is the
 // offset of the place from the centre of the cell.
-HN_FN hn_i_rank4 hn_i_nearest(const hn_i_block2 block, const hn_i_num2 d, const hn_i_num jitter, const hn_int metric,
-                              const hn_uint seed) {
+HN_FN hn_i_rank4 hn_i_nearest(hn_i_block2 block, hn_i_num2 d, hn_i_num jitter, hn_int metric, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_i_num3 x = hn_i_row(d.x);
   hn_i_num3 y = hn_i_row(d.y);
@@ -124,8 +120,7 @@ HN_FN hn_i_rank4 hn_i_nearest(const hn_i_block2 block, const hn_i_num2 d, const 
 }
 
 // The offset of the place from the point of the cell with that code.
-HN_FN hn_i_num2 hn_i_from_nearest(const hn_i_block2 block, const hn_i_num2 d, const hn_i_num jitter, const hn_uint seed,
-                                  const hn_i_rank code) {
+HN_FN hn_i_num2 hn_i_from_nearest(hn_i_block2 block, hn_i_num2 d, hn_i_num jitter, hn_uint seed, hn_i_rank code) {
   hn_int x = hn_i_x_of(int(code));
   hn_int y = hn_i_y_of(int(code));
   hn_uint s = hn_i_mix(seed);
@@ -137,6 +132,6 @@ HN_FN hn_i_num2 hn_i_from_nearest(const hn_i_block2 block, const hn_i_num2 d, co
 }
 
 // The vector from a place to a point, as floats, from the offset of the place from it.
-HN_FN hn_vec2 hn_i_toward(const hn_i_num2 from) { return vec2(hn_i_toward(from.x), hn_i_toward(from.y)); }
+HN_FN hn_vec2 hn_i_toward(hn_i_num2 from) { return vec2(hn_i_toward(from.x), hn_i_toward(from.y)); }
 
 #endif

@@ -9,18 +9,18 @@
 
 // The same in every dimension: tools/make writes it of feature_points2d.glsl.
 
-HN_FN hn_i_num3 hn_i_from_centre(const hn_i_num3 f) {
+HN_FN hn_i_num3 hn_i_from_centre(hn_i_num3 f) {
   return hn_i_vector(hn_i_from_centre(f.x), hn_i_from_centre(f.y), hn_i_from_centre(f.z));
 }
 
 // Chooses b along each axis where the place is above the centre of its cell, else a.
-HN_FN hn_uvec3 hn_i_toward_place(const hn_i_num3 d, const hn_uvec3 a, const hn_uvec3 b) {
+HN_FN hn_uvec3 hn_i_toward_place(hn_i_num3 d, hn_uvec3 a, hn_uvec3 b) {
   return uvec3(hn_i_select(d.x > HN_I_NO_OFFSET, b.x, a.x), hn_i_select(d.y > HN_I_NO_OFFSET, b.y, a.y),
                hn_i_select(d.z > HN_I_NO_OFFSET, b.z, a.z));
 }
 
 // The spread coordinates of the cell that is two steps away along all axes, on the side of the place.
-HN_FN hn_uvec3 hn_i_far_cell(const hn_place3 place, const hn_i_block3 block, const hn_i_num3 d) {
+HN_FN hn_uvec3 hn_i_far_cell(hn_place3 place, hn_i_block3 block, hn_i_num3 d) {
   hn_uvec3 two;
   if (place.tiled) {
     hn_uvec3 c = hn_i_wrap(place.cell, place.period);
@@ -33,7 +33,7 @@ HN_FN hn_uvec3 hn_i_far_cell(const hn_place3 place, const hn_i_block3 block, con
 }
 
 // The cell of the block with a code, modulo the period.
-HN_FN hn_ivec3 hn_i_cell_of(const hn_place3 place, const hn_i_rank code) {
+HN_FN hn_ivec3 hn_i_cell_of(hn_place3 place, hn_i_rank code) {
   hn_uvec3 c = hn_i_wrap(place.cell, place.period);
   hn_uvec3 before = hn_i_previous(c, place.period);
   hn_uvec3 after = hn_i_following(c, place.period);
@@ -54,73 +54,70 @@ HN_FN hn_ivec3 hn_i_cell_of(const hn_place3 place, const hn_i_rank code) {
 //   hn_i_from_octahedral(d)  the offset along x, y and z, from one with such components
 #if HN_ARITHMETIC != HN_FIXED
 
-HN_FN hn_vec3 hn_i_points_u(const hn_uvec3 words) { return hn_i_fields3(words >> 8u); }
-HN_FN hn_vec3 hn_i_points_v(const hn_uvec3 words) { return hn_i_fields3(words); }
-HN_FN hn_vec3 hn_i_points_z(const hn_uvec3 words) {
+HN_FN hn_vec3 hn_i_points_u(hn_uvec3 words) { return hn_i_fields3(words >> 8u); }
+HN_FN hn_vec3 hn_i_points_v(hn_uvec3 words) { return hn_i_fields3(words); }
+HN_FN hn_vec3 hn_i_points_z(hn_uvec3 words) {
   HN_I_PRECISE hn_vec3 m = vec3(1.0f, 1.0f, 1.0f) - max(abs(hn_i_fields3(words >> 8u)), abs(hn_i_fields3(words)));
   return hn_i_signed(m, words);
 }
-HN_FN hn_vec3 hn_i_octahedral_u(const hn_vec3 x, const hn_vec3 y) { return hn_i_sum(x, y); }
-HN_FN hn_vec3 hn_i_octahedral_v(const hn_vec3 x, const hn_vec3 y) {
+HN_FN hn_vec3 hn_i_octahedral_u(hn_vec3 x, hn_vec3 y) { return hn_i_sum(x, y); }
+HN_FN hn_vec3 hn_i_octahedral_v(hn_vec3 x, hn_vec3 y) {
   HN_I_PRECISE hn_vec3 v = x - y;
   return v;
 }
-HN_FN hn_vec3 hn_i_squares(const hn_vec3 u, const hn_vec3 v, const hn_vec3 z) {
+HN_FN hn_vec3 hn_i_squares(hn_vec3 u, hn_vec3 v, hn_vec3 z) {
   HN_I_PRECISE hn_vec3 q = (u * u + v * v) * 0.5f + z * z;
   return q;
 }
-HN_FN hn_vec3 hn_i_manhattans(const hn_vec3 u, const hn_vec3 v, const hn_vec3 z) {
-  return hn_i_sum(max(abs(u), abs(v)), abs(z));
-}
-HN_FN hn_vec3 hn_i_chebyshevs(const hn_vec3 u, const hn_vec3 v, const hn_vec3 z) {
+HN_FN hn_vec3 hn_i_manhattans(hn_vec3 u, hn_vec3 v, hn_vec3 z) { return hn_i_sum(max(abs(u), abs(v)), abs(z)); }
+HN_FN hn_vec3 hn_i_chebyshevs(hn_vec3 u, hn_vec3 v, hn_vec3 z) {
   HN_I_PRECISE hn_vec3 m = (abs(u) + abs(v)) * 0.5f;
   return max(m, abs(z));
 }
-HN_FN hn_vec3 hn_i_from_octahedral(const hn_vec3 d) {
+HN_FN hn_vec3 hn_i_from_octahedral(hn_vec3 d) {
   return vec3(hn_i_times(hn_i_plus(d.x, d.y), 0.5f), hn_i_times(hn_i_minus(d.x, d.y), 0.5f), d.z);
 }
 
 #else
 
 // A direction in space comes in units of 2^-8.
-HN_FN hn_ivec3 hn_i_points_p(const hn_uvec3 words) { return ivec3(hn_i_and(words >> 22u, 510u)) - 255; }
-HN_FN hn_ivec3 hn_i_points_q(const hn_uvec3 words) { return ivec3(hn_i_and(words >> 14u, 510u)) - 255; }
-HN_FN hn_ivec3 hn_i_points_u(const hn_uvec3 words) { return hn_i_points_p(words) + hn_i_points_q(words); }
-HN_FN hn_ivec3 hn_i_points_v(const hn_uvec3 words) { return hn_i_points_p(words) - hn_i_points_q(words); }
-HN_FN hn_ivec3 hn_i_points_z(const hn_uvec3 words) {
+HN_FN hn_ivec3 hn_i_points_p(hn_uvec3 words) { return ivec3(hn_i_and(words >> 22u, 510u)) - 255; }
+HN_FN hn_ivec3 hn_i_points_q(hn_uvec3 words) { return ivec3(hn_i_and(words >> 14u, 510u)) - 255; }
+HN_FN hn_ivec3 hn_i_points_u(hn_uvec3 words) { return hn_i_points_p(words) + hn_i_points_q(words); }
+HN_FN hn_ivec3 hn_i_points_v(hn_uvec3 words) { return hn_i_points_p(words) - hn_i_points_q(words); }
+HN_FN hn_ivec3 hn_i_points_z(hn_uvec3 words) {
   hn_uvec3 larger = max(hn_i_sizes(hn_i_points_p(words)), hn_i_sizes(hn_i_points_q(words)));
   return hn_i_signed((ivec3(256, 256, 256) - ivec3(larger)) * 2, words);
 }
 
 // These return x and y. Compilers drop the rest, which is there since a parameter that is not used is a warning, and
 // one without a name an error in Mesa.
-HN_FN hn_ivec3 hn_i_octahedral_u(const hn_ivec3 x, const hn_ivec3 y) { return x + y * 0; }
-HN_FN hn_ivec3 hn_i_octahedral_v(const hn_ivec3 x, const hn_ivec3 y) { return x * 0 + y; }
-HN_FN hn_uvec3 hn_i_manhattans(const hn_ivec3 x, const hn_ivec3 y, const hn_ivec3 z) {
+HN_FN hn_ivec3 hn_i_octahedral_u(hn_ivec3 x, hn_ivec3 y) { return x + y * 0; }
+HN_FN hn_ivec3 hn_i_octahedral_v(hn_ivec3 x, hn_ivec3 y) { return x * 0 + y; }
+HN_FN hn_uvec3 hn_i_manhattans(hn_ivec3 x, hn_ivec3 y, hn_ivec3 z) {
   return hn_i_sizes(x) + hn_i_sizes(y) + hn_i_sizes(z);
 }
-HN_FN hn_uvec3 hn_i_chebyshevs(const hn_ivec3 x, const hn_ivec3 y, const hn_ivec3 z) {
+HN_FN hn_uvec3 hn_i_chebyshevs(hn_ivec3 x, hn_ivec3 y, hn_ivec3 z) {
   return max(max(hn_i_sizes(x), hn_i_sizes(y)), hn_i_sizes(z));
 }
-HN_FN hn_ivec3 hn_i_from_octahedral(const hn_ivec3 d) { return d; }
+HN_FN hn_ivec3 hn_i_from_octahedral(hn_ivec3 d) { return d; }
 
 #endif
 
 // Subtracts the points of three cells, in u, v and z: x, y and z hold the offsets of the place from the centres of the
 // cells, and the results its offsets from their points.
-HN_FN hn_i_num3 hn_i_from_u(const hn_uvec3 words, const hn_i_num3 x, const hn_i_num3 y, const hn_i_num jitter) {
+HN_FN hn_i_num3 hn_i_from_u(hn_uvec3 words, hn_i_num3 x, hn_i_num3 y, hn_i_num jitter) {
   return hn_i_offsets_from_points(hn_i_octahedral_u(x, y), hn_i_points_u(words), jitter);
 }
-HN_FN hn_i_num3 hn_i_from_v(const hn_uvec3 words, const hn_i_num3 x, const hn_i_num3 y, const hn_i_num jitter) {
+HN_FN hn_i_num3 hn_i_from_v(hn_uvec3 words, hn_i_num3 x, hn_i_num3 y, hn_i_num jitter) {
   return hn_i_offsets_from_points(hn_i_octahedral_v(x, y), hn_i_points_v(words), jitter);
 }
-HN_FN hn_i_num3 hn_i_from_z(const hn_uvec3 words, const hn_i_num3 z, const hn_i_num jitter) {
+HN_FN hn_i_num3 hn_i_from_z(hn_uvec3 words, hn_i_num3 z, hn_i_num jitter) {
   return hn_i_offsets_from_points(z, hn_i_points_z(words), jitter);
 }
 
 // The ranks of the distances to these points.
-HN_FN hn_i_rank3 hn_i_ranks(const hn_uvec3 words, const hn_i_num3 x, const hn_i_num3 y, const hn_i_num3 z,
-                            const hn_i_num jitter, const hn_int metric) {
+HN_FN hn_i_rank3 hn_i_ranks(hn_uvec3 words, hn_i_num3 x, hn_i_num3 y, hn_i_num3 z, hn_i_num jitter, hn_int metric) {
   hn_i_num3 u = hn_i_from_u(words, x, y, jitter);
   hn_i_num3 v = hn_i_from_v(words, x, y, jitter);
   hn_i_num3 w = hn_i_from_z(words, z, jitter);
@@ -131,15 +128,15 @@ HN_FN hn_i_rank3 hn_i_ranks(const hn_uvec3 words, const hn_i_num3 x, const hn_i_
 }
 
 // The share of the cells around a place in the first join of a hash, along one axis.
-HN_FN hn_uvec3 hn_i_joins_x(const hn_i_block3 block) {
+HN_FN hn_uvec3 hn_i_joins_x(hn_i_block3 block) {
   hn_uvec3 x = hn_i_coordinates_x(block);
   return x >> HN_I_HIGH_X;
 }
-HN_FN hn_uvec3 hn_i_joins_y(const hn_i_block3 block) {
+HN_FN hn_uvec3 hn_i_joins_y(hn_i_block3 block) {
   hn_uvec3 y = hn_i_coordinates_y(block);
   return y >> HN_I_HIGH_Y;
 }
-HN_FN hn_uvec3 hn_i_joins_z(const hn_i_block3 block) {
+HN_FN hn_uvec3 hn_i_joins_z(hn_i_block3 block) {
   hn_uvec3 z = hn_i_coordinates_z(block);
   return z >> HN_I_HIGH_Z;
 }
@@ -147,9 +144,8 @@ HN_FN hn_uvec3 hn_i_joins_z(const hn_i_block3 block) {
 // Inserts the ranks of nine cells in a slab across z into the three smallest so far. x and y are the offsets of the
 // place from their centres along these axes, and z is that along z. `join` and `odd` are what z and the seed add to the
 // joins of a hash. `code` is that of the cell in the middle.
-HN_FN hn_i_rank4 hn_i_visit_slab(hn_i_rank4 best, const hn_i_block3 block, const hn_uint join, const hn_uint odd,
-                                 const hn_i_num3 x, const hn_i_num3 y, const hn_i_num z, const hn_i_num jitter,
-                                 const hn_int metric, const hn_int code) {
+HN_FN hn_i_rank4 hn_i_visit_slab(hn_i_rank4 best, hn_i_block3 block, hn_uint join, hn_uint odd, hn_i_num3 x,
+                                 hn_i_num3 y, hn_i_num z, hn_i_num jitter, hn_int metric, hn_int code) {
   hn_uvec3 joins = hn_i_joins_x(block);
   hn_uvec3 odds = hn_i_odds_x(hn_i_coordinates_x(block));
   hn_uvec3 rows = hn_i_xor(hn_i_joins_y(block), join);
@@ -172,8 +168,7 @@ HN_FN hn_i_rank4 hn_i_visit_slab(hn_i_rank4 best, const hn_i_block3 block, const
 // The three smallest ranks of the points of a cell and its neighbours, and the code of the nearest one's cell. d is the
 // offset of the place from the centre of the cell. With a loop over z a shader compiles in about 0.6 of the time. But
 // llvmpipe does not unroll it, and then takes 1.6 times as long.
-HN_FN hn_i_rank4 hn_i_nearest(const hn_i_block3 block, const hn_i_num3 d, const hn_i_num jitter, const hn_int metric,
-                              const hn_uint seed) {
+HN_FN hn_i_rank4 hn_i_nearest(hn_i_block3 block, hn_i_num3 d, hn_i_num jitter, hn_int metric, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_i_num3 x = hn_i_row(d.x);
   hn_i_num3 y = hn_i_row(d.y);
@@ -191,26 +186,25 @@ HN_FN hn_i_rank4 hn_i_nearest(const hn_i_block3 block, const hn_i_num3 d, const 
 // has rows along y. They follow each other along y, but in a slab across x or y along z. `at` is the spread coordinate
 // along the axis.
 
-HN_FN hn_uvec3 hn_i_if_axis(const hn_int axis, const hn_int which, const hn_uvec3 a, const hn_uvec3 b) {
+HN_FN hn_uvec3 hn_i_if_axis(hn_int axis, hn_int which, hn_uvec3 a, hn_uvec3 b) {
   return uvec3(hn_i_select(axis == which, a.x, b.x), hn_i_select(axis == which, a.y, b.y),
                hn_i_select(axis == which, a.z, b.z));
 }
-HN_FN hn_i_num3 hn_i_if_axis(const hn_int axis, const hn_int which, const hn_i_num3 a, const hn_i_num3 b) {
+HN_FN hn_i_num3 hn_i_if_axis(hn_int axis, hn_int which, hn_i_num3 a, hn_i_num3 b) {
   return hn_i_vector(hn_i_select(axis == which, a.x, b.x), hn_i_select(axis == which, a.y, b.y),
                      hn_i_select(axis == which, a.z, b.z));
 }
-HN_FN hn_uint hn_i_component_along(const hn_int axis, const hn_uvec3 v) {
+HN_FN hn_uint hn_i_component_along(hn_int axis, hn_uvec3 v) {
   return hn_i_select(axis == 0, v.x, hn_i_select(axis == 1, v.y, v.z));
 }
 
 // The number of steps to the slab beside the block, on the side of the place.
-HN_FN hn_int hn_i_far_step_along(const hn_int axis, const hn_i_num3 d) {
+HN_FN hn_int hn_i_far_step_along(hn_int axis, hn_i_num3 d) {
   return hn_i_select(axis == 0, hn_i_far_step(d.x), hn_i_select(axis == 1, hn_i_far_step(d.y), hn_i_far_step(d.z)));
 }
 
 // The hashes of its row n, which is -1, 0 or 1.
-HN_FN hn_uvec3 hn_i_slab_words(const hn_i_block3 block, const hn_int axis, const hn_uint at, const hn_int n,
-                               const hn_uint seed) {
+HN_FN hn_uvec3 hn_i_slab_words(hn_i_block3 block, hn_int axis, hn_uint at, hn_int n, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_uvec3 x = hn_i_joins_x(block);
   hn_uvec3 y = hn_i_joins_y(block);
@@ -227,22 +221,21 @@ HN_FN hn_uvec3 hn_i_slab_words(const hn_i_block3 block, const hn_int axis, const
 }
 
 // The offsets of the place from the centres of the cells of that row, along each axis; the slab is some steps on.
-HN_FN hn_i_num3 hn_i_slab_x(const hn_i_num3 d, const hn_int axis, const hn_int steps) {
+HN_FN hn_i_num3 hn_i_slab_x(hn_i_num3 d, hn_int axis, hn_int steps) {
   return hn_i_if_axis(axis, 0, hn_i_equal_triple(hn_i_offset_from_cell(d.x, steps)), hn_i_row(d.x));
 }
-HN_FN hn_i_num3 hn_i_slab_y(const hn_i_num3 d, const hn_int axis, const hn_int steps, const hn_int n) {
+HN_FN hn_i_num3 hn_i_slab_y(hn_i_num3 d, hn_int axis, hn_int steps, hn_int n) {
   return hn_i_if_axis(axis, 0, hn_i_row(d.y),
                       hn_i_equal_triple(hn_i_offset_from_cell(d.y, hn_i_select(axis == 1, steps, n))));
 }
-HN_FN hn_i_num3 hn_i_slab_z(const hn_i_num3 d, const hn_int axis, const hn_int steps, const hn_int n) {
+HN_FN hn_i_num3 hn_i_slab_z(hn_i_num3 d, hn_int axis, hn_int steps, hn_int n) {
   return hn_i_equal_triple(hn_i_offset_from_cell(d.z, hn_i_select(axis == 2, steps, n)));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
 
 // The offset of the place from the point of the cell with that code, in u, v and z.
-HN_FN hn_i_num3 hn_i_from_nearest(const hn_i_block3 block, const hn_i_num3 d, const hn_i_num jitter, const hn_uint seed,
-                                  const hn_i_rank code) {
+HN_FN hn_i_num3 hn_i_from_nearest(hn_i_block3 block, hn_i_num3 d, hn_i_num jitter, hn_uint seed, hn_i_rank code) {
   hn_int x = hn_i_x_of(int(code));
   hn_int y = hn_i_y_of(int(code));
   hn_int z = hn_i_z_of(int(code));
@@ -259,7 +252,7 @@ HN_FN hn_i_num3 hn_i_from_nearest(const hn_i_block3 block, const hn_i_num3 d, co
 }
 
 // The vector from a place to a point, as floats, from the offset of the place from it.
-HN_FN hn_vec3 hn_i_toward(const hn_i_num3 from) {
+HN_FN hn_vec3 hn_i_toward(hn_i_num3 from) {
   hn_i_num3 d = hn_i_from_octahedral(from);
   return vec3(hn_i_toward(d.x), hn_i_toward(d.y), hn_i_toward(d.z));
 }

@@ -22,25 +22,25 @@
 
 #if HN_ARITHMETIC != HN_FIXED
 
-HN_FN hn_float hn_i_jitter(const hn_float jitter, const hn_int n) {
+HN_FN hn_float hn_i_jitter(hn_float jitter, hn_int n) {
   return hn_i_times(hn_i_times(hn_i_jitter(jitter), hn_i_float(n)), 1.0f / 32.0f);
 }
-HN_FN hn_float hn_i_projected(const hn_float d, const hn_float b) { return hn_i_times(d, b); }
-HN_FN hn_float hn_i_turned_offset(const hn_float d, const hn_float b, const hn_int n) {
+HN_FN hn_float hn_i_projected(hn_float d, hn_float b) { return hn_i_times(d, b); }
+HN_FN hn_float hn_i_turned_offset(hn_float d, hn_float b, hn_int n) {
   return hn_i_minus(d, hn_i_times(hn_i_float(n * 2), b));
 }
 
 #else
 
-HN_FN hn_int hn_i_jitter(const hn_float jitter, const hn_int n) { return (hn_i_jitter(jitter) * n) >> 5; }
+HN_FN hn_int hn_i_jitter(hn_float jitter, hn_int n) { return (hn_i_jitter(jitter) * n) >> 5; }
 
 // A cosine is in units of 2^-18, and an offset that is rotated has up to 21 bits. A product with its high bits has 31.
-HN_FN hn_int hn_i_projected(const hn_int d, const hn_int b) { return (((d >> 8) * b) >> 10) + (((d & 255) * b) >> 18); }
-HN_FN hn_int hn_i_turned_offset(const hn_int d, const hn_int b, const hn_int n) { return d - n * 4 * b; }
+HN_FN hn_int hn_i_projected(hn_int d, hn_int b) { return (((d >> 8) * b) >> 10) + (((d & 255) * b) >> 18); }
+HN_FN hn_int hn_i_turned_offset(hn_int d, hn_int b, hn_int n) { return d - n * 4 * b; }
 
 #endif
 
-HN_FN hn_i_num3 hn_i_row(const hn_i_num d, const hn_i_num b) {
+HN_FN hn_i_num3 hn_i_row(hn_i_num d, hn_i_num b) {
   return hn_i_triple(hn_i_turned_offset(d, b, -1), d, hn_i_turned_offset(d, b, 1));
 }
 

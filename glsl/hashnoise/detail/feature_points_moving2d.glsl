@@ -13,28 +13,27 @@
 // centre of a cell. A cell beyond has its centre sqrt(5/2) away. So the nearest two are among the four if
 // sqrt(1/2) + r < sqrt(5/2) - r, that is, for r < 0.4370; everywhere else there is more room. Directions are no longer
 // than sqrt(511^2 + 1) / 512, so with 7/8 of the jitter r is 0.4367.
-HN_FN hn_i_num hn_i_moving_jitter2(const hn_float jitter) { return hn_i_jitter(jitter, 28); }
+HN_FN hn_i_num hn_i_moving_jitter2(hn_float jitter) { return hn_i_jitter(jitter, 28); }
 
 // The rows of a matrix that rotates a place around the centre of a cell, backwards.
 struct hn_i_turn2 {
   hn_i_num2 x;
   hn_i_num2 y;
 };
-HN_FN hn_i_turn2 hn_i_turning2(const hn_float phase) {
+HN_FN hn_i_turn2 hn_i_turning2(hn_float phase) {
   HN_I_NEW(hn_i_turn2, turn);
   turn.x = hn_i_rotation(phase);
   turn.y = hn_i_vector(-turn.x.y, turn.x.x);
   return turn;
 }
-HN_FN hn_i_num hn_i_projected(const hn_i_num2 d, const hn_i_num2 row) {
+HN_FN hn_i_num hn_i_projected(hn_i_num2 d, hn_i_num2 row) {
   return hn_i_plus(hn_i_projected(d.x, row.x), hn_i_projected(d.y, row.y));
 }
 
 // The three smallest ranks of the points of a cell and its neighbours, and the code of the nearest one's cell. d is the
 // offset of the place from the centre of the cell. x and y are those from the centres of the cells above and below it,
 // rotated.
-HN_FN hn_i_rank4 hn_i_nearest(const hn_i_block2 block, const hn_i_num2 d, const hn_i_turn2 turn, const hn_i_num jitter,
-                              const hn_uint seed) {
+HN_FN hn_i_rank4 hn_i_nearest(hn_i_block2 block, hn_i_num2 d, hn_i_turn2 turn, hn_i_num jitter, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_i_num3 x = hn_i_row(hn_i_projected(d, turn.x), turn.x.y);
   hn_i_num3 y = hn_i_row(hn_i_projected(d, turn.y), turn.y.y);
@@ -53,8 +52,8 @@ HN_FN hn_i_rank4 hn_i_nearest(const hn_i_block2 block, const hn_i_num2 d, const 
 }
 
 // The vector from the place to the point of the cell with that code.
-HN_FN hn_vec2 hn_i_to_nearest(const hn_i_block2 block, const hn_i_num2 d, const hn_i_turn2 turn, const hn_i_num jitter,
-                              const hn_uint seed, const hn_i_rank code) {
+HN_FN hn_vec2 hn_i_to_nearest(hn_i_block2 block, hn_i_num2 d, hn_i_turn2 turn, hn_i_num jitter, hn_uint seed,
+                              hn_i_rank code) {
   hn_int i = hn_i_x_of(int(code));
   hn_int j = hn_i_y_of(int(code));
   hn_uint s = hn_i_mix(seed);

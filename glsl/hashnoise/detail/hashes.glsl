@@ -14,7 +14,7 @@
 //   returns  any uint
 //   cost     3 multiplications (the first is of constants)
 //   source   Fowler, Noll, Vo; paper fig. 1
-HN_FN hn_uint hn_hash_fnv1(const hn_uint k) {
+HN_FN hn_uint hn_hash_fnv1(hn_uint k) {
   hn_uint h = 2166136261u;
   h = (h * 16777619u) ^ (k & 255u);
   h = (h * 16777619u) ^ ((k >> 8u) & 255u);
@@ -30,14 +30,14 @@ HN_FN hn_uint hn_hash_fnv1(const hn_uint k) {
 //   returns  any uint
 //   cost     1 multiplication (the first is of constants)
 //   source   Valdenegro-Toro and Pincheira, sec. 7
-HN_FN hn_uint hn_hash_partial_fnv1(const hn_uint k) {
+HN_FN hn_uint hn_hash_partial_fnv1(hn_uint k) {
   hn_uint h = 2166136261u;
   h = (h * 16777619u) ^ k;
   h = (h * 16777619u) ^ k;
   return h;
 }
 
-HN_FN hn_uint hn_i_jenkins_step(hn_uint h, const hn_uint add) {
+HN_FN hn_uint hn_i_jenkins_step(hn_uint h, hn_uint add) {
   h += add;
   h += h << 10u;
   return h ^ (h >> 6u);
@@ -55,7 +55,7 @@ HN_FN hn_uint hn_i_jenkins_end(hn_uint h) {
 //   returns  any uint
 //   cost     no multiplication; 14 shifts, 14 additions and exclusive ors
 //   source   Jenkins, "A hash function for hash table lookup"; paper fig. 2
-HN_FN hn_uint hn_hash_jenkins(const hn_uint k) {
+HN_FN hn_uint hn_hash_jenkins(hn_uint k) {
   hn_uint h = 0u;
   h = hn_i_jenkins_step(h, k & 255u);
   h = hn_i_jenkins_step(h, (k >> 8u) & 255u);
@@ -70,7 +70,7 @@ HN_FN hn_uint hn_hash_jenkins(const hn_uint k) {
 //   returns  any uint
 //   cost     no multiplication; 5 shifts, 5 additions and exclusive ors
 //   source   Valdenegro-Toro and Pincheira, sec. 7
-HN_FN hn_uint hn_hash_partial_jenkins(const hn_uint k) { return hn_i_jenkins_end(hn_i_jenkins_step(0u, k)); }
+HN_FN hn_uint hn_hash_partial_jenkins(hn_uint k) { return hn_i_jenkins_end(hn_i_jenkins_step(0u, k)); }
 
 // The paper's Murmur: the body of MurmurHash2 for 32 bits, without its final avalanche.
 //   k        any uint
@@ -92,7 +92,7 @@ HN_FN hn_uint hn_hash_murmur(hn_uint k) {
 //   returns  any uint; a bijection
 //   cost     2 multiplications, 1 shift by a variable
 //   source   O'Neill; Jarzynski and Olano 2020, pcg_hash
-HN_FN hn_uint hn_hash_pcg(const hn_uint k) {
+HN_FN hn_uint hn_hash_pcg(hn_uint k) {
   hn_uint s = k * 747796405u + 2891336453u;
   hn_uint w = ((s >> ((s >> 28u) + 4u)) ^ s) * 277803737u;
   return (w >> 22u) ^ w;
@@ -104,7 +104,7 @@ HN_FN hn_uint hn_hash_pcg(const hn_uint k) {
 //   returns  any uint; a bijection
 //   cost     4 multiplications
 //   source   Collet, xxHash specification; 374761397 is its fifth prime plus the length, 4
-HN_FN hn_uint hn_hash_xxhash32(const hn_uint k) {
+HN_FN hn_uint hn_hash_xxhash32(hn_uint k) {
   hn_uint h = 374761397u + k * 3266489917u;
   h = ((h << 17u) | (h >> 15u)) * 668265263u;
   h ^= h >> 15u;
@@ -131,8 +131,8 @@ HN_FN hn_uint hn_hash_lowbias32(hn_uint k) {
 // Hashes of several numbers, which return as many: of a pixel and a frame, for example. HN_HASH does not offer them,
 // since it hashes one number.
 
-HN_FN hn_uint hn_i_congruential(const hn_uint k) { return k * 1664525u + 1013904223u; }
-HN_FN hn_uint hn_i_folded(const hn_uint k) { return k ^ (k >> 16u); }
+HN_FN hn_uint hn_i_congruential(hn_uint k) { return k * 1664525u + 1013904223u; }
+HN_FN hn_uint hn_i_folded(hn_uint k) { return k ^ (k >> 16u); }
 
 // PCG's step of each of two numbers, which are then mixed with each other.
 //   v        any uvec2
@@ -140,7 +140,7 @@ HN_FN hn_uint hn_i_folded(const hn_uint k) { return k ^ (k >> 16u); }
 //   returns  any uvec2; a bijection
 //   cost     6 multiplications
 //   source   Jarzynski and Olano 2020, pcg2d
-HN_FN hn_uvec2 hn_hash_pcg2d(const hn_uvec2 v) {
+HN_FN hn_uvec2 hn_hash_pcg2d(hn_uvec2 v) {
   hn_uint x = hn_i_congruential(v.x);
   hn_uint y = hn_i_congruential(v.y);
   x += y * 1664525u;
@@ -158,7 +158,7 @@ HN_FN hn_uvec2 hn_hash_pcg2d(const hn_uvec2 v) {
 //   returns  any uvec3; a bijection
 //   cost     9 multiplications
 //   source   Jarzynski and Olano 2020, pcg3d
-HN_FN hn_uvec3 hn_hash_pcg3d(const hn_uvec3 v) {
+HN_FN hn_uvec3 hn_hash_pcg3d(hn_uvec3 v) {
   hn_uint x = hn_i_congruential(v.x);
   hn_uint y = hn_i_congruential(v.y);
   hn_uint z = hn_i_congruential(v.z);
@@ -180,7 +180,7 @@ HN_FN hn_uvec3 hn_hash_pcg3d(const hn_uvec3 v) {
 //   returns  any uvec4; a bijection
 //   cost     12 multiplications
 //   source   Jarzynski and Olano 2020, pcg4d
-HN_FN hn_uvec4 hn_hash_pcg4d(const hn_uvec4 v) {
+HN_FN hn_uvec4 hn_hash_pcg4d(hn_uvec4 v) {
   hn_uint x = hn_i_congruential(v.x);
   hn_uint y = hn_i_congruential(v.y);
   hn_uint z = hn_i_congruential(v.z);

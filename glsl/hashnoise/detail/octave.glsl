@@ -43,33 +43,31 @@ struct hn_i_octave_sum {
 #define HN_I_NO_WEIGHT 0
 
 // A setting in [0, most], in the units of weights.
-HN_FN hn_int hn_i_setting(const hn_float x, const hn_float most) {
-  return int(min(max(0.0f, x), most) * HN_I_FLOAT_UNITS_WEIGHT);
-}
-HN_FN hn_int hn_i_gain(const hn_float gain) { return hn_i_setting(gain, 1.0f); }
+HN_FN hn_int hn_i_setting(hn_float x, hn_float most) { return int(min(max(0.0f, x), most) * HN_I_FLOAT_UNITS_WEIGHT); }
+HN_FN hn_int hn_i_gain(hn_float gain) { return hn_i_setting(gain, 1.0f); }
 
 // The product of two numbers in [0, 1].
-HN_FN hn_int hn_i_weight_times(const hn_int a, const hn_int b) { return ((a >> 9) * b + (((a & 511) * b) >> 9)) >> 9; }
+HN_FN hn_int hn_i_weight_times(hn_int a, hn_int b) { return ((a >> 9) * b + (((a & 511) * b) >> 9)) >> 9; }
 
 // sum + n * weight
-HN_FN hn_int hn_i_summed(const hn_int sum, const hn_int n, const hn_int weight) {
+HN_FN hn_int hn_i_summed(hn_int sum, hn_int n, hn_int weight) {
   return sum + ((n * (weight >> 9) + (n >> 9) * (weight & 511)) >> 9);
 }
 
 // The noise of an octave as it is, and in [-1, 1]. (That of HN_GRADIENT_SINE reaches 3/2 in space.)
-HN_FN hn_int hn_i_octave(const hn_float n) { return int(min(max(-1.5f, n), 1.5f) * HN_I_FLOAT_UNITS_VALUE); }
-HN_FN hn_int hn_i_bounded_octave(const hn_float n) { return int(min(max(-1.0f, n), 1.0f) * HN_I_FLOAT_UNITS_VALUE); }
+HN_FN hn_int hn_i_octave(hn_float n) { return int(min(max(-1.5f, n), 1.5f) * HN_I_FLOAT_UNITS_VALUE); }
+HN_FN hn_int hn_i_bounded_octave(hn_float n) { return int(min(max(-1.0f, n), 1.0f) * HN_I_FLOAT_UNITS_VALUE); }
 
 // hn_i_ridge is 1 - abs(n), in the units of weights, and hn_i_weight_to_value converts these to the units of values.
-HN_FN hn_int hn_i_ridge(const hn_int n) { return (HN_I_UNITS_VALUE - hn_i_size(n)) >> 3; }
-HN_FN hn_int hn_i_weight_to_value(const hn_int weight) { return weight << 3; }
+HN_FN hn_int hn_i_ridge(hn_int n) { return (HN_I_UNITS_VALUE - hn_i_size(n)) >> 3; }
+HN_FN hn_int hn_i_weight_to_value(hn_int weight) { return weight << 3; }
 
 // (1 + n) / 2, in the units of weights.
-HN_FN hn_int hn_i_height(const hn_int n) { return (HN_I_UNITS_VALUE + n) >> 4; }
+HN_FN hn_int hn_i_height(hn_int n) { return (HN_I_UNITS_VALUE + n) >> 4; }
 
 // A wave between -1 and 1: up and down again along two units of (n + 1) * strength. These are in units of 2^-30, and a
 // uint holds them modulo 4.
-HN_FN hn_int hn_i_folds(const hn_int n, const hn_int strength) {
+HN_FN hn_int hn_i_folds(hn_int n, hn_int strength) {
   hn_uint u = uint(n + HN_I_UNITS_VALUE);
   hn_uint s = uint(strength);
   hn_uint t = (u * (s >> 9u) + ((u * (s & 511u)) >> 9u)) & 0x7FFFFFFFu;
@@ -77,13 +75,13 @@ HN_FN hn_int hn_i_folds(const hn_int n, const hn_int strength) {
 }
 
 // 1 - strength * (1 - n) / 2
-HN_FN hn_int hn_i_weight_factor(const hn_int n, const hn_int strength) {
+HN_FN hn_int hn_i_weight_factor(hn_int n, hn_int strength) {
   return HN_I_WEIGHT_ONE - hn_i_weight_times((HN_I_UNITS_VALUE - n) >> 4, strength);
 }
 
 // The total of the weights. Only a part of the last octave counts. (gain * total + 1 would round in another way than
 // the weights do, so these are added one by one.)
-HN_FN hn_int hn_i_total(const hn_int octaves, const hn_int gain, const hn_int part) {
+HN_FN hn_int hn_i_total(hn_int octaves, hn_int gain, hn_int part) {
   hn_int total = 0;
   hn_int weight = HN_I_WEIGHT_ONE;
   for (hn_int i = 1; i < octaves; ++i) {
@@ -95,7 +93,7 @@ HN_FN hn_int hn_i_total(const hn_int octaves, const hn_int gain, const hn_int pa
 
 // sum * 2^18 / total, cut off towards 0, by long division: the whole part, then 9 bits, then 9 more. A rest of 23 bits
 // leaves room for only 9 bits at a time.
-HN_FN hn_int hn_i_mean(const hn_int sum, const hn_int total) {
+HN_FN hn_int hn_i_mean(hn_int sum, hn_int total) {
   hn_uint divisor = uint(total);
   hn_uint rest = uint(hn_i_size(sum));
   hn_uint quotient = rest / divisor;
@@ -111,31 +109,31 @@ HN_FN hn_int hn_i_mean(const hn_int sum, const hn_int total) {
 
 // A sky of an fBm: it is clear below -1/8 and dense above 3/8, with a smooth step between. The density is
 // 1/2 + c (3/2 - 2 c^2) with c = 2 mean - 1/4, clamped to [-1/2, 1/2], in units of 2^-16.
-HN_FN hn_int hn_i_density(const hn_int mean) {
+HN_FN hn_int hn_i_density(hn_int mean) {
   hn_int c = (min(max(2 * mean + HN_I_UNITS_VALUE / 4, 0), HN_I_UNITS_VALUE) - HN_I_UNITS_VALUE / 2) >> 5;
   return HN_I_UNITS_VALUE / 2 + ((c * int((0xC0000000u - uint(c * c)) >> 16u)) >> 10);
 }
 
-HN_FN hn_int hn_i_billows(const hn_int mean) { return 2 * mean - HN_I_UNITS_VALUE; }
+HN_FN hn_int hn_i_billows(hn_int mean) { return 2 * mean - HN_I_UNITS_VALUE; }
 
 #else
 
 #if HN_ARITHMETIC == HN_FAST
 
-HN_FN hn_float hn_i_quotient(const hn_float a, const hn_float b) { return a / b; }
+HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) { return a / b; }
 
 // The position of the first octave.
-HN_FN hn_vec2 hn_i_flushed_position(const hn_vec2 p) { return p; }
+HN_FN hn_vec2 hn_i_flushed_position(hn_vec2 p) { return p; }
 // The same in 1, 3 and 4 dimensions: tools/make writes it.
-HN_FN hn_float hn_i_flushed_position(const hn_float p) { return p; }
-HN_FN hn_vec3 hn_i_flushed_position(const hn_vec3 p) { return p; }
-HN_FN hn_vec4 hn_i_flushed_position(const hn_vec4 p) { return p; }
+HN_FN hn_float hn_i_flushed_position(hn_float p) { return p; }
+HN_FN hn_vec3 hn_i_flushed_position(hn_vec3 p) { return p; }
+HN_FN hn_vec4 hn_i_flushed_position(hn_vec4 p) { return p; }
 
 #else
 
 // GLSL leaves the last bits of a division open. So a/b is computed as a times a reciprocal, by Newton's method. The
 // first guess is at most 1/8 off, and each step squares the error. b is from 1 to 2^100.
-HN_FN hn_float hn_i_quotient(const hn_float a, const hn_float b) {
+HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) {
   HN_I_PRECISE hn_float r = uintBitsToFloat(0x7EF311C7u - floatBitsToUint(b));
   for (hn_int i = 0; i < 4; ++i) r = r * (2.0f - b * r);
   HN_I_PRECISE hn_float quotient = a * r;
@@ -144,24 +142,22 @@ HN_FN hn_float hn_i_quotient(const hn_float a, const hn_float b) {
 
 // Replaces a subnormal number by 0, since a huge lacunarity could make it large. No later octave needs this: the shift
 // between octaves leaves a position that is 0 or at least 2^-25.
-HN_FN hn_float hn_i_flushed_position(const hn_float p) {
+HN_FN hn_float hn_i_flushed_position(hn_float p) {
   return hn_i_select((floatBitsToUint(p) & 0x7F800000u) == 0u, 0.0f, p);
 }
-HN_FN hn_vec2 hn_i_flushed_position(const hn_vec2 p) {
-  return vec2(hn_i_flushed_position(p.x), hn_i_flushed_position(p.y));
-}
+HN_FN hn_vec2 hn_i_flushed_position(hn_vec2 p) { return vec2(hn_i_flushed_position(p.x), hn_i_flushed_position(p.y)); }
 // The same in 3 and 4 dimensions: tools/make writes it.
-HN_FN hn_vec3 hn_i_flushed_position(const hn_vec3 p) {
+HN_FN hn_vec3 hn_i_flushed_position(hn_vec3 p) {
   return vec3(hn_i_flushed_position(p.x), hn_i_flushed_position(p.y), hn_i_flushed_position(p.z));
 }
-HN_FN hn_vec4 hn_i_flushed_position(const hn_vec4 p) {
+HN_FN hn_vec4 hn_i_flushed_position(hn_vec4 p) {
   return vec4(hn_i_flushed_position(p.x), hn_i_flushed_position(p.y), hn_i_flushed_position(p.z),
               hn_i_flushed_position(p.w));
 }
 
 #endif
 
-HN_FN hn_float hn_i_smooth(const hn_float t) {
+HN_FN hn_float hn_i_smooth(hn_float t) {
   HN_I_PRECISE hn_float n = t * t * (3.0f - 2.0f * t);
   return n;
 }
@@ -169,45 +165,43 @@ HN_FN hn_float hn_i_smooth(const hn_float t) {
 #define HN_I_WEIGHT_ONE 1.0f
 #define HN_I_NO_WEIGHT 0.0f
 
-HN_FN hn_float hn_i_setting(const hn_float x, const hn_float most) { return min(max(0.0f, x), most); }
-HN_FN hn_float hn_i_gain(const hn_float gain) { return gain; }
-HN_FN hn_float hn_i_weight_times(const hn_float a, const hn_float b) { return hn_i_times(a, b); }
-HN_FN hn_float hn_i_summed(const hn_float sum, const hn_float n, const hn_float weight) {
-  return hn_i_times_plus(weight, n, sum);
-}
+HN_FN hn_float hn_i_setting(hn_float x, hn_float most) { return min(max(0.0f, x), most); }
+HN_FN hn_float hn_i_gain(hn_float gain) { return gain; }
+HN_FN hn_float hn_i_weight_times(hn_float a, hn_float b) { return hn_i_times(a, b); }
+HN_FN hn_float hn_i_summed(hn_float sum, hn_float n, hn_float weight) { return hn_i_times_plus(weight, n, sum); }
 
-HN_FN hn_float hn_i_octave(const hn_float n) { return n; }
-HN_FN hn_float hn_i_bounded_octave(const hn_float n) { return min(max(-1.0f, n), 1.0f); }
-HN_FN hn_float hn_i_ridge(const hn_float n) { return hn_i_minus(1.0f, abs(n)); }
-HN_FN hn_float hn_i_weight_to_value(const hn_float weight) { return weight; }
-HN_FN hn_float hn_i_height(const hn_float n) { return hn_i_times_plus(0.5f, n, 0.5f); }
+HN_FN hn_float hn_i_octave(hn_float n) { return n; }
+HN_FN hn_float hn_i_bounded_octave(hn_float n) { return min(max(-1.0f, n), 1.0f); }
+HN_FN hn_float hn_i_ridge(hn_float n) { return hn_i_minus(1.0f, abs(n)); }
+HN_FN hn_float hn_i_weight_to_value(hn_float weight) { return weight; }
+HN_FN hn_float hn_i_height(hn_float n) { return hn_i_times_plus(0.5f, n, 0.5f); }
 
-HN_FN hn_float hn_i_folds(const hn_float n, const hn_float strength) {
+HN_FN hn_float hn_i_folds(hn_float n, hn_float strength) {
   HN_I_PRECISE hn_float t = (n + 1.0f) * strength;
   HN_I_PRECISE hn_float folded = t - 2.0f * floor(t * 0.5f);
   HN_I_PRECISE hn_float wave = 2.0f * min(folded, 2.0f - folded) - 1.0f;
   return wave;
 }
 
-HN_FN hn_float hn_i_weight_factor(const hn_float n, const hn_float strength) {
+HN_FN hn_float hn_i_weight_factor(hn_float n, hn_float strength) {
   HN_I_PRECISE hn_float factor = 1.0f - strength * (0.5f - 0.5f * n);
   return factor;
 }
 
-HN_FN hn_float hn_i_total(const hn_int octaves, const hn_float gain, const hn_float part) {
+HN_FN hn_float hn_i_total(hn_int octaves, hn_float gain, hn_float part) {
   hn_float total = part;
   for (hn_int i = 1; i < octaves; ++i) total = hn_i_times_plus(gain, total, 1.0f);
   return total;
 }
 
-HN_FN hn_float hn_i_mean(const hn_float sum, const hn_float total) { return hn_i_quotient(sum, total); }
+HN_FN hn_float hn_i_mean(hn_float sum, hn_float total) { return hn_i_quotient(sum, total); }
 
 // A sky of an fBm: it is clear below -1/8 and dense above 3/8, with a smooth step between.
-HN_FN hn_float hn_i_density(const hn_float mean) {
+HN_FN hn_float hn_i_density(hn_float mean) {
   return hn_i_smooth(min(max(0.0f, hn_i_times_plus(2.0f, mean, 0.25f)), 1.0f));
 }
 
-HN_FN hn_float hn_i_billows(const hn_float mean) { return min(hn_i_times_plus(2.0f, mean, -1.0f), 1.0f); }
+HN_FN hn_float hn_i_billows(hn_float mean) { return min(hn_i_times_plus(2.0f, mean, -1.0f), 1.0f); }
 
 #endif
 
@@ -225,22 +219,22 @@ HN_FN hn_float hn_i_billows(const hn_float mean) { return min(hn_i_times_plus(2.
 // hn_i_whole converts one axis of a place to a whole position, and hn_i_whole_fraction converts the fraction of a whole
 // position back to a number of HN_ARITHMETIC.
 #if HN_ARITHMETIC == HN_FIXED
-HN_FN hn_ivec2 hn_i_whole(const hn_int cell, const hn_int fraction, const hn_int rest) {
+HN_FN hn_ivec2 hn_i_whole(hn_int cell, hn_int fraction, hn_int rest) {
   hn_int units = fraction * 16 + rest;  // from -15 to 2^24
   return ivec2(int(uint(cell) + uint(units >> 31)), units + ((units >> 31) & HN_I_UNITS_POSITION));
 }
-HN_FN hn_int hn_i_whole_fraction(const hn_ivec2 x) { return x.y >> 4; }
+HN_FN hn_int hn_i_whole_fraction(hn_ivec2 x) { return x.y >> 4; }
 #else
-HN_FN hn_ivec2 hn_i_whole(const hn_int cell, const hn_float fraction, const hn_int rest) {
+HN_FN hn_ivec2 hn_i_whole(hn_int cell, hn_float fraction, hn_int rest) {
   return ivec2(cell, int(min(max(0.0f, fraction), 1.0f) * HN_I_FLOAT_UNITS_POSITION) + rest);
 }
-HN_FN hn_float hn_i_whole_fraction(const hn_ivec2 x) {
+HN_FN hn_float hn_i_whole_fraction(hn_ivec2 x) {
   return HN_I_NOT_WHOLE(hn_i_float(x.y) * (1.0f / HN_I_FLOAT_UNITS_POSITION));
 }
 #endif
 
 // The high 32 bits of a product of two uints. umulExtended is not in GLSL 1.30.
-HN_FN hn_uint hn_i_multiply_high(const hn_uint a, const hn_uint b) {
+HN_FN hn_uint hn_i_multiply_high(hn_uint a, hn_uint b) {
   hn_uint a0 = a & 0xFFFFu;
   hn_uint a1 = a >> 16u;
   hn_uint b0 = b & 0xFFFFu;
@@ -251,8 +245,8 @@ HN_FN hn_uint hn_i_multiply_high(const hn_uint a, const hn_uint b) {
 
 // hn_i_ratio converts a lacunarity to units of 2^-23; the result is below 2^31. hn_i_lacunarity rounds the lacunarity
 // of a tile down, so that the next octave fits the tile, too.
-HN_FN hn_uint hn_i_ratio(const hn_float lacunarity) { return uint(min(max(0.0f, lacunarity), 255.0f) * 8388608.0f); }
-HN_FN hn_float hn_i_lacunarity(const hn_float lacunarity, const bool tiled) {
+HN_FN hn_uint hn_i_ratio(hn_float lacunarity) { return uint(min(max(0.0f, lacunarity), 255.0f) * 8388608.0f); }
+HN_FN hn_float hn_i_lacunarity(hn_float lacunarity, bool tiled) {
   hn_float ratio = lacunarity;
   if (tiled) ratio = floor(min(max(0.0f, lacunarity), 255.0f));
   return ratio;
@@ -260,7 +254,7 @@ HN_FN hn_float hn_i_lacunarity(const hn_float lacunarity, const bool tiled) {
 
 // Multiplies a whole position by a ratio. The product of the cell is exact, and that of the fraction loses what is
 // below 2^-24. The rest and the part together are at most 2^32 - 2.
-HN_FN hn_ivec2 hn_i_times_ratio(const hn_ivec2 x, const hn_uint ratio) {
+HN_FN hn_ivec2 hn_i_times_ratio(hn_ivec2 x, hn_uint ratio) {
   if (ratio == 16777216u)
     return ivec2(int((uint(x.x) << 1u) + (uint(x.y) >> 23u)), (x.y << 1) & (HN_I_UNITS_POSITION - 1));
   hn_uint low = uint(x.x) * ratio;
@@ -272,7 +266,7 @@ HN_FN hn_ivec2 hn_i_times_ratio(const hn_ivec2 x, const hn_uint ratio) {
 
 // along / 32 * a + across / 32 * b, where `along` and `across` are small. The cell is taken apart, so that each product
 // has 32 bits.
-HN_FN hn_ivec2 hn_i_rotated_axis(const hn_ivec2 a, const hn_ivec2 b, const hn_int along, const hn_int across) {
+HN_FN hn_ivec2 hn_i_rotated_axis(hn_ivec2 a, hn_ivec2 b, hn_int along, hn_int across) {
   hn_int rest = along * a.y + across * b.y;
   hn_int low = along * (a.x & 31) + across * (b.x & 31) + (rest >> 24);
   hn_uint high = uint(along) * uint(a.x >> 5) + uint(across) * uint(b.x >> 5);
@@ -280,27 +274,25 @@ HN_FN hn_ivec2 hn_i_rotated_axis(const hn_ivec2 a, const hn_ivec2 b, const hn_in
 }
 
 // Adds a shift in units of 2^-24.
-HN_FN hn_ivec2 hn_i_shifted(const hn_ivec2 x, const hn_int shift) {
+HN_FN hn_ivec2 hn_i_shifted(hn_ivec2 x, hn_int shift) {
   hn_int rest = x.y + shift;
   return ivec2(int(uint(x.x) + uint(rest >> 24)), rest & (HN_I_UNITS_POSITION - 1));
 }
 
-HN_FN hn_int hn_i_next_period(const hn_int period, const hn_float lacunarity) {
-  return int(uint(period) * uint(lacunarity));
-}
+HN_FN hn_int hn_i_next_period(hn_int period, hn_float lacunarity) { return int(uint(period) * uint(lacunarity)); }
 
 #if HN_ARITHMETIC == HN_FIXED
 
 // hn_i_footprint clamps a footprint, which matters up to 2 cells. hn_i_resolved_part returns how much of an octave it
 // leaves: all of it up to half a cell, and nothing from one and a half on. hn_i_next_footprint converts it to cells of
 // the next octave.
-HN_FN hn_int hn_i_footprint(const hn_float footprint) {
+HN_FN hn_int hn_i_footprint(hn_float footprint) {
   return int(min(max(0.0f, footprint), 2.0f) * HN_I_FLOAT_UNITS_POSITION);
 }
-HN_FN hn_int hn_i_resolved_part(const hn_int footprint) {
+HN_FN hn_int hn_i_resolved_part(hn_int footprint) {
   return min(max(3 * HN_I_UNITS_WEIGHT / 2 - (footprint >> 6), 0), HN_I_WEIGHT_ONE);
 }
-HN_FN hn_int hn_i_next_footprint(const hn_int footprint, const hn_float lacunarity) {
+HN_FN hn_int hn_i_next_footprint(hn_int footprint, hn_float lacunarity) {
   hn_ivec2 next = hn_i_times_ratio(ivec2(footprint >> 24, footprint & (HN_I_UNITS_POSITION - 1)),
                                    max(hn_i_ratio(lacunarity), 8388608u));
   return hn_i_select(next.x > 1, 2 * HN_I_UNITS_POSITION, (next.x << 24) + next.y);
@@ -308,11 +300,9 @@ HN_FN hn_int hn_i_next_footprint(const hn_int footprint, const hn_float lacunari
 
 #else
 
-HN_FN hn_float hn_i_footprint(const hn_float footprint) { return footprint; }
-HN_FN hn_float hn_i_resolved_part(const hn_float footprint) {
-  return min(max(0.0f, hn_i_minus(1.5f, footprint)), 1.0f);
-}
-HN_FN hn_float hn_i_next_footprint(const hn_float footprint, const hn_float lacunarity) {
+HN_FN hn_float hn_i_footprint(hn_float footprint) { return footprint; }
+HN_FN hn_float hn_i_resolved_part(hn_float footprint) { return min(max(0.0f, hn_i_minus(1.5f, footprint)), 1.0f); }
+HN_FN hn_float hn_i_next_footprint(hn_float footprint, hn_float lacunarity) {
   return hn_i_times(footprint, max(lacunarity, 1.0f));
 }
 
@@ -324,20 +314,20 @@ HN_FN hn_float hn_i_next_footprint(const hn_float footprint, const hn_float lacu
 // hn_i_bounded keeps a mean in [-1, 1]: where all octaves are at an end, roundings of floats could take it beyond.
 // hn_i_finite returns 0 in place of what is no number, because the positions or the weights of octaves overflowed.
 #if HN_ARITHMETIC == HN_FIXED
-HN_FN hn_int hn_i_bounded(const hn_int mean) { return mean; }
-HN_FN hn_int hn_i_finite(const hn_int mean) { return mean; }
+HN_FN hn_int hn_i_bounded(hn_int mean) { return mean; }
+HN_FN hn_int hn_i_finite(hn_int mean) { return mean; }
 #else
-HN_FN hn_float hn_i_bounded(const hn_float mean) { return min(max(-1.0f, mean), 1.0f); }
-HN_FN hn_float hn_i_finite(const hn_float mean) { return hn_i_select(abs(mean) < 1.0e38f, mean, 0.0f); }
+HN_FN hn_float hn_i_bounded(hn_float mean) { return min(max(-1.0f, mean), 1.0f); }
+HN_FN hn_float hn_i_finite(hn_float mean) { return hn_i_select(abs(mean) < 1.0e38f, mean, 0.0f); }
 #endif
 
 // A detail is a number of octaves that need not be whole. hn_i_whole_octaves returns how many octaves it takes, and
 // hn_i_last_part which part of the last one counts. The first counts as a whole. A detail below 2^-32 takes none, since
 // drivers may flush a subnormal number.
-HN_FN hn_int hn_i_whole_octaves(const hn_float detail) {
+HN_FN hn_int hn_i_whole_octaves(hn_float detail) {
   return hn_i_select(detail < 1.0f / 4294967296.0f, 0, -int(floor(-min(max(0.0f, detail), 32.0f))));
 }
-HN_FN hn_i_num hn_i_last_part(const hn_float detail, const hn_int octaves) {
+HN_FN hn_i_num hn_i_last_part(hn_float detail, hn_int octaves) {
   hn_float part = hn_i_minus(min(detail, 32.0f), hn_i_float(octaves - 1));
   return hn_i_setting(hn_i_select(octaves < 2, 1.0f, part), 1.0f);
 }
@@ -356,37 +346,37 @@ HN_FN hn_i_octave_sum hn_i_empty_sum(hn_int octaves, hn_float gain) {
 }
 
 // These add an octave to a sum; n is the noise of it.
-HN_FN hn_i_octave_sum hn_i_add_octave(const hn_i_octave_sum sum, const hn_i_num n, const hn_i_num weight) {
+HN_FN hn_i_octave_sum hn_i_add_octave(hn_i_octave_sum sum, hn_i_num n, hn_i_num weight) {
   hn_i_octave_sum s = sum;
   s.value = hn_i_summed(s.value, n, weight);
   return s;
 }
-HN_FN hn_i_octave_sum hn_i_add_noise(const hn_i_octave_sum s, const hn_float n) {
+HN_FN hn_i_octave_sum hn_i_add_noise(hn_i_octave_sum s, hn_float n) {
   return hn_i_add_octave(s, hn_i_octave(n), s.weight);
 }
-HN_FN hn_i_octave_sum hn_i_add_size(const hn_i_octave_sum s, const hn_float n) {
+HN_FN hn_i_octave_sum hn_i_add_size(hn_i_octave_sum s, hn_float n) {
   return hn_i_add_octave(s, hn_i_size(hn_i_octave(n)), s.weight);
 }
-HN_FN hn_i_octave_sum hn_i_add_bounded_size(const hn_i_octave_sum s, const hn_float n) {
+HN_FN hn_i_octave_sum hn_i_add_bounded_size(hn_i_octave_sum s, hn_float n) {
   return hn_i_add_octave(s, hn_i_size(hn_i_bounded_octave(n)), s.weight);
 }
-HN_FN hn_i_octave_sum hn_i_add_ridge(const hn_i_octave_sum s, const hn_float n) {
+HN_FN hn_i_octave_sum hn_i_add_ridge(hn_i_octave_sum s, hn_float n) {
   hn_i_num ridge = hn_i_ridge(hn_i_bounded_octave(n));
   ridge = hn_i_weight_times(hn_i_weight_times(ridge, ridge), s.carried);
   hn_i_octave_sum next = hn_i_add_octave(s, hn_i_weight_to_value(ridge), s.weight);
   next.carried = min(hn_i_plus(ridge, ridge), HN_I_WEIGHT_ONE);
   return next;
 }
-HN_FN hn_i_octave_sum hn_i_add_height(const hn_i_octave_sum s, const hn_float n) {
+HN_FN hn_i_octave_sum hn_i_add_height(hn_i_octave_sum s, hn_float n) {
   hn_i_num height = hn_i_weight_times(hn_i_height(hn_i_bounded_octave(n)), s.carried);
   hn_i_octave_sum next = hn_i_add_octave(s, hn_i_weight_to_value(height), s.weight);
   next.carried = min(hn_i_plus(height, height), HN_I_WEIGHT_ONE);
   return next;
 }
-HN_FN hn_i_octave_sum hn_i_add_wave(const hn_i_octave_sum s, const hn_float n, const hn_float strength) {
+HN_FN hn_i_octave_sum hn_i_add_wave(hn_i_octave_sum s, hn_float n, hn_float strength) {
   return hn_i_add_octave(s, hn_i_folds(hn_i_bounded_octave(n), hn_i_setting(strength, 64.0f)), s.weight);
 }
-HN_FN hn_i_octave_sum hn_i_add_bent(const hn_i_octave_sum s, const hn_float n, const hn_float strength) {
+HN_FN hn_i_octave_sum hn_i_add_bent(hn_i_octave_sum s, hn_float n, hn_float strength) {
   hn_i_num value = hn_i_bounded_octave(n);
   hn_i_octave_sum next = hn_i_add_octave(s, value, s.weight);
   next.weight = hn_i_weight_times(s.weight, hn_i_weight_factor(value, hn_i_setting(strength, 1.0f)));
@@ -394,7 +384,7 @@ HN_FN hn_i_octave_sum hn_i_add_bent(const hn_i_octave_sum s, const hn_float n, c
 }
 
 // Adds the noise of an octave. Only a part of the last octave counts.
-HN_FN hn_i_octave_sum hn_i_add_part(const hn_i_octave_sum s, const hn_float n) {
+HN_FN hn_i_octave_sum hn_i_add_part(hn_i_octave_sum s, hn_float n) {
   hn_i_num weight = s.weight;
   if (s.at + 1 == s.octaves) weight = hn_i_weight_times(weight, s.part);
   return hn_i_add_octave(s, hn_i_octave(n), weight);
@@ -402,7 +392,7 @@ HN_FN hn_i_octave_sum hn_i_add_part(const hn_i_octave_sum s, const hn_float n) {
 
 // Adds as much of an octave as its footprint leaves. Where that is nothing, nothing is left of the octaves behind it,
 // either, and so the sum ends.
-HN_FN hn_i_octave_sum hn_i_add_resolved(const hn_i_octave_sum s, const hn_float n, const hn_float lacunarity) {
+HN_FN hn_i_octave_sum hn_i_add_resolved(hn_i_octave_sum s, hn_float n, hn_float lacunarity) {
   hn_i_octave_sum next =
       hn_i_add_octave(s, hn_i_octave(n), hn_i_weight_times(s.weight, hn_i_resolved_part(s.footprint)));
   next.footprint = hn_i_next_footprint(s.footprint, lacunarity);
@@ -412,10 +402,10 @@ HN_FN hn_i_octave_sum hn_i_add_resolved(const hn_i_octave_sum s, const hn_float 
 
 // The total of the weights, and the mean of what was summed with them. With fewer octaves than one the mean is 0: a
 // loop adds an octave before it checks whether there is any.
-HN_FN hn_i_num hn_i_total(const hn_i_octave_sum s) { return hn_i_total(s.octaves, s.gain, s.part); }
-HN_FN hn_i_num hn_i_mean(const hn_i_octave_sum s, const hn_i_num sum, const hn_i_num total) {
+HN_FN hn_i_num hn_i_total(hn_i_octave_sum s) { return hn_i_total(s.octaves, s.gain, s.part); }
+HN_FN hn_i_num hn_i_mean(hn_i_octave_sum s, hn_i_num sum, hn_i_num total) {
   return hn_i_select(s.octaves < 1, HN_I_NO_WEIGHT, hn_i_finite(hn_i_mean(sum, total)));
 }
-HN_FN hn_i_num hn_i_mean(const hn_i_octave_sum s) { return hn_i_mean(s, s.value, hn_i_total(s)); }
+HN_FN hn_i_num hn_i_mean(hn_i_octave_sum s) { return hn_i_mean(s, s.value, hn_i_total(s)); }
 
 #endif

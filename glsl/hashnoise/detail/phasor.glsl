@@ -26,99 +26,91 @@
 
 #if HN_ARITHMETIC != HN_FIXED
 
-HN_FN hn_float hn_i_waves(const hn_float k) { return min(max(-16.0f, k), 16.0f); }
-HN_FN hn_uint hn_i_waves_from(const hn_vec2 k, const hn_float x, const hn_float y) {
+HN_FN hn_float hn_i_waves(hn_float k) { return min(max(-16.0f, k), 16.0f); }
+HN_FN hn_uint hn_i_waves_from(hn_vec2 k, hn_float x, hn_float y) {
   HN_I_PRECISE hn_float turns = (k.x * x + k.y * y) * 0.5f;
   return hn_i_angle(turns);
 }
-HN_FN hn_uint hn_i_waves_from(const hn_vec3 k, const hn_float x, const hn_float y, const hn_float z) {
+HN_FN hn_uint hn_i_waves_from(hn_vec3 k, hn_float x, hn_float y, hn_float z) {
   HN_I_PRECISE hn_float turns = k.x * x + k.y * y + k.z * z;
   return hn_i_angle(turns);
 }
-HN_FN hn_float hn_i_as_ramp(const hn_float sine) { return sine; }
-HN_FN hn_float hn_i_weight_wave(const hn_float t) {
+HN_FN hn_float hn_i_as_ramp(hn_float sine) { return sine; }
+HN_FN hn_float hn_i_weight_wave(hn_float t) {
   HN_I_PRECISE hn_float q = t * t;
   HN_I_PRECISE hn_float g = t - q;
   HN_I_PRECISE hn_float w = (g * g * 15.0f + q) * t;
   return w;
 }
-HN_FN hn_float hn_i_d_weight_wave(const hn_float t, const hn_int m) {
+HN_FN hn_float hn_i_d_weight_wave(hn_float t, hn_int m) {
   HN_I_PRECISE hn_float h = t * 4.0f - t * t * 5.0f;
   HN_I_PRECISE hn_float k = h * h * hn_i_float(6 * m);
   return k;
 }
-HN_FN hn_float hn_i_falling(const hn_float n, const hn_float x) { return hn_i_times(n, -x); }
-HN_FN hn_float hn_i_of_fall(const hn_float n, const hn_int steps) { return hn_i_times(n, hn_i_float(steps)); }
-HN_FN hn_float hn_i_turning(const hn_float n, const hn_float k) {
-  return hn_i_times(hn_i_times(k, 6.2831853f), hn_i_flushed(n));
-}
-HN_FN hn_float hn_i_wave_slope(const hn_float d) { return hn_i_derivative(d); }
+HN_FN hn_float hn_i_falling(hn_float n, hn_float x) { return hn_i_times(n, -x); }
+HN_FN hn_float hn_i_of_fall(hn_float n, hn_int steps) { return hn_i_times(n, hn_i_float(steps)); }
+HN_FN hn_float hn_i_turning(hn_float n, hn_float k) { return hn_i_times(hn_i_times(k, 6.2831853f), hn_i_flushed(n)); }
+HN_FN hn_float hn_i_wave_slope(hn_float d) { return hn_i_derivative(d); }
 
 #else
 
-HN_FN hn_int hn_i_waves(const hn_float k) { return int(min(max(-16.0f, k), 16.0f) * 65536.0f); }
+HN_FN hn_int hn_i_waves(hn_float k) { return int(min(max(-16.0f, k), 16.0f) * 65536.0f); }
 
 // k d / 2^4, and half of that. k d has up to 42 bits. The low 32 count behind the shift. Each product takes half the
 // bits of the offset, and so stays below 2^31.
-HN_FN hn_uint hn_i_crossed(const hn_int k, const hn_int d) {
-  return (uint(k * (d >> 10)) << 6u) + uint((k * (d & 1023)) >> 4);
-}
-HN_FN hn_uint hn_i_crossed_half(const hn_int k, const hn_int d) {
+HN_FN hn_uint hn_i_crossed(hn_int k, hn_int d) { return (uint(k * (d >> 10)) << 6u) + uint((k * (d & 1023)) >> 4); }
+HN_FN hn_uint hn_i_crossed_half(hn_int k, hn_int d) {
   return (uint(k * (d >> 10)) << 5u) + uint((k * (d & 1023)) >> 5);
 }
-HN_FN hn_uint hn_i_waves_from(const hn_ivec2 k, const hn_int x, const hn_int y) {
+HN_FN hn_uint hn_i_waves_from(hn_ivec2 k, hn_int x, hn_int y) {
   return hn_i_crossed_half(k.x, x) + hn_i_crossed_half(k.y, y);
 }
-HN_FN hn_uint hn_i_waves_from(const hn_ivec3 k, const hn_int x, const hn_int y, const hn_int z) {
+HN_FN hn_uint hn_i_waves_from(hn_ivec3 k, hn_int x, hn_int y, hn_int z) {
   return hn_i_crossed(k.x, x) + hn_i_crossed(k.y, y) + hn_i_crossed(k.z, z);
 }
 // Converts units of 2^-16 to those of ramps.
-HN_FN hn_int hn_i_as_ramp(const hn_int sine) { return sine * 8192; }
+HN_FN hn_int hn_i_as_ramp(hn_int sine) { return sine * 8192; }
 
 // t^2 (1 - t)^2 is at most 1/16, so 15 times that is below 1. A uint has the largest square of the other, which may be
 // negative.
-HN_FN hn_int hn_i_weight_wave(const hn_int t) {
+HN_FN hn_int hn_i_weight_wave(hn_int t) {
   hn_uint q = hn_i_falloff_square(t);
   hn_uint g = uint(t) - q;
   return int(((q + ((g * g * 15u + 32768u) >> 16u)) * uint(t) + 8192u) >> 14u);
 }
-HN_FN hn_int hn_i_d_weight_wave(const hn_int t, const hn_int m) {
+HN_FN hn_int hn_i_d_weight_wave(hn_int t, hn_int m) {
   hn_uint h = uint(t * 4 - int(hn_i_falloff_square(t)) * 5);
   return int((h * h + 32768u) >> 16u) * 3 * m;
 }
 
 // Converts units of 2^-29 to units of 2^-27.
-HN_FN hn_int hn_i_falling(const hn_int n, const hn_int x) { return -2 * hn_i_part(n, x >> 2); }
-HN_FN hn_int hn_i_of_fall(const hn_int n, const hn_int steps) { return n * (32 * steps); }
+HN_FN hn_int hn_i_falling(hn_int n, hn_int x) { return -2 * hn_i_part(n, x >> 2); }
+HN_FN hn_int hn_i_of_fall(hn_int n, hn_int steps) { return n * (32 * steps); }
 
 // 205887 is 2 pi / 8 in units of 2^-18: 2 pi k in units of 2^-13, below 2^20.
-HN_FN hn_int hn_i_turning(const hn_int n, const hn_int k) {
+HN_FN hn_int hn_i_turning(hn_int n, hn_int k) {
   hn_int rate = hn_i_part(k * 512, 205887) >> 9;
   return hn_i_part(n * 256, rate);
 }
-HN_FN hn_float hn_i_wave_slope(const hn_int d) { return hn_i_float((d + 128) >> 8) * (1.0f / 65536.0f); }
+HN_FN hn_float hn_i_wave_slope(hn_int d) { return hn_i_float((d + 128) >> 8) * (1.0f / 65536.0f); }
 
 #endif
 
-HN_FN hn_i_num2 hn_i_unit_wave(const hn_uint angle) {
+HN_FN hn_i_num2 hn_i_unit_wave(hn_uint angle) {
   return hn_i_vector(hn_i_as_ramp(hn_i_wave(angle + 0x40000000u, 0u)), hn_i_as_ramp(hn_i_wave(angle, 0u)));
 }
-HN_FN hn_i_num2 hn_i_weighted_wave(const hn_i_num2 n, const hn_i_num w) {
+HN_FN hn_i_num2 hn_i_weighted_wave(hn_i_num2 n, hn_i_num w) {
   return hn_i_vector(hn_i_weighted_ramp(n.x, w), hn_i_weighted_ramp(n.y, w));
 }
-HN_FN hn_i_num2 hn_i_falling_wave(const hn_i_num2 n, const hn_i_num x) {
+HN_FN hn_i_num2 hn_i_falling_wave(hn_i_num2 n, hn_i_num x) {
   return hn_i_vector(hn_i_falling(n.x, x), hn_i_falling(n.y, x));
 }
-HN_FN hn_i_num2 hn_i_wave_at(const hn_uint angle, const hn_i_num w) {
-  return hn_i_weighted_wave(hn_i_unit_wave(angle), w);
-}
-HN_FN hn_i_num2 hn_i_plus(const hn_i_num2 a, const hn_i_num2 b) {
-  return hn_i_vector(hn_i_plus(a.x, b.x), hn_i_plus(a.y, b.y));
-}
+HN_FN hn_i_num2 hn_i_wave_at(hn_uint angle, hn_i_num w) { return hn_i_weighted_wave(hn_i_unit_wave(angle), w); }
+HN_FN hn_i_num2 hn_i_plus(hn_i_num2 a, hn_i_num2 b) { return hn_i_vector(hn_i_plus(a.x, b.x), hn_i_plus(a.y, b.y)); }
 
 // The derivatives of value and quadrature along an axis: n are both, fall is the sum of what falls along it, and k is
 // the wave along it.
-HN_FN hn_vec2 hn_i_wave_slopes(const hn_i_num2 n, const hn_i_num2 fall, const hn_i_num k) {
+HN_FN hn_vec2 hn_i_wave_slopes(hn_i_num2 n, hn_i_num2 fall, hn_i_num k) {
   return vec2(hn_i_wave_slope(hn_i_minus(fall.x, hn_i_turning(n.y, k))),
               hn_i_wave_slope(hn_i_plus(fall.y, hn_i_turning(n.x, k))));
 }

@@ -17,17 +17,17 @@
 // integer lattice.
 
 // The place of a fraction of a cell, in steps.
-HN_FN hn_i_num2 hn_i_steps(const hn_i_num2 f) { return hn_i_vector(hn_i_plus(f.x, f.x), hn_i_plus(f.y, f.y)); }
+HN_FN hn_i_num2 hn_i_steps(hn_i_num2 f) { return hn_i_vector(hn_i_plus(f.x, f.x), hn_i_plus(f.y, f.y)); }
 
 // Adds two numbers of rows or columns. For a place that is far out of its cell they are so large that ints would
 // overflow, which C++ leaves undefined.
-HN_FN hn_int hn_i_add_wrapping(const hn_int i, const hn_int more) { return int(uint(i) + uint(more)); }
+HN_FN hn_int hn_i_add_wrapping(hn_int i, hn_int more) { return int(uint(i) + uint(more)); }
 
 // A coordinate of a point: 2 c + more, where c is that of its cell, and more lies in [-2, 3].
-HN_FN hn_uint hn_i_doubled(const hn_uint c, const hn_int more) { return c * 2u + uint(more); }
+HN_FN hn_uint hn_i_doubled(hn_uint c, hn_int more) { return c * 2u + uint(more); }
 
 // The same with a period, for a wrapped c. Before it is wrapped, a point lies up to one cell outside of the period.
-HN_FN hn_uint hn_i_doubled(const hn_uint c, const hn_int more, const hn_int period) {
+HN_FN hn_uint hn_i_doubled(hn_uint c, hn_int more, hn_int period) {
   hn_uint size = uint(max(period, 0)) * 2u;
   hn_uint i = hn_i_doubled(c, more);
   return hn_i_select(more < 0, hn_i_select(c == 0u, i + size, i), hn_i_select(i >= size, i - size, i));
@@ -38,12 +38,12 @@ HN_FN hn_uint hn_i_doubled(const hn_uint c, const hn_int more, const hn_int peri
 // corners of the triangle are the first corner of the skewed square around the place, its last, and between them the
 // one along u if u has more beyond a whole number than v has, else the one along v.
 
-HN_FN hn_i_num2 hn_i_skewed(const hn_i_num2 f) {
+HN_FN hn_i_num2 hn_i_skewed(hn_i_num2 f) {
   return hn_i_vector(hn_i_plus(hn_i_plus(f.x, f.x), f.y), hn_i_plus(f.y, f.y));
 }
 
 // The column of the first corner in its row, counted from column 2 c.x, where c is the cell.
-HN_FN hn_int hn_i_column_of(const hn_i_num2 skewed) {
+HN_FN hn_int hn_i_column_of(hn_i_num2 skewed) {
   return int(uint(hn_i_whole(skewed.x)) - uint(min(hn_i_whole(skewed.y), 1)));
 }
 
@@ -53,7 +53,7 @@ struct hn_i_triangle2 {
   hn_uvec2 middle;
   hn_uvec2 last;
 };
-HN_FN hn_i_triangle2 hn_i_triangle(const hn_place2 place, const hn_i_num2 skewed) {
+HN_FN hn_i_triangle2 hn_i_triangle(hn_place2 place, hn_i_num2 skewed) {
   hn_int row = hn_i_whole(skewed.y);
   hn_int column = hn_i_column_of(skewed);
   hn_i_num u = hn_i_fract(skewed.x);
@@ -84,7 +84,7 @@ HN_FN hn_i_triangle2 hn_i_triangle(const hn_place2 place, const hn_i_num2 skewed
 
 // The hashes of the corners. The middle corner lies in the row of the first or in that of the last. So it takes its
 // row's share of both joins from there.
-HN_FN hn_uvec3 hn_i_triangle(const hn_place2 place, const hn_i_num2 skewed, const hn_uint seed) {
+HN_FN hn_uvec3 hn_i_triangle(hn_place2 place, hn_i_num2 skewed, hn_uint seed) {
   hn_i_triangle2 corners = hn_i_triangle(place, skewed);
   hn_i_num u = hn_i_fract(skewed.x);
   hn_i_num v = hn_i_fract(skewed.y);
@@ -100,35 +100,35 @@ HN_FN hn_uvec3 hn_i_triangle(const hn_place2 place, const hn_i_num2 skewed, cons
 }
 
 // The offsets from the corners along x and along y, and how near the corners are.
-HN_FN hn_i_num3 hn_i_triangle_x(const hn_i_num2 skewed) {
+HN_FN hn_i_num3 hn_i_triangle_x(hn_i_num2 skewed) {
   hn_i_num u = hn_i_fract(skewed.x);
   hn_i_num v = hn_i_fract(skewed.y);
   hn_i_num x = hn_i_minus(u, hn_i_half(v));
   return hn_i_vector(x, hn_i_select(u > v, hn_i_minus(x, HN_I_ONE), hn_i_plus(x, hn_i_quarters(2))),
                      hn_i_minus(x, hn_i_quarters(2)));
 }
-HN_FN hn_i_num3 hn_i_triangle_y(const hn_i_num2 skewed) {
+HN_FN hn_i_num3 hn_i_triangle_y(hn_i_num2 skewed) {
   hn_i_num y = hn_i_fract(skewed.y);
   return hn_i_vector(y, hn_i_select(hn_i_fract(skewed.x) > y, y, hn_i_minus_one(y)), hn_i_minus_one(y));
 }
 
 // The squared radius in units of 2^-10. It is just below 4/5, the squared height over the longer sides of a triangle.
 #define HN_I_TRIANGLE_RADIUS 819
-HN_FN hn_i_num3 hn_i_triangle_falloff(const hn_i_num3 x, const hn_i_num3 y) {
+HN_FN hn_i_num3 hn_i_triangle_falloff(hn_i_num3 x, hn_i_num3 y) {
   return hn_i_vector(hn_i_falloff(hn_i_square(x.x, y.x), HN_I_TRIANGLE_RADIUS, 1),
                      hn_i_falloff(hn_i_square(x.y, y.y), HN_I_TRIANGLE_RADIUS, 1),
                      hn_i_falloff(hn_i_square(x.z, y.z), HN_I_TRIANGLE_RADIUS, 1));
 }
 
 // The ramp of a corner, before it is weighted. The gradient may be rotated by a quarter turn.
-HN_FN hn_i_num hn_i_triangle_ramp(const hn_uint h, const hn_i_num x, const hn_i_num y, const bool turned) {
+HN_FN hn_i_num hn_i_triangle_ramp(hn_uint h, hn_i_num x, hn_i_num y, bool turned) {
   return hn_i_ramp_of2(hn_i_along2(hn_i_direction2(h, turned), hn_i_offset(x), hn_i_offset(y)));
 }
 
 // Converts a derivative per step to one per cell.
-HN_FN hn_float hn_i_per_cell(const hn_float d) { return d * 2.0f; }
+HN_FN hn_float hn_i_per_cell(hn_float d) { return d * 2.0f; }
 
 // A sum of weighted ramps is at most 1024 / 4099 (tools/make bounds), with turning gradients, too.
-HN_FN hn_i_num hn_i_scaled_simplex2(const hn_i_num n) { return hn_i_scaled(n, 4099); }
+HN_FN hn_i_num hn_i_scaled_simplex2(hn_i_num n) { return hn_i_scaled(n, 4099); }
 
 #endif

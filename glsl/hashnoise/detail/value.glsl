@@ -17,7 +17,7 @@
 
 // The low 23 bits of a hash, behind the exponent of 2, are a float in [2, 4): that costs two operations. The 3 that are
 // too many stay in until the end, since weights sum to 1 and derivatives do not see them.
-HN_FN hn_float hn_i_number(const hn_uint word) {
+HN_FN hn_float hn_i_number(hn_uint word) {
 #if HN_I_BITCAST
   return uintBitsToFloat((word & 0x007FFFFFu) | 0x40000000u);
 #else
@@ -25,23 +25,23 @@ HN_FN hn_float hn_i_number(const hn_uint word) {
 #endif
 }
 
-HN_FN hn_float hn_i_noise_of_numbers(const hn_float n) { return hn_i_minus(n, 3.0f); }
+HN_FN hn_float hn_i_noise_of_numbers(hn_float n) { return hn_i_minus(n, 3.0f); }
 
 #else
 
 // A number is in units of 2^-29 and has no offset. From there the noise is rounded to units of 2^-21.
-HN_FN hn_int hn_i_number(const hn_uint word) { return int((word & 0x007FFFFFu) << 7u) - HN_I_UNITS_RAMP; }
-HN_FN hn_int hn_i_noise_of_numbers(const hn_int n) { return (n + 128) >> 8; }
+HN_FN hn_int hn_i_number(hn_uint word) { return int((word & 0x007FFFFFu) << 7u) - HN_I_UNITS_RAMP; }
+HN_FN hn_int hn_i_noise_of_numbers(hn_int n) { return (n + 128) >> 8; }
 
 #endif
 
-HN_FN hn_i_num4 hn_i_numbers(const hn_uvec4 h) {
+HN_FN hn_i_num4 hn_i_numbers(hn_uvec4 h) {
   return hn_i_vector(hn_i_number(h.x), hn_i_number(h.y), hn_i_number(h.z), hn_i_number(h.w));
 }
-HN_FN hn_i_num hn_i_value_noise(const hn_uvec4 h, const hn_i_num2 t) {
+HN_FN hn_i_num hn_i_value_noise(hn_uvec4 h, hn_i_num2 t) {
   return hn_i_noise_of_numbers(hn_i_lerp(hn_i_numbers(h), t.x, t.y));
 }
-HN_FN hn_i_num hn_i_value_noise(const hn_uvec4 front, const hn_uvec4 back, const hn_i_num3 t) {
+HN_FN hn_i_num hn_i_value_noise(hn_uvec4 front, hn_uvec4 back, hn_i_num3 t) {
   return hn_i_noise_of_numbers(
       hn_i_lerp(hn_i_lerp(hn_i_numbers(front), t.x, t.y), hn_i_lerp(hn_i_numbers(back), t.x, t.y), t.z));
 }

@@ -13,7 +13,7 @@
 // where that is mediump, float(100000) is infinite. So integers become floats here alone, in scopes of their own.
 // vkd3d 2.1, with which Wine compiles HLSL, takes float(n) and uint(n) of one int for the same conversion, and makes
 // another noise. An or with 0 keeps them apart; FXC leaves it out. With a mask vkd3d would take twice as long.
-HN_FN hn_float hn_i_float(const hn_int n) {
+HN_FN hn_float hn_i_float(hn_int n) {
 #ifdef HN_I_FXC
   return float(n | 0);
 #else
@@ -21,7 +21,7 @@ HN_FN hn_float hn_i_float(const hn_int n) {
   return x;
 #endif
 }
-HN_FN hn_float hn_i_float(const hn_uint n) {
+HN_FN hn_float hn_i_float(hn_uint n) {
 #ifdef HN_I_FXC
   return float(n | 0u);
 #else
@@ -40,23 +40,23 @@ HN_FN hn_float hn_i_float(const hn_uint n) {
 
 // The selected hash of one number.
 #if HN_HASH == HN_HASH_FNV1
-HN_FN hn_uint hn_i_hash(const hn_uint k) { return hn_hash_fnv1(k); }
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_fnv1(k); }
 #elif HN_HASH == HN_HASH_PARTIAL_FNV1
-HN_FN hn_uint hn_i_hash(const hn_uint k) { return hn_hash_partial_fnv1(k); }
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_partial_fnv1(k); }
 #elif HN_HASH == HN_HASH_JENKINS
-HN_FN hn_uint hn_i_hash(const hn_uint k) { return hn_hash_jenkins(k); }
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_jenkins(k); }
 #elif HN_HASH == HN_HASH_PARTIAL_JENKINS
-HN_FN hn_uint hn_i_hash(const hn_uint k) { return hn_hash_partial_jenkins(k); }
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_partial_jenkins(k); }
 #elif HN_HASH == HN_HASH_MURMUR
-HN_FN hn_uint hn_i_hash(const hn_uint k) { return hn_hash_murmur(k); }
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_murmur(k); }
 #elif HN_HASH == HN_HASH_PCG
-HN_FN hn_uint hn_i_hash(const hn_uint k) { return hn_hash_pcg(k); }
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_pcg(k); }
 #elif HN_HASH == HN_HASH_XXHASH32
-HN_FN hn_uint hn_i_hash(const hn_uint k) { return hn_hash_xxhash32(k); }
+HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_xxhash32(k); }
 #elif HN_HASH == HN_HASH_CUSTOM
-HN_FN hn_uint hn_i_hash(const hn_uint k) { return HN_HASH_FN(k); }
+HN_FN hn_uint hn_i_hash(hn_uint k) { return HN_HASH_FN(k); }
 #else
-HN_FN hn_uint hn_i_hash(const hn_uint k) { return k; }
+HN_FN hn_uint hn_i_hash(hn_uint k) { return k; }
 #endif
 
 // Coordinates are spread: multiplying by an odd number (a prime of xxHash) sends neighbours far apart. So from a point
@@ -67,10 +67,10 @@ HN_FN hn_uint hn_i_hash(const hn_uint k) { return k; }
 #define HN_I_STEP_Z 0xC2B2AE3Du
 #define HN_I_STEP_W 0x27D4EB2Fu
 #define HN_I_ORIGIN_X 0x165667B1u
-HN_FN hn_uint hn_i_spread(const hn_uint x) { return x * HN_I_STEP_X + HN_I_ORIGIN_X; }
-HN_FN hn_uvec2 hn_i_spread(const hn_uvec2 v) { return uvec2(hn_i_spread(v.x), v.y * HN_I_STEP_Y); }
-HN_FN hn_uvec3 hn_i_spread(const hn_uvec3 v) { return uvec3(hn_i_spread(v.x), v.y * HN_I_STEP_Y, v.z * HN_I_STEP_Z); }
-HN_FN hn_uvec4 hn_i_spread(const hn_uvec4 v) {
+HN_FN hn_uint hn_i_spread(hn_uint x) { return x * HN_I_STEP_X + HN_I_ORIGIN_X; }
+HN_FN hn_uvec2 hn_i_spread(hn_uvec2 v) { return uvec2(hn_i_spread(v.x), v.y * HN_I_STEP_Y); }
+HN_FN hn_uvec3 hn_i_spread(hn_uvec3 v) { return uvec3(hn_i_spread(v.x), v.y * HN_I_STEP_Y, v.z * HN_I_STEP_Z); }
+HN_FN hn_uvec4 hn_i_spread(hn_uvec4 v) {
   return uvec4(hn_i_spread(v.x), v.y * HN_I_STEP_Y, v.z * HN_I_STEP_Z, v.w * HN_I_STEP_W);
 }
 
@@ -79,10 +79,10 @@ HN_FN hn_uvec4 hn_i_spread(const hn_uvec4 v) {
 #define HN_I_HIGH_Y 11u
 #define HN_I_HIGH_Z 10u
 #define HN_I_HIGH_W 9u
-HN_FN hn_uint hn_i_high(const hn_uint x) { return x >> HN_I_HIGH_X; }
-HN_FN hn_uvec2 hn_i_high(const hn_uvec2 v) { return uvec2(hn_i_high(v.x), v.y >> HN_I_HIGH_Y); }
-HN_FN hn_uvec3 hn_i_high(const hn_uvec3 v) { return uvec3(hn_i_high(v.x), v.y >> HN_I_HIGH_Y, v.z >> HN_I_HIGH_Z); }
-HN_FN hn_uvec4 hn_i_high(const hn_uvec4 v) {
+HN_FN hn_uint hn_i_high(hn_uint x) { return x >> HN_I_HIGH_X; }
+HN_FN hn_uvec2 hn_i_high(hn_uvec2 v) { return uvec2(hn_i_high(v.x), v.y >> HN_I_HIGH_Y); }
+HN_FN hn_uvec3 hn_i_high(hn_uvec3 v) { return uvec3(hn_i_high(v.x), v.y >> HN_I_HIGH_Y, v.z >> HN_I_HIGH_Z); }
+HN_FN hn_uvec4 hn_i_high(hn_uvec4 v) {
   return uvec4(hn_i_high(v.x), v.y >> HN_I_HIGH_Y, v.z >> HN_I_HIGH_Z, v.w >> HN_I_HIGH_W);
 }
 
@@ -101,12 +101,12 @@ HN_FN hn_uint hn_i_mix(hn_uint k) {
 #define HN_I_SEED_STEP 0x9E3779B9u
 
 // The seed of another field, where a function needs several.
-HN_FN hn_uint hn_i_other_seed(const hn_uint seed) { return hn_i_mix(seed + HN_I_SEED_STEP); }
+HN_FN hn_uint hn_i_other_seed(hn_uint seed) { return hn_i_mix(seed + HN_I_SEED_STEP); }
 
 // The hashes of a vector's second and third component, from those of the first: an odd number of 24 bits times their
 // good bits. With other factors two components may depend on each other: docs/measured/quality.md has a test of it.
-HN_FN hn_uvec4 hn_i_words_of_y(const hn_uvec4 words) { return (words >> 8u) * 0xEB1831u; }
-HN_FN hn_uvec4 hn_i_words_of_z(const hn_uvec4 words) { return (words >> 8u) * 0x84A5E5u; }
+HN_FN hn_uvec4 hn_i_words_of_y(hn_uvec4 words) { return (words >> 8u) * 0xEB1831u; }
+HN_FN hn_uvec4 hn_i_words_of_z(hn_uvec4 words) { return (words >> 8u) * 0x84A5E5u; }
 
 // The hash of a point is the product of two joins of its spread coordinates. The first is the hash of the exclusive or
 // of their high bits and of the seed's. The second is made of their sum: an odd number of 24 bits, so that the product
@@ -116,7 +116,7 @@ HN_FN hn_uvec4 hn_i_words_of_z(const hn_uvec4 words) { return (words >> 8u) * 0x
 // good: bit 0 is that of the first join.
 
 // The share of the mixed seed in the exclusive or.
-HN_FN hn_uint hn_i_seed_join(const hn_uint s) { return s >> 8u; }
+HN_FN hn_uint hn_i_seed_join(hn_uint s) { return s >> 8u; }
 
 // hn_i_sum is that sum. Each axis but x has a factor. Without one, points whose spread coordinates differ by d and -d
 // would have the same sum, and the same hash where d is small. From x to w each axis has one more bit among the high
@@ -125,17 +125,17 @@ HN_FN hn_uint hn_i_seed_join(const hn_uint s) { return s >> 8u; }
 #define HN_I_SUM_Y 0x00E6133Eu
 #define HN_I_SUM_Z 0x00913FDCu
 #define HN_I_SUM_W 0x0085AAB8u
-HN_FN hn_uint hn_i_sum_y(const hn_uint y) { return (y & 0x00FFFFFFu) * HN_I_SUM_Y; }
-HN_FN hn_uint hn_i_sum_z(const hn_uint z) { return (z & 0x00FFFFFFu) * HN_I_SUM_Z; }
-HN_FN hn_uint hn_i_sum_w(const hn_uint w) { return (w & 0x00FFFFFFu) * HN_I_SUM_W; }
-HN_FN hn_uint hn_i_sum(const hn_uint c) { return c; }
-HN_FN hn_uint hn_i_sum(const hn_uvec2 c) { return c.x + hn_i_sum_y(c.y); }
-HN_FN hn_uint hn_i_sum(const hn_uvec3 c) { return c.x + hn_i_sum_y(c.y) + hn_i_sum_z(c.z); }
-HN_FN hn_uint hn_i_sum(const hn_uvec4 c) { return c.x + hn_i_sum_y(c.y) + hn_i_sum_z(c.z) + hn_i_sum_w(c.w); }
+HN_FN hn_uint hn_i_sum_y(hn_uint y) { return (y & 0x00FFFFFFu) * HN_I_SUM_Y; }
+HN_FN hn_uint hn_i_sum_z(hn_uint z) { return (z & 0x00FFFFFFu) * HN_I_SUM_Z; }
+HN_FN hn_uint hn_i_sum_w(hn_uint w) { return (w & 0x00FFFFFFu) * HN_I_SUM_W; }
+HN_FN hn_uint hn_i_sum(hn_uint c) { return c; }
+HN_FN hn_uint hn_i_sum(hn_uvec2 c) { return c.x + hn_i_sum_y(c.y); }
+HN_FN hn_uint hn_i_sum(hn_uvec3 c) { return c.x + hn_i_sum_y(c.y) + hn_i_sum_z(c.z); }
+HN_FN hn_uint hn_i_sum(hn_uvec4 c) { return c.x + hn_i_sum_y(c.y) + hn_i_sum_z(c.z) + hn_i_sum_w(c.w); }
 
 // hn_i_odd makes the second join of a sum: it is odd, and multiplied by 4097, by a shift and an addition, so that low
 // bits of a coordinate reach the high ones of the hash. Only its low 24 bits count.
-HN_FN hn_uint hn_i_odd(const hn_uint sum) {
+HN_FN hn_uint hn_i_odd(hn_uint sum) {
   hn_uint odd = sum * 2u + 1u;
   return odd + (odd << 12u);
 }
@@ -149,33 +149,29 @@ HN_FN hn_uint hn_i_odd(const hn_uint sum) {
 #define HN_I_ODD_Y 0x0033E67Cu
 #define HN_I_ODD_Z 0x001DFFB8u
 #define HN_I_ODD_W 0x00625570u
-HN_FN hn_uint hn_i_odd_x(const hn_uint x, const hn_uint odd) { return (x & 0x00FFFFFFu) * HN_I_ODD_X + odd; }
-HN_FN hn_uint hn_i_odd_y(const hn_uint y, const hn_uint odd) { return (y & 0x00FFFFFFu) * HN_I_ODD_Y + odd; }
-HN_FN hn_uint hn_i_odd_z(const hn_uint z, const hn_uint odd) { return (z & 0x00FFFFFFu) * HN_I_ODD_Z + odd; }
-HN_FN hn_uint hn_i_odd_w(const hn_uint w, const hn_uint odd) { return (w & 0x00FFFFFFu) * HN_I_ODD_W + odd; }
+HN_FN hn_uint hn_i_odd_x(hn_uint x, hn_uint odd) { return (x & 0x00FFFFFFu) * HN_I_ODD_X + odd; }
+HN_FN hn_uint hn_i_odd_y(hn_uint y, hn_uint odd) { return (y & 0x00FFFFFFu) * HN_I_ODD_Y + odd; }
+HN_FN hn_uint hn_i_odd_z(hn_uint z, hn_uint odd) { return (z & 0x00FFFFFFu) * HN_I_ODD_Z + odd; }
+HN_FN hn_uint hn_i_odd_w(hn_uint w, hn_uint odd) { return (w & 0x00FFFFFFu) * HN_I_ODD_W + odd; }
 
 // The join of a point to which nothing but the mixed seed s adds. x comes last: it has an addition more.
-HN_FN hn_uint hn_i_odd(const hn_uint c, const hn_uint s) { return hn_i_odd_x(c, hn_i_odd(s)); }
-HN_FN hn_uint hn_i_odd(const hn_uvec2 c, const hn_uint s) { return hn_i_odd_x(c.x, hn_i_odd_y(c.y, hn_i_odd(s))); }
-HN_FN hn_uint hn_i_odd(const hn_uvec3 c, const hn_uint s) {
-  return hn_i_odd_x(c.x, hn_i_odd_y(c.y, hn_i_odd_z(c.z, hn_i_odd(s))));
-}
-HN_FN hn_uint hn_i_odd(const hn_uvec4 c, const hn_uint s) {
+HN_FN hn_uint hn_i_odd(hn_uint c, hn_uint s) { return hn_i_odd_x(c, hn_i_odd(s)); }
+HN_FN hn_uint hn_i_odd(hn_uvec2 c, hn_uint s) { return hn_i_odd_x(c.x, hn_i_odd_y(c.y, hn_i_odd(s))); }
+HN_FN hn_uint hn_i_odd(hn_uvec3 c, hn_uint s) { return hn_i_odd_x(c.x, hn_i_odd_y(c.y, hn_i_odd_z(c.z, hn_i_odd(s)))); }
+HN_FN hn_uint hn_i_odd(hn_uvec4 c, hn_uint s) {
   return hn_i_odd_x(c.x, hn_i_odd_y(c.y, hn_i_odd_z(c.z, hn_i_odd_w(c.w, hn_i_odd(s)))));
 }
 
 // From one spread coordinate to another along x. Neighbours are a constant apart, and compilers see it once the origin
 // is taken off both.
-HN_FN hn_uint hn_i_step_x(const hn_uint from, const hn_uint to) {
-  return (to - HN_I_ORIGIN_X) - (from - HN_I_ORIGIN_X);
-}
+HN_FN hn_uint hn_i_step_x(hn_uint from, hn_uint to) { return (to - HN_I_ORIGIN_X) - (from - HN_I_ORIGIN_X); }
 
 #if HN_HASH == HN_HASH_LATTICE
-HN_FN hn_uint hn_i_word(const hn_uint join, const hn_uint odd) { return join * (odd & 0x00FFFFFFu); }
+HN_FN hn_uint hn_i_word(hn_uint join, hn_uint odd) { return join * (odd & 0x00FFFFFFu); }
 #else
 // A weak hash leaves too much to the product, whose high bits are best; gradients are taken from lower ones. And it may
 // lose a bit (the lowest of partial FNV1 is constant), which the join has.
-HN_FN hn_uint hn_i_word(const hn_uint join, const hn_uint odd) {
+HN_FN hn_uint hn_i_word(hn_uint join, hn_uint odd) {
   hn_uint h = hn_i_hash(join) * (odd & 0x00FFFFFFu) + join;
   return h ^ (h >> 9u);
 }
@@ -183,29 +179,29 @@ HN_FN hn_uint hn_i_word(const hn_uint join, const hn_uint odd) {
 
 // The hash of a point, from its spread coordinates. The seed and all else add `join` to the exclusive or, and `sum` to
 // the sum.
-HN_FN hn_uint hn_i_word(const hn_uvec2 c, const hn_uint join, const hn_uint sum) {
+HN_FN hn_uint hn_i_word(hn_uvec2 c, hn_uint join, hn_uint sum) {
   hn_uvec2 j = hn_i_high(c);
   return hn_i_word(j.x ^ j.y ^ join, hn_i_odd(hn_i_sum(c) + sum));
 }
 // The same in 1, 3 and 4 dimensions: tools/make writes it.
-HN_FN hn_uint hn_i_word(const hn_uint c, const hn_uint join, const hn_uint sum) {
+HN_FN hn_uint hn_i_word(hn_uint c, hn_uint join, hn_uint sum) {
   hn_uint j = hn_i_high(c);
   return hn_i_word(j ^ join, hn_i_odd(hn_i_sum(c) + sum));
 }
-HN_FN hn_uint hn_i_word(const hn_uvec3 c, const hn_uint join, const hn_uint sum) {
+HN_FN hn_uint hn_i_word(hn_uvec3 c, hn_uint join, hn_uint sum) {
   hn_uvec3 j = hn_i_high(c);
   return hn_i_word(j.x ^ j.y ^ j.z ^ join, hn_i_odd(hn_i_sum(c) + sum));
 }
-HN_FN hn_uint hn_i_word(const hn_uvec4 c, const hn_uint join, const hn_uint sum) {
+HN_FN hn_uint hn_i_word(hn_uvec4 c, hn_uint join, hn_uint sum) {
   hn_uvec4 j = hn_i_high(c);
   return hn_i_word(j.x ^ j.y ^ j.z ^ j.w ^ join, hn_i_odd(hn_i_sum(c) + sum));
 }
 
 // The hash of a point to which nothing but the mixed seed s adds.
-HN_FN hn_uint hn_i_seeded_word(const hn_uvec2 c, const hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
+HN_FN hn_uint hn_i_seeded_word(hn_uvec2 c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
 // The same in 1, 3 and 4 dimensions: tools/make writes it.
-HN_FN hn_uint hn_i_seeded_word(const hn_uint c, const hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
-HN_FN hn_uint hn_i_seeded_word(const hn_uvec3 c, const hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
-HN_FN hn_uint hn_i_seeded_word(const hn_uvec4 c, const hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
+HN_FN hn_uint hn_i_seeded_word(hn_uint c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
+HN_FN hn_uint hn_i_seeded_word(hn_uvec3 c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
+HN_FN hn_uint hn_i_seeded_word(hn_uvec4 c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
 
 #endif

@@ -314,7 +314,6 @@ class Parser:
         while not self._takes(")"):
             if parameters:
                 self._expect(",")
-            self._takes("const")  # for compilers to SPIR-V, which pass a value then
             is_set = self._takes("out", "inout") is not None
             parameter_type = self._type()
             parameters.append(Parameter(self._word("the name of a parameter"), parameter_type, is_set))
