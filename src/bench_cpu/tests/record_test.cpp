@@ -17,7 +17,8 @@ TEST(Record, HasARowForEachInstructionSet) {
   EXPECT_EQ(record,
             "# date: today\n# Python with out=: 0.95 ± 0.01\n# Python with a new array: 0.85 ± 0.02\n"
             "noise,instructions,grids,grids spread,points,points spread,octaves,octaves spread,strict fixed,"
-            "strict fixed spread,strict precise,strict precise spread,fixed,fixed spread,precise,precise spread,tiles,tiles spread,lists,lists spread,threads,threads spread,fast million/s,"
+            "strict fixed spread,strict precise,strict precise spread,fixed,fixed spread,precise,precise "
+            "spread,tiles,tiles spread,lists,lists spread,threads,threads spread,fast million/s,"
             "fixed million/s,precise million/s,tiles million/s,points million/s,two threads million/s,"
             "FastNoise2 million/s,FastNoise2 points million/s,FastNoise2 strict million/s\n"
             "perlin2,avx2,1.25,0.03,,,,,,,,,cannot be told,cannot be told,,,,,,,,,1234.5,,,,,,0.5,,\n"
