@@ -34,7 +34,7 @@ from translate.single_file.godot import with_own_names
 
 # The largest that a text may be, without the comment.
 SIZES = {"hn_perlin2": (1600, 42), "hn_value2": (1600, 42), "hn_simplex2": (2600, 48), "hn_cellular2": (2700, 52),
-         "hn_fbm2": (2250, 48)}
+         "hn_fbm2": (2225, 48)}
 POINTS = 300
 OPERATORS = {"+": operator.add, "-": operator.sub, "*": operator.mul, "<<": operator.lshift, ">>": operator.rshift,
              "&": operator.and_, "|": operator.or_, "^": operator.xor}
