@@ -17,14 +17,12 @@ Exit status: 0 done, 1 something could not be measured, 2 bad usage, 4 it could 
 
 from __future__ import annotations
 
-import argparse
-import fnmatch
 import json
 import re
 import statistics
 import sys
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -32,13 +30,9 @@ from base.tree import ROOT
 from base.usage import Parser, whole
 from base.versions import version_of
 from catalog.tables.markdown import table
-from measure import record, stamps
-from measure.elsewhere import Build, Failed, Place, output_of
+from measure import fills, record, stamps
+from measure.elsewhere import Failed, Place, output_of
 
-RESULTS = ROOT / "docs" / "measured" / "results" / "cpu"
-SOURCES = Path(__file__).with_name("grid")
-LIBRARY = ("fills.cpp", "fast_noise.cpp")  # of SOURCES, of each program
-POINTS = 1 << 20  # of a fill
 FILLS = ("fast", "fixed", "precise", "tiles", "points", "two threads", "FastNoise2", "FastNoise2 points",
          "FastNoise2 strict")
 THREADS = "two threads"
@@ -49,31 +43,6 @@ COMPARED = {"grids": ("fast", "FastNoise2"), "points": ("points", "FastNoise2 po
             "fixed": ("fixed", "fast"), "precise": ("precise", "fast"), "tiles": ("tiles", "fast"),
             "lists": ("points", "fast"), "threads": ("two threads", "fast")}
 Row = Mapping[str, str]
-
-
-def library_named(word: str) -> str:
-    """fastnoise2=FILE, with the whole path."""
-    name, _, path = word.partition("=")
-    if name not in ("fastnoise2", "strict") or not Path(path).is_file():
-        raise argparse.ArgumentTypeError(f"{word} is not fastnoise2=FILE or strict=FILE, a shared library of FastNoise2")
-    return f"{name}={Path(path).resolve()}"
-
-
-def add_options(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--against", type=library_named, action="append", default=[], metavar="fastnoise2=FILE",
-                        help="also measure FastNoise2, in its shared library")
-    parser.add_argument("--filter", action="append", default=[], metavar="GLOB",
-                        help="only noises of these names, as in perlin2 or fbm_*; may be repeated")
-    parser.add_argument("--note", default="", metavar="TEXT", help="for the record, such as the commit of FastNoise2")
-    parser.add_argument("--out", type=Path, default=RESULTS, metavar="DIR", help="(docs/measured/results/cpu)")
-
-
-def subjects(options: argparse.Namespace, *program: str | Path) -> Iterable[str]:
-    """The wanted ones of a program's, each printed before it is measured."""
-    for name in output_of(*program).split():
-        if not options.filter or any(fnmatch.fnmatchcase(name, glob) for glob in options.filter):
-            print(name, file=sys.stderr, flush=True)
-            yield name
 
 
 def rows_of(noise: str, report: str) -> list[dict[str, str]]:
@@ -90,7 +59,7 @@ def rows_of(noise: str, report: str) -> list[dict[str, str]]:
         for name, (first, second) in COMPARED.items():
             found = record.ratio(times[second], times[first]) if times.keys() >= {first, second} else ("", "")
             row |= zip((name, f"{name} spread"), (f"{one:.4g}" if one != "" else "" for one in found))
-        rows.append(row | {f"{fill} million/s": f"{1e3 * POINTS / statistics.median(times[fill]):.4g}"
+        rows.append(row | {f"{fill} million/s": f"{1e3 * fills.POINTS / statistics.median(times[fill]):.4g}"
                            if fill in times else "" for fill in FILLS})
     return rows
 
@@ -111,28 +80,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = Parser("tools/measure cpu", __doc__)
     parser.add_argument("--compiler", action="append", metavar="PROGRAM", help="g++ or clang++ (g++); may be repeated")
     parser.add_argument("--rounds", type=partial(whole, least=3), default=15, metavar="N", help="samples of each time (15)")
-    add_options(parser)
+    fills.add_options(parser)
     options = parser.parse_args(arguments)
     processor = re.search(r"^model name\s*: (.*)", Path("/proc/cpuinfo").read_text("utf-8"), re.MULTILINE)
     for compiler in options.compiler or ["g++"]:
         try:
-            place = Place(compiler, (), linked=("-pthread", "-lbenchmark"))
-            build = Build(place, ROOT / "build" / f"bench-cpu-{Path(compiler).name}")
-            build.library()
-            program = build.program(*(SOURCES / name for name in ("bench.cpp", *LIBRARY)),
-                                    options=("-O3",))
+            program = fills.built(Place(compiler, (), linked=("-pthread", "-lbenchmark")),
+                                  ROOT / "build" / f"bench-cpu-{Path(compiler).name}", "bench.cpp", "-O3")
         except (Failed, OSError) as error:
             print(f"{parser.prog}: it could not be built: {error}", file=sys.stderr)
             return 4
         try:
-            rows = [row for noise in subjects(options, program) for row in rows_of(noise, output_of(
+            rows = [row for noise in fills.subjects(options, program) for row in rows_of(noise, output_of(
                 program, noise, *options.against, f"--benchmark_repetitions={options.rounds}", "--benchmark_min_time=0.006",
                 "--benchmark_enable_random_interleaving=true", "--benchmark_format=json"))]
         except Failed as error:
             print(f"{parser.prog}: {error}", file=sys.stderr)
             return 1
-        if not rows:
-            parser.error("--filter leaves no noise: names are like perlin2, cellular3 and fbm_simplex2")
         stamps.keep(options.out / f"{'clang' if 'clang' in compiler else 'gcc'}.csv", rows,
                     f"{processor[1].strip() if processor else 'an unknown processor'}, {version_of(compiler)}",
                     {"note": options.note, "rounds": options.rounds})

@@ -14,7 +14,7 @@ from pathlib import Path
 from unittest import mock
 
 from base.tree import ROOT
-from measure import cpu, neon, stamps
+from measure import cpu, fills, neon, stamps
 from measure.elsewhere import NEON, Build, Failed, Place, output_of
 
 ATTEMPTS = 5  # other programs on the machine can spoil a measurement, but hardly every time
@@ -64,7 +64,7 @@ class Case(unittest.TestCase):
         """A stand-in for FastNoise2 that does everything three times."""
         made = self.folder / "libfake.so"
         output_of(compiler, "-std=c++20", "-O1", "-shared", "-fPIC", "-I", ROOT / "include",
-                  cpu.SOURCES / "fast_noise_test.cpp", library, "-o", made, "-pthread", *options)
+                  fills.SOURCES / "fast_noise_test.cpp", library, "-o", made, "-pthread", *options)
         return f"fastnoise2={made}"
 
     def native(self) -> str:
@@ -122,7 +122,7 @@ class ByAStandIn(Case):
             (self.folder / name).write_text(f"#!/bin/sh\n{text}\n", encoding="ascii")
             (self.folder / name).chmod(0o755)
         self.enterContext(mock.patch.dict(os.environ, PATH=f"{self.folder}:{os.environ['PATH']}"))
-        self.enterContext(mock.patch.object(neon, "program", return_value=self.folder / "filler"))
+        self.enterContext(mock.patch.object(fills, "built", return_value=self.folder / "filler"))
 
     def test_what_besides_a_fill_is_executed_is_not_counted(self) -> None:
         (self.folder / "other.so").touch()
@@ -140,9 +140,11 @@ class ByAStandIn(Case):
         status, printed = self.main(neon, "--against", self.native())
         self.assertEqual((status, (self.folder / "neon.csv").exists()), (1, False))
         self.assertIn("no FastNoise2", printed)
-        with mock.patch.object(neon, "program", side_effect=Failed("cmake ended with 1")):
+        with mock.patch.object(fills, "built", side_effect=Failed("cmake ended with 1")):
             self.assertEqual(self.main(neon)[0], 4)
-        self.assertEqual(self.main(neon, "--filter", "worley*")[0], 2)
+        status, printed = self.main(neon, "--filter", "worley*")
+        self.assertEqual(status, 1)
+        self.assertIn("--filter leaves no noise; there are perlin2, cellular3", printed)
 
 
 @unittest.skipUnless(__name__ == "__main__", "the test bench.grid has the library")
@@ -150,11 +152,9 @@ class Cpu(Case):
     def setUp(self) -> None:
         super().setUp()
         (self.folder / "src").symlink_to(FOLDER / "src")
-        self.build = Build(Place("g++", (), linked=("-pthread", "-lbenchmark")), self.folder)
-        self.build.library = lambda: None
-        program = self.build.program(*(cpu.SOURCES / name for name in ("bench.cpp", *cpu.LIBRARY)))
-        self.build.program = lambda *_, **__: program  # once
-        self.enterContext(mock.patch.object(cpu, "Build", return_value=self.build))
+        with mock.patch.object(Build, "library"):
+            program = fills.built(Place("g++", (), linked=("-pthread", "-lbenchmark")), self.folder, "bench.cpp")
+        self.enterContext(mock.patch.object(fills, "built", return_value=program))
 
     def test_a_library_whose_speed_is_known(self) -> None:
         theirs = self.fake("g++", FOLDER / "src/grid/libhashnoise-grid.a")
@@ -192,7 +192,7 @@ class Cpu(Case):
 @unittest.skipUnless(__name__ == "__main__", "the test neon.whole compiles the library")
 class Neon(Case):
     def test_a_library_whose_cost_is_known(self) -> None:
-        self.enterContext(mock.patch.object(neon, "program", return_value=neon.program(FOLDER)))
+        self.enterContext(mock.patch.object(neon, "FOLDER", FOLDER))
         theirs = self.fake(NEON.compiler, FOLDER / "src/grid/libhashnoise-grid.a")
         status, printed = self.main(neon, "--filter", "perlin2", "--against", theirs)
         self.assertEqual(status, 0, printed)

@@ -17,7 +17,7 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -25,19 +25,12 @@ from base.tree import ROOT
 from base.usage import Parser
 from base.versions import version_of
 from catalog.tables.markdown import table
-from measure import cpu, record, stamps
-from measure.elsewhere import NEON, Build, Failed, output_of
+from measure import fills, record, stamps
+from measure.elsewhere import NEON, Failed, output_of
 
 FOLDER = ROOT / "build" / "bench-neon"
 COLUMNS = ("fast", "fixed", "precise", "FastNoise2")
 QUOTIENTS = (("fast", "FastNoise2"), ("fixed", "fast"), ("precise", "fast"))
-
-
-def program(folder: Path) -> Path:
-    """The program that fills grids, for ARM."""
-    build = Build(NEON, folder)
-    build.library()
-    return build.program(*(cpu.SOURCES / name for name in ("fill.cpp", *cpu.LIBRARY)))
 
 
 class Counter:
@@ -45,7 +38,7 @@ class Counter:
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
-        output_of("gcc", "-std=c99", "-O1", "-shared", "-fPIC", cpu.SOURCES / "count.c", "-o", folder / "count.so")
+        output_of("gcc", "-std=c99", "-O1", "-shared", "-fPIC", fills.SOURCES / "count.c", "-o", folder / "count.so")
 
     def instructions(self, *command: str | Path) -> int:
         """All that a program executes from its start to its end."""
@@ -64,10 +57,10 @@ class Counter:
         once, twice = (self.instructions(filler, times, *words) for times in "12")
         if twice <= once:
             raise Failed(f"{' '.join(words)}: {once} instructions fill a grid once, and {twice} twice")
-        return (twice - once) / cpu.POINTS
+        return (twice - once) / fills.POINTS
 
 
-def page_table(rows: Sequence[cpu.Row]) -> str:
+def page_table(rows: Sequence[Mapping[str, str]]) -> str:
     """Instructions a point, and quotients as those of tools/measure cpu."""
     lines = [[f"`{row['noise']}`", *(record.three_digits(float(row[name])) for name in COLUMNS),
               *(f"{float(row[second]) / float(row[first]):.2f}" for first, second in QUOTIENTS)] for row in rows]
@@ -76,25 +69,22 @@ def page_table(rows: Sequence[cpu.Row]) -> str:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     parser = Parser("tools/measure neon", __doc__)
-    cpu.add_options(parser)
+    fills.add_options(parser)
     options = parser.parse_args(arguments)
     try:
-        filler = program(FOLDER)
+        filler = fills.built(NEON, FOLDER, "fill.cpp")
     except (Failed, OSError) as error:
         print(f"{parser.prog}: it could not be built: {error}", file=sys.stderr)
         return 4
-    fills = COLUMNS if options.against else COLUMNS[:-1]
     try:
         with TemporaryDirectory() as folder:
             counter = Counter(Path(folder))
             rows = [{"noise": noise} | {fill: f"{counter.of_a_fill(filler, fill, noise, *options.against):.4g}"
-                                        for fill in fills}
-                    for noise in cpu.subjects(options, *NEON.runner, filler)]
+                                        for fill in COLUMNS if fill != "FastNoise2" or options.against}
+                    for noise in fills.subjects(options, *NEON.runner, filler)]
     except Failed as error:
         print(f"{parser.prog}: {error}", file=sys.stderr)
         return 1
-    if not rows:
-        parser.error("--filter leaves no noise: names are like perlin2, cellular3 and fbm_simplex2")
     emulator = re.search(r"version ([\d.]+)", output_of(NEON.runner[0], "--version"))
     stamps.keep(options.out / "neon.csv", rows, f"{version_of(NEON.compiler)}, QEMU {emulator[1] if emulator else ''}",
                 {"note": options.note})

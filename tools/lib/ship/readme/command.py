@@ -27,7 +27,7 @@ from collections.abc import Sequence
 from base.tree import ROOT
 from base.usage import Parser
 from catalog.tables.markdown import with_section
-from measure import cpu, neon, record, stamps
+from measure import cpu, fills, neon, record, stamps
 from measure.compile import command as of_compilers
 from measure.gpu import pages as of_gpus
 from measure.noise import record as of_noises
@@ -90,9 +90,9 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
                 *((MEASURING, f"crates on {target}",
                    numbers.package_table([row for row in numbers.package_costs("rust") if row["target"] == target]),
                    "cpu/rust.csv") for target in TARGETS),
-                *((MEASURING, f"grids by {title}", cpu.page_table(record.read(cpu.RESULTS / name).rows), f"cpu/{name}")
+                *((MEASURING, f"grids by {title}", cpu.page_table(record.read(fills.RESULTS / name).rows), f"cpu/{name}")
                   for title, name in (("GCC", "gcc.csv"), ("Clang", "clang.csv"))),
-                (MEASURING, "NEON", neon.page_table(record.read(cpu.RESULTS / "neon.csv").rows), "cpu/neon.csv"),
+                (MEASURING, "NEON", neon.page_table(record.read(fills.RESULTS / "neon.csv").rows), "cpu/neon.csv"),
                 (MEASURING, "peers on a GPU", numbers.peer_table(numbers.peer_costs(numbers.GPU)), "h100/peers.csv"),
                 (HASHES, "hashes", hashes.hash_table(hashes.record()), "hashes.csv"),
                 (JUDGE, "judged", of_noises.judge_table(of_noises.read()), "judged.csv"),
