@@ -217,14 +217,11 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
         f"{jacobians_overflow():g} * 2^31 in a sum of slopes",
         f"{scientific(-fade_errors().min())} too small",
         f"{scientific(fade_errors().max())} too large",
-        *(f"{c:.8f}" for c in sine.SINE_DECIMALS), f"{round(sine.SINE_ARGUMENT_ERROR * 2**30)} / 2^30",
-        f"times that, {scientific(math.pi / 2 * sine.SINE_ARGUMENT_ERROR)}",
-        f"\n{scientific(sine.sine_truncation_bound())} at most", f"|s - sin| <= {scientific(sine.sine_bound())}",
+        f"|s - sin| <= {scientific(sine.sine_bound())}",
         f"2^-19 = {scientific(SINE.component_error)}", f"which is {scientific(sine.fixed_sine_error())}:",
         f"at most 1 - {math.floor((1 - sine.sine_largest()) * 1e9) / 1e9:.2e}".replace("e-0", "e-"),
         f"adds {scientific(sums.cloud_error())} ",
         f"within {scientific(rotations.float_error())} of those of the phase",
-        f"by at most {scientific(rotations.float_rounding(3))} for each unit of its range",
         f"which adds {scientific(rotations.fixed_rounding(3))} for each unit")]
     stated += [(ACCURACY, text) for text in (*uniform.quotes(), *gullies.quotes())]
     return stated + [quote for name in noises.names() for quote in getattr(noises.find(name), "quotes", list)()]

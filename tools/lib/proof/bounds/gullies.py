@@ -194,7 +194,6 @@ def quotes() -> list[str]:
     def rate(r: float, digits: int) -> str:
         return shortest(largest_rate(of.steepest, LONGEST * of.slope_wave_rate, r), digits)
     return [f"within {scientific(exact.value)} of the value and {scientific(exact.slope)} of a derivative",
-            f"no longer than G = {of.steepest:g}, and changes", f"no more than G' = {of.slope_wave_rate:g} times",
-            f"v changes by {of.wave_rate:g} times", f"by {rate(0.0, 2)} d on flat ground, {rate(1.0, 3)} d for a slope of 1, "
+            f"by {rate(0.0, 2)} d on flat ground, {rate(1.0, 3)} d for a slope of 1, "
             f"and {rate(3.0, 3)} d for one of 3",
             f"{scientific(exact.fixed_value)} of the value and {scientific(exact.fixed_slope)} of a derivative, with the cut"]

@@ -24,8 +24,7 @@ from proof.bounds.integers import DOUBLE, word
 
 # --- In floats --------------------------------------------------------------------------------------------------------
 
-SINE_DECIMALS = (1.57079090, -0.64589171, 0.07943160, -0.00433127)  # of x, x^3, x^5, x^7
-SINE_COEFFICIENTS = tuple(map(to_float, SINE_DECIMALS))
+SINE_COEFFICIENTS = tuple(map(to_float, (1.57079090, -0.64589171, 0.07943160, -0.00433127)))  # of x, x^3, x^5, x^7
 SINE_ARGUMENT_ERROR = (3 + 2**6 - 1) / 2**30  # of x in quarter turns: 3 units of the reduction, 63 of the shift
 DOUBLE_SINE = 2.0**-48  # more than the rounding errors of the few double operations below, on numbers up to 2
 
