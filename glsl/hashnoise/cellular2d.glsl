@@ -1,8 +1,11 @@
 // hashnoise: cellular noise on the plane.
+// To read it in one piece: docs/reference/snippets/hn_cellular2.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_CELLULAR2D_GLSL
 #define HN_CELLULAR2D_GLSL
+
+// From here cellular3d.glsl is generated from cellular2d.glsl.
 
 #include "detail/feature_points2d.glsl"
 
@@ -79,5 +82,7 @@ HN_FN hn_vec2 hn_cellular(hn_vec2 p, hn_float jitter, hn_int metric, hn_uint see
                           HN_I_OUT(hn_vec2) offset) {
   return hn_cellular(hn_place(p), jitter, metric, seed, nearest, offset);
 }
+
+// To here cellular3d.glsl is generated from cellular2d.glsl.
 
 #endif

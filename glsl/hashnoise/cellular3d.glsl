@@ -1,10 +1,13 @@
 // hashnoise: cellular noise in space.
+// To read it in one piece: docs/reference/snippets/hn_cellular3.md
 // SPDX-License-Identifier: MIT
 //
 // Made from cellular2d.glsl by tools/make. tools/lib/translate/dimensions/numbers.py has its numbers.
 
 #ifndef HN_CELLULAR3D_GLSL
 #define HN_CELLULAR3D_GLSL
+
+// From here cellular3d.glsl is generated from cellular2d.glsl.
 
 #include "detail/feature_points3d.glsl"
 
@@ -81,5 +84,7 @@ HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_float jitter, hn_int metric, hn_uint see
                           HN_I_OUT(hn_vec3) offset) {
   return hn_cellular(hn_place(p), jitter, metric, seed, nearest, offset);
 }
+
+// To here cellular3d.glsl is generated from cellular2d.glsl.
 
 #endif

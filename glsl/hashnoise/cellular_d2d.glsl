@@ -31,7 +31,7 @@ HN_FN hn_vec3 hn_cellular_d(hn_place2 place, hn_uint seed) {
   return hn_i_cellular_d(hn_i_block(place), place.fraction, HN_I_ONE, seed);
 }
 
-// The same in every dimension: tools/make writes it of cellular_d2d.glsl.
+// From here cellular_d3d.glsl is generated from cellular_d2d.glsl.
 
 HN_FN hn_vec3 hn_cellular_d(hn_vec2 p, hn_uint seed) { return hn_cellular_d(hn_place(p), seed); }
 HN_FN hn_vec3 hn_cellular_d(hn_vec2 p) { return hn_cellular_d(p, 0u); }
@@ -50,5 +50,7 @@ HN_FN hn_vec3 hn_cellular_d(hn_place2 place, hn_float jitter, hn_uint seed) {
 HN_FN hn_vec3 hn_cellular_d(hn_vec2 p, hn_float jitter, hn_uint seed) {
   return hn_cellular_d(hn_place(p), jitter, seed);
 }
+
+// To here cellular_d3d.glsl is generated from cellular_d2d.glsl.
 
 #endif

@@ -4,6 +4,8 @@
 #ifndef HN_CELLULAR_PHASE2D_GLSL
 #define HN_CELLULAR_PHASE2D_GLSL
 
+// From here cellular_phase3d.glsl is generated from cellular_phase2d.glsl.
+
 #include "detail/feature_points_moving2d.glsl"
 
 HN_FN hn_i_rank4 hn_i_nearest(hn_place2 place, hn_i_turn2 turn, hn_float jitter, hn_uint seed) {
@@ -57,5 +59,7 @@ HN_FN hn_vec2 hn_cellular_phase(hn_vec2 p, hn_float phase, hn_float jitter, hn_u
                                 HN_I_OUT(hn_vec2) offset) {
   return hn_cellular_phase(hn_place(p), phase, jitter, seed, nearest, offset);
 }
+
+// To here cellular_phase3d.glsl is generated from cellular_phase2d.glsl.
 
 #endif

@@ -58,7 +58,7 @@ HN_FN hn_float hn_cellular_smooth(hn_place3 place, hn_uint seed) {
   return hn_i_cellular_smooth(hn_i_block(place), place.fraction, HN_I_ONE, seed);
 }
 
-// The same in every dimension: tools/make writes it of cellular_smooth2d.glsl.
+// From here cellular_smooth3d.glsl is generated from cellular_smooth2d.glsl.
 
 HN_FN hn_float hn_cellular_smooth(hn_vec3 p, hn_uint seed) { return hn_cellular_smooth(hn_place(p), seed); }
 HN_FN hn_float hn_cellular_smooth(hn_vec3 p) { return hn_cellular_smooth(p, 0u); }
@@ -77,5 +77,7 @@ HN_FN hn_float hn_cellular_smooth(hn_place3 place, hn_float jitter, hn_uint seed
 HN_FN hn_float hn_cellular_smooth(hn_vec3 p, hn_float jitter, hn_uint seed) {
   return hn_cellular_smooth(hn_place(p), jitter, seed);
 }
+
+// To here cellular_smooth3d.glsl is generated from cellular_smooth2d.glsl.
 
 #endif

@@ -48,7 +48,7 @@ HN_FN hn_vec3 hn_cellular_three(hn_place2 place, hn_uint seed) {
   return hn_i_cellular_three(place, HN_I_ONE, HN_METRIC_EUCLIDEAN, seed);
 }
 
-// The same in every dimension: tools/make writes it of cellular_three2d.glsl.
+// From here cellular_three3d.glsl is generated from cellular_three2d.glsl.
 
 HN_FN hn_vec3 hn_cellular_three(hn_vec2 p, hn_uint seed) { return hn_cellular_three(hn_place(p), seed); }
 HN_FN hn_vec3 hn_cellular_three(hn_vec2 p) { return hn_cellular_three(p, 0u); }
@@ -69,5 +69,7 @@ HN_FN hn_vec3 hn_cellular_three(hn_place2 place, hn_float jitter, hn_int metric,
 HN_FN hn_vec3 hn_cellular_three(hn_vec2 p, hn_float jitter, hn_int metric, hn_uint seed) {
   return hn_cellular_three(hn_place(p), jitter, metric, seed);
 }
+
+// To here cellular_three3d.glsl is generated from cellular_three2d.glsl.
 
 #endif

@@ -1,4 +1,5 @@
 // hashnoise: curl noise on the plane.
+// To read it in one piece: docs/reference/snippets/hn_curl2.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_CURL2D_GLSL

@@ -6,6 +6,8 @@
 #ifndef HN_FBM1D_GLSL
 #define HN_FBM1D_GLSL
 
+// From here fbm1d.glsl, fbm3d.glsl and fbm4d.glsl are generated from fbm2d.glsl.
+
 #include "octaves1d.glsl"
 #include "perlin1d.glsl"
 
@@ -242,6 +244,8 @@ HN_FN hn_float hn_weighted(hn_float p, hn_int octaves, hn_float lacunarity, hn_f
   return hn_i_weighted(hn_octaves(p, octaves, lacunarity, gain, seed), strength);
 }
 // tools/make catalog: end
+
+// To here fbm1d.glsl, fbm3d.glsl and fbm4d.glsl are generated from fbm2d.glsl.
 
 #endif
 #endif

@@ -1,8 +1,11 @@
 // hashnoise: fractals over a noise on the plane.
+// To read it in one piece: docs/reference/snippets/hn_fbm2.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_FBM2D_GLSL
 #define HN_FBM2D_GLSL
+
+// From here fbm1d.glsl, fbm3d.glsl and fbm4d.glsl are generated from fbm2d.glsl.
 
 #include "octaves2d.glsl"
 #include "perlin2d.glsl"
@@ -236,5 +239,7 @@ HN_FN hn_float hn_weighted(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_fl
   return hn_i_weighted(hn_octaves(p, octaves, lacunarity, gain, seed), strength);
 }
 // tools/make catalog: end
+
+// To here fbm1d.glsl, fbm3d.glsl and fbm4d.glsl are generated from fbm2d.glsl.
 
 #endif

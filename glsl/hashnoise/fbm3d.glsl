@@ -1,10 +1,13 @@
 // hashnoise: fractals over a noise in space.
+// To read it in one piece: docs/reference/snippets/hn_fbm3.md
 // SPDX-License-Identifier: MIT
 //
 // Made from fbm2d.glsl by tools/make. tools/lib/translate/dimensions/numbers.py has its numbers.
 
 #ifndef HN_FBM3D_GLSL
 #define HN_FBM3D_GLSL
+
+// From here fbm1d.glsl, fbm3d.glsl and fbm4d.glsl are generated from fbm2d.glsl.
 
 #include "octaves3d.glsl"
 #include "perlin3d.glsl"
@@ -238,5 +241,7 @@ HN_FN hn_float hn_weighted(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_fl
   return hn_i_weighted(hn_octaves(p, octaves, lacunarity, gain, seed), strength);
 }
 // tools/make catalog: end
+
+// To here fbm1d.glsl, fbm3d.glsl and fbm4d.glsl are generated from fbm2d.glsl.
 
 #endif

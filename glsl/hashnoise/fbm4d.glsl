@@ -6,6 +6,8 @@
 #ifndef HN_FBM4D_GLSL
 #define HN_FBM4D_GLSL
 
+// From here fbm1d.glsl, fbm3d.glsl and fbm4d.glsl are generated from fbm2d.glsl.
+
 #include "octaves4d.glsl"
 #include "perlin4d.glsl"
 
@@ -241,6 +243,8 @@ HN_FN hn_float hn_weighted(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_fl
   return hn_i_weighted(hn_octaves(p, octaves, lacunarity, gain, seed), strength);
 }
 // tools/make catalog: end
+
+// To here fbm1d.glsl, fbm3d.glsl and fbm4d.glsl are generated from fbm2d.glsl.
 
 #endif
 #endif

@@ -91,7 +91,7 @@ HN_FN hn_vec3 hn_gradient(hn_ivec3 cell, hn_uint seed) {
 HN_FN hn_vec4 hn_gradient(hn_ivec4 cell, hn_uint seed) { return hn_gradient4(hn_i_point(uvec4(cell), seed)); }
 
 HN_FN hn_vec2 hn_gradient(hn_ivec2 cell) { return hn_gradient(cell, 0u); }
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
+// Generated for 1, 3 and 4 dimensions from the lines above.
 HN_FN hn_float hn_gradient(hn_int cell) { return hn_gradient(cell, 0u); }
 HN_FN hn_vec3 hn_gradient(hn_ivec3 cell) { return hn_gradient(cell, 0u); }
 HN_FN hn_vec4 hn_gradient(hn_ivec4 cell) { return hn_gradient(cell, 0u); }

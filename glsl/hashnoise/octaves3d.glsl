@@ -7,7 +7,7 @@
 #include "detail/octave.glsl"
 #include "place.glsl"
 
-// The same beyond the line: tools/make writes it of octaves2d.glsl.
+// From here octaves3d.glsl and octaves4d.glsl are generated from octaves2d.glsl.
 
 // The octaves of a fractal, one after another, over any noise:
 //
@@ -62,7 +62,7 @@ HN_FN hn_octaves3 hn_i_octaves(hn_place3 place, hn_int octaves, hn_float lacunar
   return o;
 }
 
-// By hand in each dimension.
+// To here octaves3d.glsl and octaves4d.glsl are generated from octaves2d.glsl.
 
 #if HN_ARITHMETIC != HN_FIXED
 // The position of the next octave.
@@ -102,7 +102,7 @@ HN_FN void hn_i_advance(HN_I_INOUT(hn_octaves3) o) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// The same in every dimension: tools/make writes it of octaves2d.glsl.
+// From here octaves1d.glsl, octaves3d.glsl and octaves4d.glsl are generated from octaves2d.glsl.
 
 // The octaves of a fractal over your own noise, with the place and the seed of the first one.
 //   p           position, in cells of the first octave: a coordinate times a frequency, so that a cell is as large as
@@ -250,5 +250,7 @@ HN_FN hn_float hn_mean(hn_octaves3 o) { return hn_i_value(hn_i_mean(o.sum)); }
 //   cost     that of hn_mean, and some operations
 //   source   as of hn_clouds
 HN_FN hn_float hn_density(hn_octaves3 o) { return hn_i_value(hn_i_density(hn_i_mean(o.sum))); }
+
+// To here octaves1d.glsl, octaves3d.glsl and octaves4d.glsl are generated from octaves2d.glsl.
 
 #endif

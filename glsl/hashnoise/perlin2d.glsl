@@ -1,4 +1,5 @@
 // hashnoise: Perlin noise on the plane.
+// To read it in one piece: docs/reference/snippets/hn_perlin2.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_PERLIN2D_GLSL

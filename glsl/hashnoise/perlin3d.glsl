@@ -1,4 +1,5 @@
 // hashnoise: Perlin noise in space.
+// To read it in one piece: docs/reference/snippets/hn_perlin3.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_PERLIN3D_GLSL

@@ -1,4 +1,5 @@
 // hashnoise: Perlin noise and its derivatives on the plane.
+// To read it in one piece: docs/reference/snippets/hn_perlin_d2.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_PERLIN_D2D_GLSL

@@ -1,4 +1,5 @@
 // hashnoise: Perlin noise and its derivatives in space.
+// To read it in one piece: docs/reference/snippets/hn_perlin_d3.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_PERLIN_D3D_GLSL

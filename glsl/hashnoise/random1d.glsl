@@ -6,6 +6,8 @@
 #ifndef HN_RANDOM1D_GLSL
 #define HN_RANDOM1D_GLSL
 
+// From here random1d.glsl, random3d.glsl and random4d.glsl are generated from random2d.glsl.
+
 #include "hash.glsl"
 #include "detail/cell.glsl"
 
@@ -29,5 +31,7 @@ HN_FN hn_float hn_random(hn_place1 place, hn_uint seed) {
 }
 HN_FN hn_float hn_random(hn_float p, hn_uint seed) { return hn_random(hn_place(p), seed); }
 HN_FN hn_float hn_random(hn_float p) { return hn_random(p, 0u); }
+
+// To here random1d.glsl, random3d.glsl and random4d.glsl are generated from random2d.glsl.
 
 #endif

@@ -1,8 +1,11 @@
 // hashnoise: random numbers of cells, on the plane.
+// To read it in one piece: docs/reference/snippets/hn_random2.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_RANDOM2D_GLSL
 #define HN_RANDOM2D_GLSL
+
+// From here random1d.glsl, random3d.glsl and random4d.glsl are generated from random2d.glsl.
 
 #include "hash.glsl"
 #include "detail/cell.glsl"
@@ -27,5 +30,7 @@ HN_FN hn_float hn_random(hn_place2 place, hn_uint seed) {
 }
 HN_FN hn_float hn_random(hn_vec2 p, hn_uint seed) { return hn_random(hn_place(p), seed); }
 HN_FN hn_float hn_random(hn_vec2 p) { return hn_random(p, 0u); }
+
+// To here random1d.glsl, random3d.glsl and random4d.glsl are generated from random2d.glsl.
 
 #endif

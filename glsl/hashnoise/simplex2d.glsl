@@ -1,4 +1,5 @@
 // hashnoise: simplex noise on the plane.
+// To read it in one piece: docs/reference/snippets/hn_simplex2.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_SIMPLEX2D_GLSL

@@ -1,4 +1,5 @@
 // hashnoise: simplex noise in space.
+// To read it in one piece: docs/reference/snippets/hn_simplex3.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_SIMPLEX3D_GLSL

@@ -1,4 +1,5 @@
 // hashnoise: simplex noise and its derivatives on the plane.
+// To read it in one piece: docs/reference/snippets/hn_simplex_d2.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_SIMPLEX_D2D_GLSL

@@ -1,4 +1,5 @@
 // hashnoise: simplex noise and its derivatives in space.
+// To read it in one piece: docs/reference/snippets/hn_simplex_d3.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_SIMPLEX_D3D_GLSL

@@ -1,4 +1,5 @@
 // hashnoise: value noise on the plane.
+// To read it in one piece: docs/reference/snippets/hn_value2.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_VALUE2D_GLSL

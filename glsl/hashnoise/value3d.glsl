@@ -1,4 +1,5 @@
 // hashnoise: value noise in space.
+// To read it in one piece: docs/reference/snippets/hn_value3.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_VALUE3D_GLSL

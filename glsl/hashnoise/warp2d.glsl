@@ -1,8 +1,11 @@
 // hashnoise: domain warping on the plane: displacements of positions by fractals.
+// To read it in one piece: docs/reference/snippets/hn_warp2.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_WARP2D_GLSL
 #define HN_WARP2D_GLSL
+
+// From here warp3d.glsl is generated from warp2d.glsl.
 
 #include "detail/jacobian.glsl"
 #include "octaves2d.glsl"
@@ -134,5 +137,7 @@ HN_FN hn_vec2 hn_warp_progressive(hn_vec2 p, hn_int octaves, hn_float lacunarity
                                   hn_uint seed) {
   return hn_i_warp_progressive(hn_octaves(p, octaves, lacunarity, gain, seed), amplitude);
 }
+
+// To here warp3d.glsl is generated from warp2d.glsl.
 
 #endif

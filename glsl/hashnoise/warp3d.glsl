@@ -6,6 +6,8 @@
 #ifndef HN_WARP3D_GLSL
 #define HN_WARP3D_GLSL
 
+// From here warp3d.glsl is generated from warp2d.glsl.
+
 #include "detail/jacobian.glsl"
 #include "octaves3d.glsl"
 #include "value_vector3d.glsl"
@@ -141,5 +143,7 @@ HN_FN hn_vec3 hn_warp_progressive(hn_vec3 p, hn_int octaves, hn_float lacunarity
                                   hn_uint seed) {
   return hn_i_warp_progressive(hn_octaves(p, octaves, lacunarity, gain, seed), amplitude);
 }
+
+// To here warp3d.glsl is generated from warp2d.glsl.
 
 #endif

@@ -106,7 +106,7 @@ HN_FN hn_int hn_i_signed(hn_int m, hn_uint word) { return hn_i_select((word & 0x
 #define HN_I_ONE 1.0f
 
 HN_FN hn_vec2 hn_i_vector(hn_float x, hn_float y) { return vec2(x, y); }
-// The same in 3 and 4 dimensions: tools/make writes it.
+// Generated for 3 and 4 dimensions from the lines above.
 HN_FN hn_vec3 hn_i_vector(hn_float x, hn_float y, hn_float z) { return vec3(x, y, z); }
 HN_FN hn_vec4 hn_i_vector(hn_float x, hn_float y, hn_float z, hn_float w) { return vec4(x, y, z, w); }
 
@@ -162,7 +162,7 @@ HN_FN hn_float hn_i_dot(hn_vec2 g, hn_float x, hn_float y) {
   HN_I_PRECISE hn_float n = g.x * x + g.y * y;
   return n;
 }
-// The same in 3 dimensions: tools/make writes it.
+// Generated for 3 dimensions from the lines above.
 HN_FN hn_float hn_i_dot(hn_vec3 g, hn_float x, hn_float y, hn_float z) {
   HN_I_PRECISE hn_float n = g.x * x + g.y * y + g.z * z;
   return n;
@@ -197,7 +197,7 @@ HN_FN hn_float hn_i_derivative(hn_float n) { return hn_i_flushed(n); }
 #define HN_I_ONE HN_I_UNITS_FRACTION
 
 HN_FN hn_ivec2 hn_i_vector(hn_int x, hn_int y) { return ivec2(x, y); }
-// The same in 3 and 4 dimensions: tools/make writes it.
+// Generated for 3 and 4 dimensions from the lines above.
 HN_FN hn_ivec3 hn_i_vector(hn_int x, hn_int y, hn_int z) { return ivec3(x, y, z); }
 HN_FN hn_ivec4 hn_i_vector(hn_int x, hn_int y, hn_int z, hn_int w) { return ivec4(x, y, z, w); }
 

@@ -7,7 +7,7 @@
 #include "block.glsl"
 #include "feature_points.glsl"
 
-// The same in every dimension: tools/make writes it of feature_points2d.glsl.
+// From here feature_points3d.glsl is generated from feature_points2d.glsl.
 
 HN_FN hn_i_num3 hn_i_from_centre(hn_i_num3 f) {
   return hn_i_vector(hn_i_from_centre(f.x), hn_i_from_centre(f.y), hn_i_from_centre(f.z));
@@ -42,7 +42,7 @@ HN_FN hn_ivec3 hn_i_cell_of(hn_place3 place, hn_i_rank code) {
                int(hn_i_triple_at(uvec3(before.z, c.z, after.z), hn_i_z_of(int(code)))));
 }
 
-// By hand in each dimension.
+// To here feature_points3d.glsl is generated from feature_points2d.glsl.
 
 // The directions of three hashes. Seen along z the octahedron is a square with corners on the axes, and the fields run
 // along its sides: u = x + y and v = x - y. The height above a point of the square is 1 minus the larger of |u| and

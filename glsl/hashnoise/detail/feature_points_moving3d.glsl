@@ -7,8 +7,6 @@
 #include "feature_points_moving.glsl"
 #include "feature_points3d.glsl"
 
-// By hand in each dimension.
-
 // As on the plane, but at the corner of eight cells: sqrt(3/4) + r < sqrt(11/4) - r, that is, r < 0.3961. Directions
 // are shorter than 1, so with 25/32 of the jitter r is below 0.3907.
 HN_FN hn_i_num hn_i_moving_jitter3(hn_float jitter) { return hn_i_jitter(jitter, 25); }

@@ -124,7 +124,7 @@ HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) { return a / b; }
 
 // The position of the first octave.
 HN_FN hn_vec2 hn_i_flushed_position(hn_vec2 p) { return p; }
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
+// Generated for 1, 3 and 4 dimensions from the lines above.
 HN_FN hn_float hn_i_flushed_position(hn_float p) { return p; }
 HN_FN hn_vec3 hn_i_flushed_position(hn_vec3 p) { return p; }
 HN_FN hn_vec4 hn_i_flushed_position(hn_vec4 p) { return p; }
@@ -146,7 +146,7 @@ HN_FN hn_float hn_i_flushed_position(hn_float p) {
   return hn_i_select((floatBitsToUint(p) & 0x7F800000u) == 0u, 0.0f, p);
 }
 HN_FN hn_vec2 hn_i_flushed_position(hn_vec2 p) { return vec2(hn_i_flushed_position(p.x), hn_i_flushed_position(p.y)); }
-// The same in 3 and 4 dimensions: tools/make writes it.
+// Generated for 3 and 4 dimensions from the lines above.
 HN_FN hn_vec3 hn_i_flushed_position(hn_vec3 p) {
   return vec3(hn_i_flushed_position(p.x), hn_i_flushed_position(p.y), hn_i_flushed_position(p.z));
 }

@@ -183,7 +183,7 @@ HN_FN hn_uint hn_i_word(hn_uvec2 c, hn_uint join, hn_uint sum) {
   hn_uvec2 j = hn_i_high(c);
   return hn_i_word(j.x ^ j.y ^ join, hn_i_odd(hn_i_sum(c) + sum));
 }
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
+// Generated for 1, 3 and 4 dimensions from the lines above.
 HN_FN hn_uint hn_i_word(hn_uint c, hn_uint join, hn_uint sum) {
   hn_uint j = hn_i_high(c);
   return hn_i_word(j ^ join, hn_i_odd(hn_i_sum(c) + sum));
@@ -199,7 +199,7 @@ HN_FN hn_uint hn_i_word(hn_uvec4 c, hn_uint join, hn_uint sum) {
 
 // The hash of a point to which nothing but the mixed seed s adds.
 HN_FN hn_uint hn_i_seeded_word(hn_uvec2 c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
+// Generated for 1, 3 and 4 dimensions from the lines above.
 HN_FN hn_uint hn_i_seeded_word(hn_uint c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
 HN_FN hn_uint hn_i_seeded_word(hn_uvec3 c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
 HN_FN hn_uint hn_i_seeded_word(hn_uvec4 c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }

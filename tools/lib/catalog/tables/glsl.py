@@ -14,7 +14,7 @@ FUNCTION = re.compile(r"^HN_FN\s+\w+\s+(hn_(?!i_)\w+)\(((?:[^()]|\([^()]*\))*)\)
 # Definitions of public functions, outside of comments, directives and bodies.
 ANY_FUNCTION = re.compile(r"\b(hn_(?!i_)\w+)\s*\([^;{}]*\{")
 OF_SUMS = re.compile(r'^#include "octaves(\d)d\.glsl"$', re.MULTILINE)  # in the files of sums
-OF_THE_PLANE = re.compile(r"// The same in .* dimensions: tools/make writes it\.")  # names the origin of overloads
+OF_THE_PLANE = re.compile(r"// Generated for .* dimensions from the lines above\.")  # names the origin of overloads
 EXAMPLE = re.compile(r"^   example  +(\S.*(?:\n {6,}\S.*)*)", re.MULTILINE)  # of a call, in a comment
 STATEMENTS = re.compile(r"(?:^   \S+ \S.*;(?: *//.*)?$\n?)+", re.MULTILINE)  # between the sentences of a comment
 NO_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE | re.DOTALL)

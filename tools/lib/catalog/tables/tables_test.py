@@ -189,7 +189,7 @@ HN_FN hn_float hn_four(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return 0.0f; }
         (self.folder / "a.glsl").write_text("""
 //   seed     any
 HN_FN hn_float hn_one(hn_vec2 p) { return 0.0f; }
-// The same in 3 and 4 dimensions: tools/make writes it.
+// Generated for 3 and 4 dimensions from the lines above.
 HN_FN hn_float hn_one(hn_vec3 p) { return 0.0f; }
 HN_FN hn_float hn_one(hn_vec4 p) { return 0.0f; }
 

@@ -193,6 +193,10 @@ class Deletions(unittest.TestCase):
         self.change("glsl/hashnoise/perlin3d.glsl", r"^//   period .*\n")
         self.noticed(r"^glsl/hashnoise/perlin3d\.glsl: no comment over its functions has a line `period`")
 
+    def test_the_text_to_read(self) -> None:
+        self.change("glsl/hashnoise/perlin2d.glsl", r"snippets/hn_perlin2", "snippets/hn_perlin3")
+        self.noticed(r"^glsl/hashnoise/perlin2d\.glsl: its header has no line `// To read it .*/hn_perlin2\.md`")
+
     def test_a_function_with_further_values(self) -> None:
         self.change(SETTINGS, r'"noise4d.value"', '"noise2d.perlin", "noise2d.merlin"')
         self.noticed(rf"^{SETTINGS}: noise2d.perlin has values with pcg as all of gradient_noise have: take",

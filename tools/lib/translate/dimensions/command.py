@@ -12,11 +12,11 @@ guards of all files back, but that of config.glsl, so that C++ can include the t
 The text of the plane is by hand. Where another dimension has the same, but for the number of its axes, it is made: as a
 whole file, such as fbm3d.glsl, which is marked at its top, or below a line in one of these forms:
 
-    // The same in every dimension: tools/make writes it of octaves2d.glsl.
-    // The same in 1, 3 and 4 dimensions: tools/make writes it.
+    // From here octaves3d.glsl and octaves4d.glsl are generated from octaves2d.glsl.
+    // Generated for 1, 3 and 4 dimensions from the lines above.
 
-Below the first, in both files, stands what is made, as far as a line "// By hand in each dimension."; above the second,
-in a file that has all dimensions, stands its source. tools/lib/translate/dimensions/rule.py describes the changes.
+The first stands in all files that it names, and a line that begins with "// To here" ends its part; above the second, in a
+file that has all dimensions, stands its source. tools/lib/translate/dimensions/rule.py describes the changes.
 
 With --check nothing is written. Exit status: 0 done, 1 (--check) a file is not what it should be, or the rule does not
 cover it what another dimension has, 2 bad usage.
