@@ -1,4 +1,4 @@
-// Made by tools/make catalog. Of a steep noise there are slopes, and a steep sum needs them.
+// Made by tools/make catalog. A steep noise has slopes, and a steep sum needs them.
 export const kCatalog = {
   noises: {
     perlin: { dimensions: [1, 2, 3, 4], phase: true, steep: true, about: "Perlin noise: gradient noise on the square lattice, with hashed gradients." },

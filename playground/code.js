@@ -221,7 +221,7 @@ class Writer {
     const { mean: made, steep, strength } = kSums[state.sum];
     this.files.add(`${steep ? "fbm_d" : "fbm"}${n}d.glsl`);
     this.sum = `hn_${state.sum}`;
-    // Of sums of values at positions in floats, and of those in a tile, the page has functions whose text is shorter.
+    // For sums of values at positions in floats, and in a tile, the page has functions with shorter text.
     const isPlain = this.short && !this.ofCell && state.arithmetic !== "fixed" && !steep;
     const isLoop = this.short && (state.tiled ? !isPlain || n === 1 || n === 4 : this.ofCell);
     if (state.noise === "perlin" && !isLoop) return [];

@@ -84,7 +84,6 @@ const kPlaces = {
   bake: "In the library, on Linux.",
 };
 
-// Of the library's own files.
 export const kLicense = "// Copyright (c) 2026 The hashnoise authors; MIT License.";
 
 // As what the code is copied, and of whole shaders what stands around the functions: the first lines, how it is used,

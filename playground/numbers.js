@@ -31,7 +31,7 @@ function partsOfNumber(text) {
   };
 }
 
-// Of a number that is too large for a float it is an infinity, and possible() makes of that the largest that can be.
+// A number that is too large for a float becomes an infinity, and possible() makes the largest allowed number of that.
 export function parsedNumber(text) {
   const parts = partsOfNumber(text);
   if (!parts) return undefined;

@@ -39,7 +39,7 @@ function crossed(start, direction, [enters, leaves]) {
 
 // The bytes of a picture, from the upper row on; where there is no block they are 0. `turn` is how far the block is
 // turned, and `tilt` how far one looks down, in turns: 0.25 is from above. The block is in the middle of the first
-// `free` columns. Of the columns from `begin` to `end` alone it sets the bytes.
+// `free` columns. It sets the bytes of the columns from `begin` to `end` alone.
 export function reliefOf({ heights, colours, side, steep }, { turn, tilt }, width, height, free = width,
   bytes = new Uint8ClampedArray(4 * width * height), [begin, end] = [0, width]) {
   const [sine, cosine] = [Math.sin(turn * kRound), Math.cos(turn * kRound)];

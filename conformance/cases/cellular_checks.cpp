@@ -91,7 +91,7 @@ Words points_to_search(Session& session, const Function& function, const Configu
 }
 
 // Places beside walls whose third distance is that of a cell two steps away. A block of cells that is too small has
-// wrong values there. Of borders the golden files have such places: they are too rare to be found at random.
+// wrong values there. The golden files have such places of borders: they are too rare to be found at random.
 void add_far_points(Words& inputs, Session& session, const Function& function, const Configuration& configuration) {
   if (function.bound != "cellular_three") return;
   Random random(session.seed, "far");
@@ -189,7 +189,7 @@ Outcome check_search(Session& session, const Evaluation& evaluation) {
 
 namespace {
 
-// The same point for another form: at a position, or from a cell.
+// The point for another form: at a position, or from a cell.
 void put_for(const Function& form, const Function& function, std::span<std::uint32_t> words,
              std::span<const std::uint32_t> inputs, const Places& places) {
   for (std::size_t column = 0; column < form.inputs.size(); ++column) {

@@ -190,7 +190,7 @@ bool is_far_from_fractions(const Function& function, std::span<const std::uint32
                      [](std::uint32_t word) { return std::fabs(std::bit_cast<float>(word)) >= 8388608.0f; });
 }
 
-// Of every fourth point half of the floats become a NaN, an infinity, or more than floats of many octaves can hold, and
+// At every fourth point half of the floats become a NaN, an infinity, or more than floats of many octaves can hold, and
 // now and then an int of octaves is absurd. A phase stays: only it has no value for what is no number.
 Words with_absurd_numbers(const Function& function, Words inputs, Random random) {
   constexpr std::uint32_t kNumbers[] = {0x7FC00000u, 0x7F800000u, 0xFF800000u, 0x447A0000u, 0x7149F2CAu};  // 1000, 1e30
@@ -215,7 +215,7 @@ bool has_nan(const Function& function, std::span<const std::uint32_t> inputs) {
   return false;
 }
 
-// The same with what counts as equal with `fixed`: of a NaN the least float, and the nearest of an infinity.
+// The inputs that count as equal with `fixed`: the least float for a NaN, and the nearest one for an infinity.
 Words with_ends(const Function& function, Words inputs) {
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const std::size_t word = i % kInputWords;

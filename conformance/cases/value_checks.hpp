@@ -63,7 +63,7 @@ Outcome check_compilation(Session& session, const CompilationKind& compilation);
 
 // metamorphic_checks.cpp: the same values, computed in another way.
 Outcome check_pairing(Session& session, const Pairing& pairing);
-// The same of what each of the two ways gave: kOutputWords per point.
+// Judges what each of the two ways gave: kOutputWords per point.
 Outcome judge_pairing(const Pairing& pairing, std::span<const std::uint32_t> got,
                       std::span<const std::uint32_t> expected);
 

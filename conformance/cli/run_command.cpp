@@ -333,7 +333,6 @@ bool note_what_was_not_run(const RunPlan& plan, const std::vector<Run>& runs, co
   return true;
 }
 
-// The same for times.
 bool note_what_was_not_timed(const std::vector<Run>& runs, const std::string& why, std::vector<std::string>& problems) {
   bool any = false;
   for (const Run& run : runs) {

@@ -22,7 +22,7 @@ using Words = std::vector<std::uint32_t>;
 // Each constant point has the noise in the shader once more, which takes long to compile: so they are few.
 constexpr std::size_t kConstantPoints = 4;
 
-// The same, evaluated as most cases do, so that its program need not be built for this.
+// Evaluates as most cases do, so that its program need not be built for this.
 Evaluation plain(const Evaluation& evaluation) {
   if (evaluation.profile.platform() != Platform::opengl) {
     return {evaluation.function, evaluation.configuration, evaluation.profile, {}, evaluation.stage};

@@ -9,7 +9,7 @@ namespace hn {
 // the second as well.
 double simplex_third_derivative(int axes);
 
-// The same of hn_phasor, along an axis along which so many waves run in a cell.
+// The bound for hn_phasor, along an axis along which so many waves run in a cell.
 double phasor_third_derivative(int axes, double waves);
 
 }  // namespace hn

@@ -221,7 +221,7 @@ double octave_sum_tolerance(const Function& function, Gradient gradient, std::sp
                                    : octave_tolerance(kind, function.axes, arguments, gradient);
 }
 
-// Of uniform values and of distributions of sums.
+// The tolerances of uniform values and of distributions of sums.
 double distribution_tolerance(const Function& function, std::span<const std::uint32_t> inputs, std::size_t output) {
   const std::string_view name = function.outputs[output].name;
   const double reach = std::clamp(float_input(inputs, function.input("reach")), 0.0625, 3.0);
@@ -305,7 +305,7 @@ FloatBounds float_bounds(const NoiseBounds& bounds) {
   return {bounds.axes, bounds.cell_error, bounds.error, bounds.lipschitz, bounds.limit};
 }
 
-// Of the derivative of a noise, if it has one, or of a vector's components.
+// The bounds of the derivative of a noise, if it has one, or of a vector's components.
 FloatBounds float_slope_bounds(std::string_view noise, int axes) {
   constexpr std::string_view kVector = "_vector";
   if (noise.ends_with(kVector)) noise.remove_suffix(kVector.size());

@@ -32,7 +32,7 @@ uint word() {
   return static_cast<uint>((z ^ (z >> 31)) >> 32);
 }
 
-// Of either sign, with a biased exponent from low to high: 0 is subnormal, 254 huge.
+// A number of either sign, with a biased exponent from low to high: 0 is subnormal, 254 huge.
 float number(uint low, uint high) {
   const uint exponent = low + word() % (high - low + 1);
   return std::bit_cast<float>((exponent << 23) | (word() & 0x807FFFFFu));

@@ -194,7 +194,7 @@ StageText text_of(Stage stage, const Profile& profile) {
           .end = {}};
 }
 
-// The same of a shader that is only compiled: where its one result goes. Vulkan wants a place for it.
+// The text of a shader that is only compiled: where its one result goes. Vulkan wants a place for it.
 StageText compiled_text_of(Stage stage, bool vulkan) {
   const std::string_view location = vulkan ? "layout(location = 0) " : "";
   switch (stage) {

@@ -98,7 +98,7 @@ HN_FN hn_float hn_fbm(hn_float p, hn_int octaves, hn_float lacunarity, hn_float 
   return hn_fbm(p, octaves, lacunarity, gain, 0u);
 }
 
-// The same without detail that a pixel cannot show: hn_fbm(p, detail, lacunarity, gain, seed) with a float, and
+// hn_fbm without detail that a pixel cannot show: hn_fbm(p, detail, lacunarity, gain, seed) with a float, and
 // hn_fbm(p, footprint, octaves, lacunarity, gain, seed).
 //   detail      octaves, as a float: 3.5 is three octaves and half of the fourth. So octaves from the second on come
 //               and go without a jump. Up to 1 it is the whole first octave, below 2^-32 none, and

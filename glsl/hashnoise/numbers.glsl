@@ -241,8 +241,8 @@ HN_FN hn_uint hn_i_pascal(hn_uint i) {
 //   i        the number of the point: any uint, from 0 on
 //   seed     any uint: 7u, not 7
 //   example  vec2 u = hn_sobol(3u, 7u);
-//   returns  a point in [0, 1)^2, multiples of 2^-24. Of 2^(a + b) points, from a multiple of that on, one is in each
-//            of the 2^a by 2^b equal boxes of the square, for a + b up to 24
+//   returns  a point in [0, 1)^2, multiples of 2^-24. Among 2^(a + b) points, from a multiple of that on, one is in
+//            each of the 2^a by 2^b equal boxes of the square, for a + b up to 24
 //   error    none
 //   cost     20 multiplications, and 2 of floats. 8 less for a seed that is constant
 //   source   Sobol; Owen 1995; Laine and Karras 2011; Vegdahl's constants; docs/reference/contract.md, section 18

@@ -44,7 +44,7 @@ HN_FN hn_float hn_perlin(hn_place2 place, hn_float phase, hn_uint seed) {
 }
 HN_FN hn_float hn_perlin(hn_vec2 p, hn_float phase, hn_uint seed) { return hn_perlin(hn_place(p), phase, seed); }
 
-// The same with the derivatives along x and y, as of hn_perlin_d. The value is as above.
+// The noise with the derivatives along x and y, as of hn_perlin_d. The value is as above.
 //   example  vec3 n = hn_perlin_d(uv * 8.0, 0.25, 7u);
 //   returns  the value and its derivatives, per cell, in [-2.93, 2.93]
 //   error    of a derivative at most 2.36e-5. HN_FIXED 4.51e-4

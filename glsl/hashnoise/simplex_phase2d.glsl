@@ -43,7 +43,7 @@ HN_FN hn_float hn_simplex(hn_place2 place, hn_float phase, hn_uint seed) {
 }
 HN_FN hn_float hn_simplex(hn_vec2 p, hn_float phase, hn_uint seed) { return hn_simplex(hn_place(p), phase, seed); }
 
-// The same with the derivatives along x and y, as of hn_simplex_d. The value is as above.
+// The noise with the derivatives along x and y, as of hn_simplex_d. The value is as above.
 //   example  vec3 n = hn_simplex_d(uv * 8.0, 0.25, 7u);
 //   returns  the value and its derivatives, per cell, in [-8.64, 8.64]
 //   error    of a derivative at most 8.53e-5. HN_FIXED 4.02e-3

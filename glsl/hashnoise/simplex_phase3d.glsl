@@ -50,7 +50,7 @@ HN_FN hn_float hn_simplex(hn_place3 place, hn_float phase, hn_uint seed) {
 }
 HN_FN hn_float hn_simplex(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_simplex(hn_place(p), phase, seed); }
 
-// The same with the derivatives along x, y and z, as of hn_simplex_d. The value is as above.
+// The noise with the derivatives along x, y and z, as of hn_simplex_d. The value is as above.
 //   example  vec4 n = hn_simplex_d(vec3(uv * 8.0, 0.5), 0.25, 7u);
 //   returns  the value and its derivatives, per cell, in [-5.6, 5.6]
 //   error    of a derivative at most 9.42e-5. HN_FIXED 2.30e-3

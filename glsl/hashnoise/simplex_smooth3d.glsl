@@ -6,7 +6,7 @@
 
 #include "detail/body_centred_lattice.glsl"
 
-// The kernel ends at the square root of 3/4, half of a cell's longest diagonal. Of the two ends of each such diagonal
+// The kernel ends at the square root of 3/4, half of a cell's longest diagonal. The ends of each such diagonal:
 // one is as far away, or farther: the squares of both distances sum to 3/2 or more. So of each kind of points four are
 // enough: one end of each diagonal of the cube around the place, whichever is nearer.
 

@@ -181,7 +181,8 @@ HN_FN hn_float hn_uniform(hn_float value, hn_vec4 distribution) {
   return hn_i_uniform(hn_i_tail_of(value, distribution));
 }
 
-// The same with its derivative: a slope of the noise, times that, is the slope of its uniform values.
+// The uniform value with its derivative: a slope of the noise, times the derivative, is the slope of its uniform
+// values.
 //   value    of a noise, or of hn_fbm
 //   distribution  as above
 //   example  vec2 u = hn_uniform_d(hn_perlin(uv * 8.0, 7u), hn_distribution(HN_DISTRIBUTION_PERLIN2));

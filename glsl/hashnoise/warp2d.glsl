@@ -122,7 +122,7 @@ HN_FN hn_vec2 hn_warp(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float g
   return hn_i_warp(hn_octaves(p, octaves, lacunarity, gain, seed), amplitude);
 }
 
-// The same, where the octaves before an octave displace it, too. It draws strands and eddies.
+// A warp in which the octaves before an octave displace it, too. It draws strands and eddies.
 //   (parameters, period and source as for hn_warp)
 //   example     vec2 n = hn_warp_progressive(uv * 8.0, 6, 2.0, 0.5, 1.0, 7u);
 //   returns     the displacement along x and y, each in [-amplitude, amplitude]

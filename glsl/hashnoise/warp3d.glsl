@@ -128,7 +128,7 @@ HN_FN hn_vec3 hn_warp(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float g
   return hn_i_warp(hn_octaves(p, octaves, lacunarity, gain, seed), amplitude);
 }
 
-// The same, where the octaves before an octave displace it, too. It draws strands and eddies.
+// A warp in which the octaves before an octave displace it, too. It draws strands and eddies.
 //   (parameters, period and source as for hn_warp)
 //   example     vec3 n = hn_warp_progressive(vec3(uv * 8.0, 0.5), 6, 2.0, 0.5, 1.0, 7u);
 //   returns     the displacement along x, y and z, each in [-amplitude, amplitude]

@@ -271,7 +271,6 @@ test("tiles have no seam, and one that is there is seen", async () => {
     tiles.forEach((word, at) => assert.equal(word, tiles[(Math.floor(at / side) % 16) * side + (at % side) % 16]));
     assert.equal(unequal(tiles, plane), 0, renderer);
   }
-  // Of noise with another period.
   const wrong = await page.evaluate(async (size) => {
     const { hashnoise } = window;
     const build = hashnoise.backends.webgpu.build.bind(hashnoise.backends.webgpu);
@@ -442,7 +441,7 @@ test("a file that is saved has the picture", async () => {
     const rows = (list) => [...Array(kHeight).keys()].map((row) => list.slice(row * kWidth, (row + 1) * kWidth));
     assert.deepEqual(rows(words).toReversed(), rows(await pixels(page, kWidth, kHeight, true)), renderer);
   }
-  // Of more pixels than one draw takes: each row has its own, whatever the part that it is drawn in.
+  // A file of more pixels than one draw takes: each row has its own, in whatever part it is drawn.
   await setState(page, { ...state, file: "r16", width: 1024, height: 300 });
   const { bytes } = await saved();
   assert.equal(bytes.length, 1024 * 300 * 2);

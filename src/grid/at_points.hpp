@@ -86,7 +86,6 @@ HN_I_INLINE Uint joined_where(Mask condition, Uint a, Uint b, Uint c) {
 HN_I_INLINE Uint either(Mask condition, Uint a, Uint b) {
   return kCount == 16 ? hn_i_select(condition, a, b) : b + where(condition, a - b);
 }
-// The same of two constants.
 template <typename S>
 HN_I_INLINE Lanes<S> one_of(Mask condition, Lanes<S> a, Lanes<S> b) {
   if (kCount == 16) return hn_i_select(condition, a, b);

@@ -58,7 +58,7 @@ HN_FN hn_i_block2 hn_i_block(hn_place2 place) {
 
 // To here block.glsl is generated from block2d.glsl, in 3 and 4 dimensions.
 
-// The spread coordinates of a block along an axis. Of such three hn_i_triple_at chooses the first, the second or the
+// The spread coordinates of a block along an axis. hn_i_triple_at chooses the first, the second or the
 // third, for an n of -1, 0 or 1.
 HN_FN hn_uvec3 hn_i_coordinates_x(hn_i_block2 block) {
   return uvec3(block.previous.x, block.cell.x, block.following.x);

@@ -237,7 +237,6 @@ HN_FN hn_i_box2 hn_i_box(hn_place2 place) {
 
 // To here cell.glsl is generated from cell2d.glsl, in 1, 3 and 4 dimensions.
 
-// The same for a box.
 HN_FN hn_uvec4 hn_i_corners(hn_i_box2 box, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   return hn_i_corners(box.lower, box.upper, hn_i_seed_join(s), hn_i_odd(box.lower, s), 0u);

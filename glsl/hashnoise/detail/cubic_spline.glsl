@@ -84,7 +84,7 @@ HN_FN hn_i_num hn_i_cubic_row(hn_uvec4 x, hn_uint join, hn_uint odd, hn_i_num4 w
   return hn_i_blend(hn_i_numbers(h), w);
 }
 
-// The same for four rows along y. `odd` is the odd number of the second point of the second row.
+// Four rows along y. `odd` is the odd number of the second point of the second row.
 HN_FN hn_i_num hn_i_cubic_square(hn_uvec4 x, hn_uvec4 y, hn_uint join, hn_uint odd, hn_i_num4 wx, hn_i_num4 wy) {
   hn_uvec4 b = hn_i_high_of_line(y, 11u);
   hn_i_num4 rows =

@@ -43,7 +43,7 @@ HN_FN hn_float hn_i_by_third(hn_uint h, hn_float low, hn_float middle, hn_float 
   return hn_i_select(h < 0x55555555u, low, hn_i_select(h < 0xAAAAAAAAu, middle, high));
 }
 
-// The size chooses the axes: x and y, x and z, y and z. Of these y, x and z are kept, and the other one becomes z, y
+// The size chooses the axes: x and y, x and z, y and z. y, x and z are kept, and the other one becomes z, y
 // and x.
 HN_FN hn_vec2 hn_i_signs(hn_uint h, bool turned) {
   hn_vec2 signs = hn_i_signs(h);

@@ -26,7 +26,7 @@ HN_FN hn_int hn_i_add_wrapping(hn_int i, hn_int more) { return int(uint(i) + uin
 // A coordinate of a point: 2 c + more, where c is that of its cell, and more lies in [-2, 3].
 HN_FN hn_uint hn_i_doubled(hn_uint c, hn_int more) { return c * 2u + uint(more); }
 
-// The same with a period, for a wrapped c. Before it is wrapped, a point lies up to one cell outside of the period.
+// With a period, for a wrapped c. Before it is wrapped, a point lies up to one cell outside of the period.
 HN_FN hn_uint hn_i_doubled(hn_uint c, hn_int more, hn_int period) {
   hn_uint size = uint(max(period, 0)) * 2u;
   hn_uint i = hn_i_doubled(c, more);

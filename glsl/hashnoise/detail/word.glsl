@@ -139,7 +139,7 @@ HN_FN hn_uint hn_i_odd(hn_uint sum) {
   hn_uint odd = sum * 2u + 1u;
   return odd + (odd << 12u);
 }
-// The same join, axis by axis: each adds the product of its coordinate, or of a step along it, to an odd number. GPUs
+// The join, axis by axis: each adds the product of its coordinate, or of a step along it, to an odd number. GPUs
 // have a product of 24 bits and an addition as one operation. hn_i_word below takes the sum: with products hn_random
 // would cost 7 to 14% more on Apple, where a product costs four additions.
 //

@@ -18,7 +18,7 @@ the field is exact however far out.
 
 The result is an array of float32; of numbers alone it is a float. A function that returns several numbers for a point
 returns planes, an array with an axis for them in front, which can be unpacked. Where a coordinate is NaN or infinite,
-all numbers of the point are NaN. Of masked arrays the result is one, and is masked where one of them is.
+all numbers of the point are NaN. With masked arrays the result is one, masked where one of them is.
 
 All functions have these options:
 

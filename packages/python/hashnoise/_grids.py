@@ -51,7 +51,7 @@ def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None
                   it becomes another type than float32
 
     The other options are those of the function that is called `name`, with its defaults; one that it does not have is a
-    TypeError. Of a function that returns planes the array has an axis of planes in front: (planes, height, width).
+    TypeError. If the function returns planes, the array has an axis of planes in front: (planes, height, width).
 
     >>> image = hashnoise.grid("perlin", (640, 480), step=0.01, seed=7)
     >>> image.shape

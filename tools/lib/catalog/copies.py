@@ -42,7 +42,7 @@ def filled(line: str) -> str:
 
 
 def pattern(line: str) -> str:
-    """Of the line with any version and address."""
+    """The pattern of the line with any version and address."""
     return NAME.sub(lambda name: ANY[name[0]], re.escape(line))
 
 

@@ -66,7 +66,7 @@ class Twin:
 
     def __init__(self, catalog: Catalog) -> None:
         self.noises = [noise for noise in catalog.noises if noise.small and noise.first <= MOST_DIMENSIONS]
-        # Of a sum of its own noises there would be kernels of these.
+        # # There would be kernels for its own noises.
         self.sums = [sum_ for sum_ in catalog.sums if sum_.first <= MOST_DIMENSIONS and sum_.takes_noise]
         self.absent = [function for function in (*catalog.noises, *catalog.sums)
                        if function not in (*self.noises, *self.sums)]
@@ -74,7 +74,7 @@ class Twin:
         self.settings = catalog.settings
 
     def owners(self, option: str) -> list[str]:
-        """Of a jitter or a metric the noises that have it, and of a strength or an amplitude the sums."""
+        """The noises that have a jitter or a metric, and the sums that have a strength or an amplitude."""
         if option in STRENGTHS:
             return [sum_.name for sum_ in self.sums if sum_.strength and sum_.strength.name == option]
         return [noise.name for noise in self.noises if option in noise.options]
@@ -246,7 +246,7 @@ def shown(function: Function) -> str:
 
 
 def may_draw(noise: Noise, option: str) -> bool:
-    """Of points that go round there is nothing: at a phase of 0 they are not those of the noise without one."""
+    """Noise with points that go round is left out: at a phase of 0 it is not the noise without one."""
     return option != "phase" or "jitter" not in noise.options
 
 
@@ -267,7 +267,7 @@ def playground(catalog: Catalog) -> str:
 
     noises, sums = drawn(catalog)
     return "".join([
-        "// Made by tools/make catalog. Of a steep noise there are slopes, and a steep sum needs them.\n",
+        "// Made by tools/make catalog. A steep noise has slopes, and a steep sum needs them.\n",
         "export const kCatalog = {\n", "  noises: {\n",
         rows({noise.name: of_noise(noise) for noise in noises}, "    "), "  },\n", "  sums: {\n",
         rows({sum_.name: of_sum(sum_) for sum_ in sums}, "    "), "  },\n", f"  metrics: {literal(catalog.metrics)},\n", "  settings: {\n",

@@ -53,7 +53,7 @@ def ports(form: str) -> list[tuple[str, str]]:
 
 
 def call(form: str, arithmetic: str) -> str:
-    """Of the function, with the ports."""
+    """The call of the function, with the ports."""
     function, begin = forms()[form], NAMES.get(("hlsl", arithmetic), "hn")
     arguments = [f"{begin}_tile(Position, (int2)Period)" if one.type == "hn_place2" else
                  CONVERTED.get(one.type, "{}").format(port(one.at.text)) for one in function.parameters]

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 
 class Option(NamedTuple):
-    """Of one package, whose package() takes what is passed by it."""
+    """An option of one package; its package() takes what is passed by it."""
     metavar: str
     help: str
 

@@ -20,7 +20,6 @@ IMPORT_PATH_HELP = "for Bevy and naga_oil: write #define_import_path NAME, so th
 
 
 def import_path(text: str) -> str:
-    """Of a module."""
     if not re.fullmatch(r"[A-Za-z_]\w*(::[A-Za-z_]\w*)*", text):
         raise argparse.ArgumentTypeError("an import path is made of names with :: between them, such as game::noise, "
                                          f"not {text!r}")
@@ -33,7 +32,7 @@ def imported_as(path: str) -> str:
 
 
 def function_name(text: str) -> str:
-    """Of a function that the user has."""
+    """The name of a function that the user has."""
     if not re.fullmatch(r"[A-Za-z_]\w*", text):
         raise argparse.ArgumentTypeError(f"a function has a name such as my_hash, not {text!r}")
     return text

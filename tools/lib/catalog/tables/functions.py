@@ -42,7 +42,7 @@ class Column:
 
 @dataclass(frozen=True)
 class Part:
-    """Of what a function takes: a number or a vector, with its words."""
+    """A part of what a function takes: a number or a vector, with its words."""
     name: str
     type: str
     columns: tuple[str, ...] = ()  # "c*" stands for cx, cy and so on; "" for its name
@@ -62,7 +62,7 @@ def expanded(columns: tuple[str, ...], dimensions: int) -> tuple[str, ...]:
                  for name in ([column.replace("*", axis) for axis in AXES[:dimensions]] if "*" in column else [column]))
 
 
-# Of the names among what a function takes. Where it is comes first, and the period right behind it.
+# The names of what a function takes. The position comes first, and the period right behind it.
 PARTS = {
     "position": (Part("p", "f32", ("*",)),),
     "cell": (Part("cell", "i32", ("c*",)), Part("f", "f32", ("f*",))),
@@ -264,7 +264,7 @@ class Function:
 
     @property
     def overloads(self) -> tuple[tuple[str, ...], ...]:
-        """The types without a seed, and with one. Of a candidate a cell may stand for the place."""
+        """The types without a seed, and with one. In a candidate a cell may stand for the place."""
         out = (f"out ivec{self.axes}", f"out vec{self.axes}") if self.sets else ()
         if not self.has_seed:
             return (self.types,)
@@ -275,9 +275,9 @@ class Function:
 
     @property
     def body(self) -> str:
-        """Of uvec4 evaluate(uvec4 a, uvec4 b, uvec4 c, uvec4 d), valid in shaders and as C++. float_of and bits_of
-        reinterpret bits. SEEDED(s) is ", s", or nothing where the overload without a seed is under test; SEED(s) is the
-        seed of what has none."""
+        """The body of uvec4 evaluate(uvec4 a, uvec4 b, uvec4 c, uvec4 d), valid in shaders and as C++. float_of and
+        bits_of reinterpret bits. SEEDED(s) is ", s", or nothing where the overload without a seed is under test;
+        SEED(s) is the seed of what has none."""
         words, lines, taken = iter(WORDS), [], []
         for part in self.parts:
             size = len(part.names(self.dimensions))
@@ -313,7 +313,7 @@ class Function:
         return [f"hn_tile({where[0]}, {rest[0]})", *rest[1:]] if self.has_period else [*where, *rest]
 
     def _words(self) -> list[str]:
-        """Of what comes out, four."""
+        """The four words of the result."""
         of, count = self.sets or "n", len(self.outputs)
         members = self.members or ([""] if count == 1 else AXES[:count])
         cast = {"u": "{}", "i": "uint({})", "f": "bits_of({})"}[self.type[0]]

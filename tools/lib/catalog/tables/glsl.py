@@ -77,7 +77,7 @@ def _comment_above(lines: list[str], line: int) -> Comment | None:
 
 
 def _dimensions_of_sum(text: str, types: tuple[str, ...]) -> int | None:
-    """Of a function in a file of sums, unless it is a step of them, which takes octaves."""
+    """The dimensions of a function in a file of sums, unless it is a step, which takes octaves."""
     found = OF_SUMS.search(text)
     return int(found[1]) if found and not any("octaves" in type_ for type_ in types) else None
 

@@ -129,7 +129,7 @@ class Setup(unittest.TestCase):
         return Machine(Path(scratch.name))
 
     def at_once(self) -> None:
-        """Of what does not concern times, the steps are short."""
+        """Steps that do not concern times are short."""
         for name, text in (("apt-get", APT_GET), ("cmake", CMAKE)):
             self.machine.program(name, text.replace(SLOW, "true"))
 

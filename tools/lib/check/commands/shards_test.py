@@ -57,7 +57,7 @@ class Shards(unittest.TestCase):
         path.chmod(0o755)
 
     def copy(self, folder: Path) -> None:
-        """Of the repository, as a host has it."""
+        """A copy of the repository, as a host has it."""
         (folder / "tools" / "lib" / "base").mkdir(parents=True)
         for name in ("lib/base/shards.sh", "lib/base/setup.sh", "lib/base/progress.sh"):
             shutil.copy(TOOLS / name, folder / "tools" / name)

@@ -3,7 +3,7 @@
     tools/make format [--check] [FILE...]    all files, or these; with --check it changes none, and prints what it would
 
 .clang-format and the section tool.ruff of pyproject.toml have the rules. PyPI's packages of the versions that
-requirements.txt names are installed into build/format-environment at first, so each machine formats alike. Of Python
+requirements.txt names are installed into build/format-environment at first, so each machine formats alike. For Python
 ruff mends imports, blanks and empty lines, and finds mistakes. It does not break lines anew: as `ruff format` lays them
 out, the tree has 14,000 lines more.
 

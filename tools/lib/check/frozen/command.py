@@ -48,7 +48,6 @@ class Library:
         self.program = program
 
     def sums(self, count: int, functions: Sequence[str] = ()) -> dict[Key, Sums]:
-        """Of these functions, or of all."""
         try:
             done = subprocess.run([self.program, str(count), *functions], capture_output=True, text=True, check=False)
         except OSError as error:

@@ -37,7 +37,7 @@ class Command(unittest.TestCase):
         self.interface, self.names = self.folder / "interface.csv", {("default", "octaves"): "6"}
 
     def write_program(self) -> None:
-        """Of all points the checksums are others than of the first."""
+        """The checksums of all points differ from those of the first."""
         lines = "\n".join(",".join((*key, *sums)) for key, sums in sorted(self.library.items()))
         self.program.write_text(f"""#!/bin/sh
 count=$1; shift

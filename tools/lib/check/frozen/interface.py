@@ -157,7 +157,7 @@ def javascript() -> Iterator[Row]:
 
 
 def nodes() -> Iterator[Row]:
-    """Of packages for engines; those of Blender are in shaders()."""
+    """The nodes of packages for engines; Blender's are in shaders()."""
     for form in materialx.FORMS:
         for one in materialx.inputs(form):
             usual = re.search(r'(?:value|defaultgeomprop)="([^"]*)"', one.said)

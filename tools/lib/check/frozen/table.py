@@ -91,7 +91,7 @@ def parse_sums(text: str) -> dict[Key, Sums]:
 
 
 def changed(entries: Mapping[Key, Entry], computed: Mapping[Key, Sums], count: int) -> Iterator[str]:
-    """Of the entries that were computed, at so many points: what is not as it was, and at the end what to do."""
+    """The entries that changed among those computed at so many points, and at the end what to do."""
     remedy = False
     for key, sums in sorted(computed.items()):
         if key not in entries:

@@ -7,7 +7,7 @@
 
 A part is stale if a file that it is made of, the code that makes it, or what it wrote is not as it was when it was last
 made; build/make/ records that. Where there is no record, as in a new clone, the part itself compares what is there with
-what it would write. Of golden, freeze and faults that is a sample, as in tools/test, so --check takes six
+what it would write. For golden, freeze and faults that is a sample, as in tools/test, so --check takes six
 minutes at first, and seconds when it is run again. Parts that run a program of build/ are left out of --check where
 there is none.
 

@@ -53,7 +53,7 @@ def inputs(part: Part) -> set[Path]:
 
 
 def own(part: Part, text: bytes) -> bytes:
-    """Of a product what the part writes there: what stands between its marks, or all of it."""
+    """The part of a product that this part writes: the text between its marks, or all of it."""
     mark = rf"tools/make {part.name}: ".encode()
     between = re.findall(mark + rb"(?!end\b)[^\n]*\n(.*?)(?:<!-- end -->|" + mark + rb"end\b)", text, re.DOTALL)
     return b"".join(between) or text

@@ -156,7 +156,7 @@ def stages_of(file: str) -> tuple[tuple[str, ...], ...]:
 
 
 def thorough_stages_of(file: str) -> tuple[tuple[str, ...], ...]:
-    """The same of the product of settings, versions and stages."""
+    """The stages in the product of settings, versions and stages."""
     own, near = judges_of(file)
     return tuple(filter(None, (tuple(f"{function}.*" for function in own), tuple(f"{function}.*" for function in near))))
 

@@ -157,7 +157,7 @@ class Borders(unittest.TestCase):
 
 class Ranges(unittest.TestCase):
     def test_distances_to_octahedra(self):
-        """Of places of them, in a grid."""
+        """The farthest places of octahedra, in a grid."""
         rng = np.random.default_rng(33)
         for dims in DIMS:
             grid = np.array(list(itertools.product(np.linspace(-0.5, 0.5, 41), repeat=dims)))
@@ -302,7 +302,7 @@ class Errors(unittest.TestCase):
 
 
 def phases(rng, count):
-    """Of any angle, or near an eighth of a turn."""
+    """The phase is any angle, or near an eighth of a turn."""
     near = rng.integers(-8, 9, count) / 8 + rng.uniform(-1, 1, count) * 2.0 ** -rng.integers(3, 26, count)
     return np.clip(np.where(rng.random(count) < 0.5, near, rng.uniform(-1, 1, count)), -1, 1).astype(
         np.float32).astype(float)

@@ -63,7 +63,7 @@ def random_fractions(rng, dims, count):
 
 
 class Errors:
-    """Of noises from a cell and a fraction, as the text computes them with these macros."""
+    """Noises from a cell and a fraction, as the text computes them with these macros."""
     MACROS: tuple[str, ...] = ()
 
     def computed(self, name, dims, kind, rounding, cells, fractions):
@@ -127,7 +127,7 @@ class FloatError(Errors, unittest.TestCase):
                     self.assertGreater(seen, bound, noise)
 
     def test_limits(self):
-        """Of derivatives, and of value noise where the fade is computed above 1."""
+        """Derivatives, and value noise where the fade is computed above 1."""
         for dims in DIMS:
             rng = np.random.default_rng(9)
             f = random_fractions(rng, dims, COUNT[dims])
@@ -221,7 +221,7 @@ class Sine(unittest.TestCase):
 
 
 class OctaveErrors:
-    """Of octave sums, as the text computes them with these macros."""
+    """Octave sums, as the text computes them with these macros."""
     NOISES = tuple((kind, dims) for dims, kind in CASES)
     MACROS: tuple[str, ...] = ()
     tolerance = staticmethod(float_sums.octave_tolerance)

@@ -42,7 +42,7 @@ def places(seed, count):
 
 
 def slopes(seed, count, steep):
-    """Of about that length, or of less where it is 0: flat ground."""
+    """Slopes about as long as that, or shorter where it is 0: flat ground."""
     rng = np.random.default_rng(seed)
     angle, size = rng.uniform(0, 2 * np.pi, count), steep * rng.uniform(0.99, 1.0, count) + 1e-3 * (steep == 0)
     return (size * [np.cos(angle), np.sin(angle)]).astype(np.float32).astype(float)
@@ -70,7 +70,7 @@ def exactly(case, seed):
 
 
 def ratios(case, seed, found, tolerance_of):
-    """Of the largest errors of the height and of a slope to their tolerances."""
+    """The largest errors of the height and of a slope, over their tolerances."""
     s, depth, _ = case
     slope, _, _, expected = exactly(case, seed)
     errors, size, worst = abs(np.array(found) - expected), np.hypot(*np.clip(slope, -8, 8)), np.zeros(2)

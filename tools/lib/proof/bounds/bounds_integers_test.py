@@ -132,7 +132,7 @@ class Integers(unittest.TestCase):
             self.assertGreater(value_noise.largest_intermediates(2, None)["difference"], 2**31)
 
     def test_differences_reach_their_bound(self):
-        """Of ramps in space, and what is interpolated of them along x, at places that are whole along z."""
+        """Ramps in space, and their interpolation along x, at places that are whole along z."""
         rng = np.random.default_rng(13)
         x, y = rng.random((2, 100_000))
         x[0], y[0] = 0.5, 0.0

@@ -43,7 +43,6 @@ def random_case(rng, kernel, rotating, count):
 
 
 def largest_differences(computed, expected):
-    """Of the values and of the derivatives."""
     (value, along), (exact_value, exact_along) = computed, expected
     return abs(value - exact_value).max(), max(abs(a - b).max() for a, b in zip(along, exact_along))
 
@@ -106,7 +105,7 @@ class Exact(unittest.TestCase):
                 self.assertLess(abs(rise - derivative).max(), 1e-6, noise)
 
     def test_second_derivatives(self):
-        """Of random gradients, in small boxes: they are within what is assumed."""
+        """Random gradients in small boxes are within what is assumed."""
         rng, step = np.random.default_rng(4), 1e-4
         for kernel in (*SIMPLEX.values(), *SMOOTH.values()):
             boxes = Boxes(5, rng.integers(0, 16, (kernel.dims, 200)))
@@ -141,7 +140,7 @@ ROTATION = Body.of("phase:f32", "cosine:f32 sine:f32", "hn_vec2 r = hn_i_rotatio
 
 
 class Errors:
-    """Of the text of the library with these macros."""
+    """The errors of the library's text with these macros."""
     MACROS: tuple[str, ...] = ()
 
     def errors(self, noise, dims, exactly, rotating, some, count=5000):
@@ -173,7 +172,7 @@ class Errors:
 
 
 class Floats(Errors, unittest.TestCase):
-    """Of any rounding mode."""
+    """Floats in any rounding mode."""
 
     def test_any_rounding(self):
         for noise, kernel, rotating in NOISES:
@@ -288,7 +287,7 @@ class Curl(unittest.TestCase):
         self.assertGreater(at_a_point, 1.4 * bounds_of("curl", 3, "octahedral").limit)
 
     def test_symmetries(self):
-        """Of a largest product of derivatives along a direction and along another, at any place."""
+        """The largest product of derivatives along two directions is the same at symmetrical places."""
         rng, around = np.random.default_rng(11), [point for half in (0.0, 0.5) for point in
                                                   np.array(list(itertools.product(range(-1, 3), repeat=3))) + half]
         move = np.array(curl.MOVE)
@@ -311,7 +310,7 @@ class Curl(unittest.TestCase):
                 self.assertNotAlmostEqual(product(no_symmetry @ place, no_symmetry @ u, no_symmetry @ v), expected)
 
     def test_second_derivatives(self):
-        """Of random gradients along random directions, in small boxes: they are within what is assumed."""
+        """Random gradients along random directions, in small boxes, are within what is assumed."""
         rng, step = np.random.default_rng(12), 1e-4
         boxes = Boxes(5, rng.integers(0, 16, (3, 200)))
         middle, angle = (boxes.lo + boxes.hi) / 2, rng.uniform(0, math.pi, 200)
@@ -369,7 +368,7 @@ class Curl(unittest.TestCase):
 
 class Rotations(unittest.TestCase):
     def test_support(self):
-        """Of the gradients at many phases: none is beyond, and nearly all of it is reached."""
+        """No gradient at many phases is beyond the support, and nearly all of it is reached."""
         rng = np.random.default_rng(15)
         for dims in (2, 3):
             words = np.arange(0, 2**32, 2**20)

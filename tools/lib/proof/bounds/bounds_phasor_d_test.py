@@ -76,7 +76,7 @@ class Exact(unittest.TestCase):
             self.assertTrue(0.95 * bound < slopes.max() < bound, (slopes.max(), bound))
 
     def test_first_derivatives(self):
-        """Of second derivatives of waves at random angles, in small boxes: they are within what is assumed."""
+        """Second derivatives of waves at random angles, in small boxes, are within what is assumed."""
         rng, step = np.random.default_rng(3), 1e-5
         for dims, kernel in KERNELS.items():
             boxes, angle = Boxes(5, rng.integers(0, 16, (dims, 200))), rng.uniform(0, 2 * np.pi, 200)

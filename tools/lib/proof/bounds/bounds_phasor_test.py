@@ -65,8 +65,8 @@ def exactly(dims, cells, f, wave, phase):
 # --- The text of the library ------------------------------------------------------------------------------------------
 
 def body(dims, from_cell, what):
-    """From a position, or a cell and a fraction; then the wave and the phase. Of hn_phasor, or with `what` a part of
-    hn_phasor_d."""
+    """From a position, or a cell and a fraction; then the wave and the phase. It calls hn_phasor, or with `what` a part
+    of hn_phasor_d."""
     axes = AXES[dims]
     inputs = [f"c{axis}:i32" for axis in axes * from_cell] + [f"{'f' * from_cell}{axis}:f32" for axis in axes]
     inputs += [f"k{axis}:f32" for axis in axes] + ["phase:f32"]
@@ -157,7 +157,7 @@ class Exact(unittest.TestCase):
             self.assertLess(np.mean(largest - least) / np.mean(values.max(axis=0) - values.min(axis=0)), 1.001)
 
     def test_second_derivatives(self):
-        """Of waves at random angles, in small boxes: they are within what is assumed."""
+        """Waves at random angles, in small boxes, are within what is assumed."""
         rng, step = np.random.default_rng(3), 1e-4
         for dims, kernel in KERNELS.items():
             boxes, angle = Boxes(5, rng.integers(0, 16, (dims, 200))), rng.uniform(0, 2 * np.pi, 200)
@@ -264,7 +264,7 @@ class Fixed(unittest.TestCase):
                     self.assertGreater(self.errors(dims), bounds_of("phasor", dims, "none").fixed_error, (dims, name))
 
     def test_no_product_overflows(self):
-        """Of the largest wave, the ends of offsets and all sines: they reach the sizes that are proven."""
+        """The largest wave, the ends of offsets and all sines reach the sizes that are proven."""
         k, d = int(WAVES * 2**16), np.array([-2**20, -1, 2**20 - 1, 2**20])
         ramp = fixed_sines().max() * 2**13
         for dims in KERNELS:

@@ -71,7 +71,7 @@ class Search(unittest.TestCase):
             self.assertLess(abs(rise - fade_derivative(order, lo)).max(), 1e-4)
 
     def test_supremum(self):
-        """Of a function with a known one, and a must-fail check: a box that is left out is missed."""
+        """A known supremum is found, and a must-fail check: a box that is left out is missed."""
         def bound(boxes: Boxes):
             upper = np.maximum(boxes.lo, boxes.hi).prod(axis=0)
             return upper, boxes.lo.prod(axis=0)

@@ -23,7 +23,7 @@ def fade(t):
 
 
 def fade_derivative(order, t):
-    """Of order 0 (the fade itself) to 4."""
+    """The derivative of an order from 0 (the fade itself) to 4."""
     if order == 0:
         return fade(t)
     if order == 1:

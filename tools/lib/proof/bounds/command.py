@@ -126,7 +126,7 @@ def without_proof() -> list[str]:
 
 
 def refusals(name: str) -> list[str]:
-    """Of the proofs in floats and in integers of a sum, for an octave on the plane."""
+    """What the proofs in floats and in integers refuse in a sum, for an octave on the plane."""
     try:
         s, noise = Sum(name, 1.0, 1, 2.0, 0.5), sums.CATALOG[name].noise
     except LookupError as error:

@@ -193,7 +193,7 @@ def overflow(derived: Everything) -> float:
 
 
 def jacobians_overflow() -> float:
-    """The same of the sums with slopes, and of warps, in the domain of their bounds."""
+    """The largest of sums with slopes and of warps, in the domain of their bounds."""
     return float(rounded_up(max(jacobians.largest_intermediates(3).values()) / 2**31, 3))
 
 

@@ -201,7 +201,7 @@ def perlin_at(kind, p, seed=np.int64(0)):
 
 
 def rotate(q):
-    """Of section 7."""
+    """See section 7."""
     q = list(q)
     for axis, (c, s) in enumerate(ROTATIONS[:len(q) - 1]):
         q[axis:axis + 2] = (c * q[axis] - s * q[axis + 1]) / 32, (s * q[axis] + c * q[axis + 1]) / 32

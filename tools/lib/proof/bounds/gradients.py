@@ -31,7 +31,7 @@ LENGTH = {1: LARGEST_1D, 2: math.sqrt(10) / 4, 3: math.sqrt(2), 4: math.sqrt(2)}
 
 
 def two_largest(v):
-    """Magnitudes, the largest ones first. Of four they are found as the larger of pairs, which is faster than to
+    """Magnitudes, the largest ones first. Four are compared as the larger of pairs, which is faster than to
     sort."""
     v = np.abs(np.asarray(v, float))
     if len(v) == 2:

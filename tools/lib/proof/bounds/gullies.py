@@ -139,7 +139,7 @@ class Slope:
 
 
 def fixed_product_error(slope: Slope, limit: float, wave_rate: float, error: float) -> float:
-    """Of |u| times a number that is at most that large, changes with k by `wave_rate`, and has that error."""
+    """The error of |u| times a number that is at most that large, changes with k by `wave_rate`, and has that error."""
     nearest = max(slope.least - slope.error, 0.0)
     root_error = min(2.0**-10, 2.0**-20 / nearest if nearest else 1.0) + ROOT_UNIT
     of_u = 1.01 * (2.0**-20 / (nearest + FLAT)**2 + ROOT_UNIT * largest_rate(0.0, 1.0, nearest))
@@ -150,7 +150,7 @@ def fixed_product_error(slope: Slope, limit: float, wave_rate: float, error: flo
 
 
 def fixed_rates(s: Sum, depth: float) -> list[float]:
-    """Of each octave the number that is multiplied with |u| g."""
+    """The number that multiplies |u| g in each octave."""
     c = math.trunc(clamped_depth(depth) * FADE_ONE)
     growth, rates = math.trunc(s.gain * FADE_ONE) * math.trunc(s.lacunarity * 2**23) >> 23, []
     for _ in range(s.count):

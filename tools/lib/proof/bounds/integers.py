@@ -292,14 +292,14 @@ def largest_slope_fade_effect(dims: int, gradient: Gradient) -> float:
 
 @functools.cache
 def largest_joint_effect(dims: int, gradient: Gradient | None, one: int, of_corner: float = 0) -> float:
-    """Of FADE and LERP together; `one` is the unit of the corners' values."""
+    """The effect of FADE and LERP together; `one` is the unit of the corners' values."""
     def both(boxes):
         return fade_effect(boxes, gradient) + rounding_effect(boxes, of_corner) / one
     return largest_effect(both, dims)
 
 
 def largest_rounding(dims: int, of_corner: float = 0) -> float:
-    """Of LERP alone."""
+    """The effect of LERP alone."""
     return (dims * float(lerp_roundings().max()) + of_corner) * (1 + 2 * overshoot()) ** dims
 
 
@@ -362,7 +362,7 @@ def interpolation_intermediates(corner: float, dims: int, difference: float | No
 
 
 def slope_intermediates(rise: float, gradient: float, dims: int, difference: float | None = None) -> dict[str, float]:
-    """The same of the derivatives that are interpolated with the values. Components of gradients are at most
+    """The words of the derivatives that are interpolated with the values. Components of gradients are at most
     `gradient`, and rises of values, before they are shifted, at most `rise`. Two derivatives differ by at most
     `difference`, but for their rounding."""
     climb = part_intermediate(rise / 4 + 1, slopes())

@@ -49,7 +49,7 @@ COARSE = 127  # what a large result loses at most, in its units
 
 
 def stretch(s: Sum, dims: int) -> float:
-    """Of a length, by the rotations between two octaves."""
+    """How much the rotations between two octaves stretch a length."""
     return math.prod(ROTATIONS[:dims - 1]) if s.rotates else 1.0
 
 
@@ -111,7 +111,8 @@ def exact_jacobians(s: Sum, dims: int) -> Iterator[np.ndarray]:
 
 
 def fixed_jacobians(s: Sum, dims: int) -> Iterator[list[list[int]]]:
-    """The same in units of 2^-18, by rows. In the plane (c, s) is the first column, from which the second follows."""
+    """The Jacobians in units of 2^-18, by rows. In the plane (c, s) is the first column, from which the second
+    follows."""
     columns = 1 if dims == 2 else dims
     rows = [[FADE_ONE * (row == column) for column in range(columns)] for row in range(dims)]
     growth = math.trunc(s.gain * FADE_ONE) * math.trunc(s.lacunarity * 2**23) >> 23
@@ -124,7 +125,7 @@ def fixed_jacobians(s: Sum, dims: int) -> Iterator[list[list[int]]]:
 
 
 def jacobians(s: Sum, dims: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Of each octave, the fixed Jacobian and the exact one."""
+    """The fixed Jacobian and the exact one of each octave."""
     for _, fixed, exact in zip(range(s.count), fixed_jacobians(s, dims), exact_jacobians(s, dims)):
         yield np.array(fixed) / FADE_ONE, exact
 
@@ -169,12 +170,10 @@ def fixed_slope_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
 # ----------------------------------------------------------------------------------------------------------
 
 def fixed_fall_errors(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
-    """Of the factors 1 / (1 + strength |e|^2). A slope is rounded down to 2^-12, and so are two coordinates by each
-    rotation;
-    a clamp brings no two vectors further apart. The square times the strength rounds down by less than 2^-16 of a
-    number
-    from 1 on, and the quotient by 2^-18. The cut of the strength changes a factor by up to
-    d r^2 / (1 + strength r^2)^2, which is largest where strength r^2 = 1."""
+    """The errors of the factors 1 / (1 + strength |e|^2). A slope is rounded down to 2^-12, and so are two coordinates
+    by each rotation; a clamp brings no two vectors further apart. The square times the strength rounds down by less
+    than 2^-16 of a number from 1 on, and the quotient by 2^-18. The cut of the strength changes a factor by up to d r^2
+    / (1 + strength r^2)^2, which is largest where strength r^2 = 1."""
     dims, axes = noise.dimensions, math.sqrt(noise.dimensions)
     strength, cut = fixed_strength(s)
     longest = longest_gradient(noise, slope) + axes * slope.fixed_error
@@ -252,16 +251,15 @@ def largest_intermediates(dims: int) -> dict[str, float]:
     moved = jacobian / FADE_ONE * vector + dims
     lost = 32 * dims
     return {"Jacobian": jacobian, "rotation of a Jacobian": 32 * ROTATIONS[0] * jacobian,
-            "sum of slopes": stretched * (LARGEST_RISE + 5 * 32 * LARGEST_GROWTH / FADE_ONE * slope) / SLOPE_UNIT + lost,
-            "step": moved, "rotation of a fall": (25 + 20) * FALL_LIMIT / FALL_UNIT,
-            "sum of falls": ((25 + 20) / 32) ** (dims - 1) * FALL_LIMIT / FALL_UNIT + SLOPE_LIMIT / FALL_UNIT,
-            "step of a position": LARGEST_SHIFT * stretched * (1 + 5 * LARGEST_GROWTH / FADE_ONE) * vector
-            + LARGEST_AMPLITUDE * dims + 1,
-            "shift": LARGEST_AMPLITUDE / UNIT}
+            "sum of slopes": stretched * (LARGEST_RISE + 5 * 32 * LARGEST_GROWTH / FADE_ONE * slope) / SLOPE_UNIT +
+            lost, "step": moved, "rotation of a fall": (25 + 20) * FALL_LIMIT / FALL_UNIT, "sum of falls": ((25 + 20) /
+            32) ** (dims - 1) * FALL_LIMIT / FALL_UNIT + SLOPE_LIMIT / FALL_UNIT, "step of a position": LARGEST_SHIFT *
+            stretched * (1 + 5 * LARGEST_GROWTH / FADE_ONE) * vector + LARGEST_AMPLITUDE * dims + 1, "shift":
+            LARGEST_AMPLITUDE / UNIT}
 
 
 def largest_words(dims: int) -> dict[str, float]:
-    """The same of words, below 2^32."""
+    """The largest words, which are below 2^32."""
     squares, strength = dims * (FALL_LIMIT / FALL_UNIT)**2, LARGEST_STRENGTH["eroded"]
     return {"squares": squares, "divisor": 2.0**16 + squares * strength * FADE_ONE / 2**26}
 

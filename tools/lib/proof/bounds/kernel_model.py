@@ -99,7 +99,7 @@ def phasor(kernel, words_of, fractions, wave, phase):
 
 
 def phasor_d(kernel, words_of, fractions, wave, phase):
-    """The same with the derivatives per cell, each with its quadrature as the imaginary part: first the value."""
+    """The noise with its derivatives per cell, each with its quadrature as the imaginary part: first the value."""
     place = np.array([x * kernel.steps for x in fractions])
     waves, falls = np.clip(wave, -16, 16), np.zeros(place.shape, complex)
     for point, near, d, t in near_points(kernel, place):

@@ -129,12 +129,12 @@ def length_error(dims: int, reach: float, ulps: float) -> float:
 
 
 def distance_error(dims: int, reach: float, ulps: float = 1.0) -> float:
-    """Of a distance up to `reach`, in cells."""
+    """The error of a distance up to `reach`, in cells."""
     return distances.root_error(dims, reach, length_error(dims, reach, ulps), ulps)
 
 
 def float_offset_error(dims: int, ulps: float = 1.0) -> float:
-    """Of a component, from a position or a cell, in cells."""
+    """The error of a component, from a position or a cell, in cells."""
     reach = largest_distance(dims, 1)
     length, rotation = 2 * reach, rotation_error(dims, ulps)
     err = length_error(dims, reach, ulps)
@@ -158,7 +158,7 @@ def quarter() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def quarters():
-    """The same of the other quarters, in turn."""
+    """The other quarters, in turn."""
     angle, cosine, sine = quarter()
     for _ in range(4):
         yield angle, cosine, sine
@@ -174,12 +174,12 @@ def rows(dims: int, cosine, sine, product):
 
 
 def fixed_product(a, b):
-    """Of two sines in units of 2^-16."""
+    """The product of two sines in units of 2^-16."""
     return ((a >> 1) * b + 2**14) >> 15
 
 
 def largest_norm(matrices: np.ndarray) -> float:
-    """Of n by n by many. The Frobenius norm is not less, and most are ruled out by it."""
+    """The largest norm of n by n matrices. The Frobenius norm is not less, and rules out most."""
     bound = np.sqrt((matrices**2).sum(axis=(0, 1)))
     least = np.linalg.norm(matrices[..., bound.argmax()], 2)
     return float(np.linalg.norm(matrices[..., bound >= least].transpose(2, 0, 1), 2, axis=(1, 2)).max())
@@ -223,8 +223,8 @@ def fixed_distance_error(dims: int) -> float:
 
 
 def fixed_offset_error(dims: int) -> float:
-    """Of a component. The nearest point that is found may be farther than the nearest one, by as much as both are
-    off."""
+    """The error of a component. The nearest point that is found may be farther than the nearest one, by as much as both
+    are off."""
     reach = largest_distance(dims, 1) + 2.0**-10
     return (fixed_offset_before(dims, reach) * (1 + fixed_rotation_error(dims)) + fixed_rotation_error(dims) * reach
             + 2 * dims * PLACE) * SAFE

@@ -44,14 +44,14 @@ IN_SUM = {2: math.sqrt(2), 3: 2.0}  # |A| + |B|, by the number of dimensions
 OFF_IN_SUM = {2: 2.0, 3: 3.0}  # how far they are off, by the error of a cosine and a sine
 LARGEST_SHARE = {2: 1.0, 3: 2 / math.sqrt(3)}  # of A and of B
 PRODUCTS = {2: 1.0, 3: 2.0}  # |A n| + |B m|, by R
-# Of two parts, in units of what they are parts of.
+# # Two parts, in units of what they are parts of.
 MIXED_ROUNDING = {dims: 511 * in_sum + 2 + 2 * 511 for dims, in_sum in IN_SUM.items()}
 FACTOR = 1.15470054
 
 
 @functools.cache
 def float_error(ulps: float = 1.0) -> float:
-    """Of the cosine and the sine of a phase."""
+    """The error of the cosine and the sine of a phase."""
     return sine.sine_bound(ulps) + ANGLE_CUT
 
 
@@ -69,7 +69,7 @@ def float_rounding(dims: int, ulps: float = 1.0) -> float:
 
 
 def fixed_rounding(dims: int) -> float:
-    """The same in integers, where a sine is at most 2^16."""
+    """The rounding in integers, where a sine is at most 2^16."""
     if dims == 2:
         return 0.0
     b = (1 + abs(20277 / 2**15 - 4 * (LARGEST_SHARE[3] - 1)) * 2**16) / FADE_ONE
@@ -91,8 +91,8 @@ def mixed(dims: int, error: float, largest: float, ulps: float = 1.0) -> float:
 
 def rotated(still: ProvenBounds, dims: int, largest: float, lipschitz: float, unit: float,
             ratio: float = 1.0) -> ProvenBounds:
-    """Of a noise, or its derivatives. In integers n has this unit, times the scale, which is so much of that without a
-    phase, and no more than it: SCALE is no more, either."""
+    """Bounds of a noise, or of its derivatives. In integers n has this unit, times the scale, which is so much of that
+    without a phase, and no more than it: SCALE is no more, either."""
     parts = {name: IN_SUM[dims] * ratio * value for name, value in still.fixed_parts.items()}
     parts |= {"cut": still.fixed_parts["cut"] / still.lipschitz * lipschitz, "scaling": still.fixed_parts["scaling"]}
     beside = ratio * sum(value for name, value in still.fixed_parts.items() if name not in ("cut", "scaling"))
@@ -102,7 +102,7 @@ def rotated(still: ProvenBounds, dims: int, largest: float, lipschitz: float, un
 
 
 def largest_intermediates(name: str, dims: int, value: float, scale: int) -> dict[str, float]:
-    """Of what is scaled: n and m are as large as it, or as they are without a phase."""
+    """The words that are scaled: n and m are as large as it, or as they are without a phase."""
     share = math.ceil(LARGEST_SHARE[dims] * FADE_ONE) + 32
     mixture = IN_SUM[dims] * value * sine.fixed_sine_largest() + 2 * MIXED_ROUNDING[dims]
     return {f"part of a turned {name}": part_intermediate(value, np.array([share])), f"rotated {name}": mixture,

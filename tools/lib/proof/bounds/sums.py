@@ -1,5 +1,5 @@
-"""Octave sums, and how far they may be off in fixed arithmetic, from the bounds of their noise. Of floats float_sums.py
-has the same."""
+"""Octave sums, and how far they may be off in fixed arithmetic, from the bounds of their noise. For floats
+float_sums.py has the same."""
 
 from __future__ import annotations
 
@@ -117,7 +117,7 @@ def first_whole_position(s: Sum, dims: int) -> tuple[float, float]:
 
 
 def next_whole_position(s: Sum, dims: int, position: float, error: float) -> tuple[float, float]:
-    """Of the next octave, from those of one."""
+    """The bounds of the next octave from those of one."""
     ratio, shift = math.trunc(s.lacunarity * 2**23) / 2**23, SHIFT_MAX[dims]
     axes, rotations = lengths(s, dims), ROTATIONS[:dims - 1] if s.rotates else ()
     error = ratio * error + (s.lacunarity - ratio) * position + axes * WHOLE
@@ -179,8 +179,8 @@ def fixed_terms(s: Sum, noise_errs: list[float]) -> list[float]:
 
 
 def weighted_errors(s: Sum, noise_errs: list[float]) -> list[float]:
-    """By how much B_i of a bent step is off, beyond what the contract's product of exact factors is: M is off by half of
-    the noise, a rounding of (1 - n) / 2 and one of the product with the strength; two products more round down."""
+    """By how much B_i of a bent step is off, beyond what the contract's product of exact factors is: M is off by half
+    of the noise, a rounding of (1 - n) / 2 and one of the product with the strength; two products more round down."""
     strength, cut = fixed_strength(s)
     g, err, errs, weight = math.trunc(s.gain * FADE_ONE) / FADE_ONE, 0.0, [], 1.0
     for noise_err in noise_errs:
@@ -193,7 +193,7 @@ def weighted_errors(s: Sum, noise_errs: list[float]) -> list[float]:
 
 
 def weight_changes(s: Sum) -> list[tuple[float, float]]:
-    """Of each octave its weight in the mean, and by how much that is not the exact one."""
+    """The weight of each octave in the mean, and its distance from the exact one."""
     all_of_them, exact = fixed_weights(s), s.weights
     total, exact_total = sum(all_of_them), sum(exact)
     used = [product(a, fade) for a, fade in zip(all_of_them, fixed_fades(s))]
@@ -202,8 +202,8 @@ def weight_changes(s: Sum) -> list[tuple[float, float]]:
 
 
 def fixed_mean_error(s: Sum, limit: float, term_errs: list[float], changes: list[float] | None = None) -> float:
-    """Of the mean of terms that are at most `limit`, with the weights of an fBm, or with others that are off by
-    `changes`."""
+    """The error of the mean of terms that are at most `limit`, with the weights of an fBm, or with others that are off
+    by `changes`."""
     weights = weight_changes(s)
     changes = changes or [change for _, change in weights]
     error = sum(a * err + limit * change for (a, _), err, change in zip(weights, term_errs, changes))
@@ -244,7 +244,7 @@ MEANS = {  # of a sum: what becomes of the error of the mean. A clamp brings no 
 
 def largest_octave_intermediates(limit: float) -> dict[str, float]:
     """By name, bounds of the magnitudes that must stay below 2^31, for a noise of at most `limit`: of
-    v * (A >> 9) + (v >> 9) * (A & 511), A <= 2^18. Where A & 511 is not 0, A >> 9 is at most 511. Of a rotation, the
+    v * (A >> 9) + (v >> 9) * (A & 511), A <= 2^18. Where A & 511 is not 0, A >> 9 is at most 511. In a rotation, the
     parts of whole positions that are multiplied have 24 bits, and a fraction of 1 is 2^24."""
     noise = limit * 2**21
     return {"octave": noise * 2**9 + (noise / 2**9 + 1) * 511, "sum of 32 octaves": 32 * (noise + 2),

@@ -74,7 +74,7 @@ def float_values(ulps=1.0):
     least, most = np.maximum(y.lo - y.err, 0), np.minimum(y.hi + y.err, 1)
 
     def mixed(err, degree, largest):
-        """Of numbers that are off by err and differ by no more than those of the round."""
+        """The error of mixing numbers that are off by err and differ by no more than those of the round."""
         apart = np.minimum(highest(degree, least, most), 1) if degree else 1 + 0 * y.hi
         apart_error = 2 * err + rounding(apart + 2 * err, ulps)
         product = most * (apart + apart_error)
@@ -113,7 +113,7 @@ def fixed_values():
 
 @dataclass(frozen=True)
 class Weights:
-    """Of boxes of gains and last octaves, for a number of octaves: those at the lower and at the higher ends."""
+    """Boxes of gains and last octaves, for a number of octaves: at the lower and at the higher ends."""
     octaves: int
     gain: np.ndarray
     low: list[np.ndarray]
@@ -149,7 +149,7 @@ def weights_of(octaves):
 
 
 def ranges(weights):
-    """Of rho_4, rho_8 and N: each is at most 1."""
+    """The ranges of rho_4, rho_8 and N: each is at most 1."""
     (s1, t1), (s2, t2), (s4, t4), (s8, t8) = (weights.sums(power) for power in (1, 2, 4, 8))
     return [(low, np.minimum(high, 1)) for low, high in
             ((s4 / t2**2, t4 / s2**2), (s8 / t2**4, t8 / s2**4), (s2 / t1**2, t2 / s1**2))]
@@ -213,7 +213,7 @@ def boxes_of_coefficients():
 
 
 def spread_errors(ratios, fixed, ulps=1.0):
-    """Of reach' and of a', b' and c': the largest over all boxes. The first axis is that of the weights."""
+    """The errors of reach' and of a', b' and c': the largest over all boxes. The first axis is that of the weights."""
     u, factors = COARSE, [float(x) for x in VARIANCE[:3]]
     low, high = (end[:, None, :] for end in boxes_of_coefficients())
     rho4, rho8, share = ([end[:, None] for end in ends] for ends in (ratios.rho4, ratios.rho8, ratios.share))

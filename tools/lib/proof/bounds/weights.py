@@ -72,7 +72,6 @@ def product_error(a, a_err, b, b_err):
 
 
 def square_error(t, e):
-    """Of Q."""
     return product_error(t, e, t, e) + HALF_NEAR
 
 
@@ -186,7 +185,7 @@ class Weight:
         return derived(self.coefficients, order)
 
     def derivative(self, order: int, t):
-        """Of order 0 (the weight itself) and more."""
+        """The derivative of an order from 0 (the weight itself)."""
         return value_of(self.terms(order), t)
 
     def ends(self, order: int, low, high):

@@ -140,8 +140,8 @@ FAR_BORDERS = (
     ((918, 3341, 31), (0.375, 1.0, 0.0)), ((3676, 7424, 18), (0.6875, 0.0, 1.0)),
 )
 
-# The same with a period of 7, where the cell two steps on lies behind the seam: a cell, a fraction and a seed. A search
-# of 170,000 places found them, in the plane.
+# The search with a period of 7, where the cell two steps on lies behind the seam: a cell, a fraction and a seed. A
+# search of 170,000 places found them, in the plane.
 SEAM = 7
 FAR_SEAMS = (
     ((0, 6), (1.0, 1.0), 5090695), ((1, 1), (0.0, 0.0), 3394258), ((1, 4), (0.0, 1.0), 1457481),

@@ -296,7 +296,7 @@ class GoldenContents(unittest.TestCase):
             for phase in (0.0, 0.25, 0.5, -0.25):
                 for at in (0.0, 0.5):
                     self.assertTrue(any(at in f for f in places[phase]), (n, phase))
-            # Of those beside quarters the sines and the cosines are 1 and -1.
+            # # Beside quarters the sines and the cosines are 1 and -1.
             found = [rotation.fixed_cosine_and_sine(phase) for phase in places]
             for numbers in zip(*found):
                 self.assertTrue({2**16, -2**16} <= set(numbers), n)
@@ -539,7 +539,6 @@ class GoldenContents(unittest.TestCase):
         return options, place, row[places:behind_periods]
 
     def positions_of(self, function: Function, row: Sequence) -> list[sums.Place]:
-        """Of the octaves of a sum."""
         options, place, periods = self.of_row(function, row)
         if function.bound != "warp_progressive":
             return [q for q, *_ in sums.octaves_of(place, options, 0, periods)]
@@ -767,7 +766,7 @@ class GoldenCheck(unittest.TestCase):
         self.assertEqual(self.run_main("--check")[0], 0)
 
     def test_only_some_files(self) -> None:
-        # Of one file that is missing, one that is wrong, and one that is extra, each command sees its own.
+        # # Each command sees its own of one file that is missing, one that is wrong, and one that is extra.
         (self.directory / "hash.old.golden").write_text("")
         (self.directory / "hash.unorm.golden").write_text("")
         (self.directory / "hash.snorm.golden").unlink()

@@ -121,7 +121,7 @@ def period_cells(n: int, generator: Generator) -> list[Row]:
 
 # --- Curl in space ----------------------------------------------------------------------------------------------
 
-# Of the fractions along x and z at which the place of its second noise enters the next cell, both sides and the ends.
+# The fractions along x and z at which the place of its second noise enters the next cell, both sides and the ends.
 CROSSINGS = ((0.0, 0.0), (0.5 - BESIDE, 0.75 - BESIDE), (0.5 - 2.0**-25, 0.75 - 2.0**-24), (0.5, 0.75), (0.5, 0.25),
              (0.25, 0.75), (1 - 2.0**-24, 1 - 2.0**-24), (1.0, 1.0), (0.0, 1.0))
 CROSSING_CELLS = ((INT_MAX, 5, INT_MAX), (2, INT_MAX, -1))

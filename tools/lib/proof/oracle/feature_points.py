@@ -141,7 +141,7 @@ class Exact(Arithmetic):
 
     @staticmethod
     def unit_of(f: Sequence[Fraction], ways: Iterable[Fraction]) -> int:
-        """Of what a point moves, for each half of a direction."""
+        """The unit of a point's movement, for each half of a direction."""
         return 2 * DIRECTION_UNIT * math.lcm(UNIT, *(x.denominator for x in (*f, *ways)))
 
     @functools.cached_property
@@ -231,7 +231,7 @@ class Fixed(Arithmetic):
 
 @dataclass(frozen=True)
 class MovingFixed(Fixed):
-    """Of points that go round: the position is rotated instead, backwards."""
+    """Points go round: the position is rotated instead, backwards."""
     backwards: Matrix  # B
 
     def from_middle(self, fraction: Sequence[int], beside: Sequence[int]) -> tuple[int, ...]:
@@ -264,7 +264,7 @@ class Point:
 
     @property
     def order(self) -> tuple[int, ...]:
-        """Of points at the same distance, those of the cell of the position and of its neighbours come first, and of
+        """Among points at the same distance, those of the cell of the position and of its neighbours come first, and of
         these that of the cell with the smallest z, then y, then x."""
         return (self.rank, not self.is_beside, *reversed(self.cell))
 

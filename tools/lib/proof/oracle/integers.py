@@ -111,7 +111,7 @@ def sine_of_turns(turns: int) -> int:
 
 
 def cosine_and_sine(turns: int) -> tuple[int, int]:
-    """Likewise."""
+    """The cosine and the sine, likewise rounded."""
     return sine_of_turns(turns + 2**30 & MASK), sine_of_turns(turns)
 
 

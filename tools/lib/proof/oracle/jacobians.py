@@ -38,7 +38,7 @@ def transposed(matrix: Matrix) -> Matrix:
 
 
 def jacobians_of(n: int, options: Options, periods: Sequence[int] = ()) -> Iterator[Matrix]:
-    """Of each octave, without end."""
+    """The Jacobians of all octaves, without end."""
     jacobian = [[Fraction(i == j) for j in range(n)] for i in range(n)]
     factor = Fraction(options.gain) * sums.growth_of(options, periods)
     while True:
@@ -51,7 +51,7 @@ def jacobians_of(n: int, options: Options, periods: Sequence[int] = ()) -> Itera
 
 def slopes_of(noise: Noise, knobs: Knobs, place: Place, options: Options, seed: int,
               periods: Sequence[int]) -> tuple[list[Fraction], list[Vector]]:
-    """Of each octave the noise and its derivatives."""
+    """The noise and its derivatives in each octave."""
     found = [noise.exact(knobs, q, s, p) for q, p, s in sums.octaves_of(place, options, seed, periods)]
     return [value for value, *_ in found], [g for _, *g in found]
 

@@ -166,7 +166,7 @@ def value(kernel: Kernel, lattice: Lattice, cell: Sequence[int], f: Sequence[Fra
 
 
 def derivatives(kernel: Kernel, lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> list[Fraction]:
-    """Of the value, per cell."""
+    """The derivatives of the value, per cell."""
     totals = [Fraction(0)] * len(f)
     for point, d, t in weighted_points(kernel, tuple(f)):
         g = gradient(kernel, lattice, cell, point)

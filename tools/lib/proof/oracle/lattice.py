@@ -48,7 +48,7 @@ class Lattice:
         return replace(self, periods=tuple(2 * period for period in self.periods))
 
     def word(self, corner: Sequence[int], centre: bool = False) -> int:
-        """Of a corner, or of the centre of the cell behind this first corner."""
+        """The word of a corner, or of the centre of the cell behind this first corner."""
         return component_word(point_word(self.knobs.hash, self.point(corner), self.seed, centre), self.component)
 
     def hash(self, corner: Sequence[int]) -> int:

@@ -43,8 +43,8 @@ def ways(n: int, phase: Real, jitter: Fraction) -> Matrix:
 
 
 def fixed_product(a: int, b: int) -> int:
-    """Of two sines or cosines in units of 2^-16, rounded. Some are 1 or -1, whose product does not fit a signed integer
-    before it is divided."""
+    """The product of two sines or cosines in units of 2^-16, rounded. Some are 1 or -1, whose product does not fit a
+    signed integer before it is divided."""
     return (a // 2 * b + 2**14) // 2**15
 
 
@@ -71,5 +71,5 @@ def rotated(e: int, b: int) -> int:
 
 @functools.lru_cache(maxsize=4096)  # a search calls it for each cell
 def times(matrix: Matrix, d: tuple[int, ...]) -> tuple[int, ...]:
-    """Of whole numbers, in those units."""
+    """The product of whole numbers, in those units."""
     return tuple(sum(map(rotated, d, row)) for row in matrix)

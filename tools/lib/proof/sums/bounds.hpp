@@ -59,7 +59,7 @@ bool is_clamped(SumStep step);
 // error is bounded. A step or a mean without a proof throws, and so do the functions above.
 double octave_tolerance(const SumRule& rule, const OctaveArguments& arguments, const FloatBounds& noise,
                         const FloatBounds& slope);
-// The same of a component of the derivative of the sum.
+// The tolerance of a component of the derivative of the sum.
 double octave_slope_tolerance(const SumRule& rule, const OctaveArguments& arguments, const FloatBounds& noise,
                               const FloatBounds& slope);
 

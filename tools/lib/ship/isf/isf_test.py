@@ -56,7 +56,7 @@ def compiled(text: str, first: str = "#version 330") -> str:
 
 
 def drawn(text: str, values: dict[str, str]) -> str:
-    """The same with numbers in place of uniforms, for a renderer that sets none."""
+    """Drawn with numbers in place of uniforms, for a renderer that sets none."""
     text = compiled(text, "#version 450").replace("in vec2 isf_FragNormCoord;",
                                                   f"vec2 isf_FragNormCoord = gl_FragCoord.xy / {SIDE}.0;")
     return re.sub(r"(?m)^uniform (\w+) (\w+);$", lambda found: f"const {found[1]} {found[2]} = {values[found[2]]};",

@@ -82,7 +82,7 @@ class Generated:
         return self.graph.validate()[1]
 
     def targets(self) -> dict[str, set[str]]:
-        """Of each node those whose implementation is made for them."""
+        """The targets whose implementation is made for each node."""
         return {one.getNodeString(): {target for target in files.TARGETS
                                       if (found := one.getImplementation(target)) and found.getTarget() == target}
                 for one in self.definitions}
@@ -111,7 +111,7 @@ class Generated:
 
 
 class Row(NamedTuple):
-    """Of a vector: words that go in, and numbers that come out."""
+    """Words that go in, and numbers that come out of a vector."""
     words: list[int]
     out: list[float]
 

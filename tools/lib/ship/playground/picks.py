@@ -126,7 +126,7 @@ def program_of(setting: Setting) -> Program:
 
 
 def pieces_of(setting: Setting) -> tuple[Setting, dict[str, list[Piece]]]:
-    """Of each language."""
+    """The pieces of each language."""
     program = program_of(setting)
     found = {}
     for language in setting.languages:
@@ -139,7 +139,7 @@ def pieces_of(setting: Setting) -> tuple[Setting, dict[str, list[Piece]]]:
 
 
 def own_pieces(small: Sequence[list[Piece]]) -> list[list[Piece]]:
-    """Of programs with different hashes, those that not all have: WORD, and in front of it what it calls."""
+    """The pieces that not all programs with different hashes have: WORD, and before it what it calls."""
     common = set.intersection(*map(set, small))
     own = [[piece for piece in pieces if piece not in common] for pieces in small]
     if set.intersection(*({piece.name for piece in pieces} for pieces in own)) != {WORD}:
@@ -206,7 +206,7 @@ def compressed(text: str) -> str:
 
 
 def texts(tell: Callable[[str], None] = lambda _: None) -> dict[str, str]:
-    """Of the languages of shaders, and of those of the CPU: JSON, compressed."""
+    """The texts of the languages of shaders and of the CPU: JSON, compressed."""
     tell(f"Picking what pictures call, in {len(SHADING) + len(CPU)} languages: about 20 seconds of a processor core ...")
     # Nodes of expressions are in no cycles: looking for some takes a quarter of the time, and frees nothing.
     with ProcessPoolExecutor(initializer=gc.disable) as pool:

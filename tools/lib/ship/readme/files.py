@@ -21,7 +21,7 @@ GRAPHS = {"graphs": "Unity, Unreal", "blender": "Blender", "materialx": "Materia
 
 @functools.cache
 def size(file: str) -> str:
-    """Of the file with all that it includes, without comments."""
+    """The size of the file with all that it includes, without comments."""
     return f"{len(text([file], strip=True)) / 1000:.0f} kB"
 
 
@@ -38,7 +38,7 @@ def files_table() -> str:
 
 
 def nodes_table() -> str:
-    """Of packages for graphs of shaders. A row has the functions with the same cells."""
+    """The nodes of packages for graphs of shaders. A row has the functions with the same cells."""
     sizes: dict[str, dict[str, list[str]]] = {}
     for who in GRAPHS:
         for form in asked.nodes(who):

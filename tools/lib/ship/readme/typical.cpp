@@ -41,7 +41,7 @@ void print_typical(const char* name, int axes, Noise noise) {
               static_cast<double>(*low), static_cast<double>(*high));
 }
 
-// Of a vector one component stands for all.
+// One component of a vector stands for all.
 float first(float value) { return value; }
 float first(vec2 value) { return value.x; }
 float first(vec3 value) { return value.x; }

@@ -45,7 +45,7 @@ namespace UnityEngine {
     public class Mesh { public Vector3[] vertices; public int[] triangles; public void RecalculateNormals() {} }
 }
 """
-# Of a render pipeline: macros that Shader Graph's shaders have before the file, and what the sample includes.
+# A render pipeline: macros that Shader Graph's shaders have before the file, and what the sample includes.
 PIPELINE = """
 #define real float
 #define PI 3.14159265
@@ -98,7 +98,6 @@ class Package(unittest.TestCase):
         return done.stdout
 
     def blocks(self, language: str) -> list[str]:
-        """Of the page."""
         return re.findall(rf"```{language}\n(.*?)```", (self.folder / "README.md").read_text(), re.DOTALL)
 
     def scripts(self) -> list[Path]:

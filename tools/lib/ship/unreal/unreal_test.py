@@ -102,7 +102,7 @@ class Plugin(unittest.TestCase):
             self.assertIn(f"`{files.code(form)}`", page)
 
     def refusals(self, text: str) -> dict[str, str]:
-        """Of a shader of pixels, in which the paths of includes begin at the top."""
+        """What refuses a shader of pixels, in which the paths of includes begin at the top."""
         file = self.root / "shader.hlsl"
         file.write_text(text.replace('#include "/', '#include "'))
         return refusals(file, "frag", "Main")

@@ -1,5 +1,5 @@
 """Makes the files of glsl/hashnoise/ that only name others: all noise of a dimension, what is built on noise, and the
-whole. Of the text of the plane it makes what other dimensions have alike.
+whole. From the text of the plane it makes what other dimensions have alike.
 
     tools/make umbrella [--check] [--glsl DIR]
 

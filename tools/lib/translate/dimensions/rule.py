@@ -208,7 +208,7 @@ class Rule:
         return re.sub(r"^(\w+)2([dD])(_\w+)?$", rf"\g<1>{self.n}\2\3", name)
 
     def words(self, lead: str) -> str:
-        """Of comments and directives."""
+        """The words of comments and directives."""
         lead = lead.replace("on the plane", WHERE[self.n]).replace("along x and y", ALONG[self.n])
         return re.sub(r"\w+", lambda word: self.name(word[0]), lead).replace(EXAMPLE, EXAMPLES[self.n])
 

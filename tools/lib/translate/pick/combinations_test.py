@@ -195,8 +195,8 @@ def groups() -> Iterator[tuple[str, Names]]:
 
 
 def pairs() -> Iterator[tuple[str, Names, str]]:
-    """Of functions of a noise, each in an arithmetic and a language by turns; in the same dimensions in each shading
-    language."""
+    """Pairs of functions of a noise, each in an arithmetic and a language by turns; in the same dimensions in each
+    shading language."""
     found = (pair for names in all_names().values() for pair in itertools.combinations(names, 2))
     yield from ((ARITHMETICS[turn % 2], pair, LANGUAGES[turn // 2 % len(LANGUAGES)]) for turn, pair in enumerate(found))
     alike = pairs_of(itertools.chain(*all_names().values()))

@@ -226,7 +226,7 @@ ARGUMENTS: Mapping[str, tuple[float, ...]] = {
     "depth": (0.125,), "slope": (0.5, 0), "period": (8, 8, 8, 8), "cell": (3, -5, 2, 0), "f": (0.25, 0.75, 0.5, 0),
     "position": (640, -320, 100, 0), "cells": (1,), "units": (64,), "h": (12345,), "k": (5,), "x": (12345,),
     "v": (12, 34, 56, 78), "i": (3,), "n": (0.25, 0.5, -0.5, 0), "kind": (2,), "value": (0.25,)}
-# Of what has the same name, by the type.
+# Functions with one name, by the type.
 OTHER_ARGUMENTS = {("n", "uint"): (52,), ("v", "float"): (0.25, -0.5, 0.5)}
 
 
@@ -242,8 +242,8 @@ def arguments_of(function: Function, argument: Callable[[Parameter, Sequence[flo
 
 
 def lines(facts: Facts, variable: Callable[[str], str], call: str) -> list[str]:
-    """Of a comment, without the slashes, in the order of those of the library. The names of the parameters are what
-    `variable` makes of them."""
+    """The lines of a comment, without the slashes, in the order of those of the library. The names of the parameters
+    are what `variable` makes of them."""
     rows = {**{variable(name): text for name, text in facts.parameters.items()}, "example": call,
             "returns": facts.returns, "error": facts.error}
     return laid_out(facts.what, rows)

@@ -63,7 +63,7 @@ void main() {{
 }}
 """
 SIDE = 16
-# Of whole numbers that are settings; others are any.
+# Whole numbers that are settings; others are any.
 WHOLE = {"octaves": "word % 9u", "metric": "word % 6u", "period": "word % 9u"}
 
 

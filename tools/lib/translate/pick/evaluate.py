@@ -49,7 +49,7 @@ from translate.pick.values import (
 
 @dataclass(frozen=True)
 class Kept:
-    """A function that is called. Of its arguments some are left out: one that is the same constant in all calls, one
+    """A function that is called. Some of its arguments are left out: one that is the same constant in all calls, one
     that is the same as another (its number), and one that always is what another such function returns, which then has
     its place in this one."""
     name: str
@@ -121,7 +121,7 @@ class Module(Library):
         return self._parts[type_]
 
     def leaves(self, node: Node) -> Leaves:
-        """Of a scalar or a vector."""
+        """The leaves of a scalar or a vector."""
         return {path: member(node, path[0][1:]) if path else node for path, _ in self.parts(node.type)}
 
     def passed(self, parameter: Parameter) -> list[tuple[tuple[str, ...], str]]:
@@ -519,8 +519,8 @@ def _sets(carried: dict[tuple[object, ...], Variable], state: Environment) -> li
 
 def _derived(key: tuple[object, ...], carried: dict[tuple[object, ...], Variable], state: Environment,
              states: Sequence[Environment]) -> tuple[tuple[object, ...], Node] | None:
-    """Of what variable a value is the same function before each turn, and that function of what the variable was before
-    the first."""
+    """The variable that a value is a fixed function of before each turn, and that function of what the variable was
+    before the first."""
     for other in carried:
         first = state[other]
         if other != key and isinstance(first, Variable) and isinstance(state[key], Operation) and all(

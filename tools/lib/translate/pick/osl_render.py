@@ -1,7 +1,7 @@
 """Renders shaders of OSL by Blender's Cycles, pixel by pixel: python3 osl_render.py FOLDER, where bpy can be imported.
 
 FOLDER/jobs.json has a list of {"shader": FILE, "width": N, "height": N, "node": FILE}. A shader has an output `shown`,
-a color, and sees a pixel as P: the first is at 0.5, 0.5. Of each it writes FILE.pixels, four floats a pixel. `node` is
+a color, and sees a pixel as P: the first is at 0.5, 0.5. For each it writes FILE.pixels, four floats a pixel. `node` is
 a shader that is compiled, and must have outputs; it may be left out. Exit status: 0 done, 1 not.
 """
 

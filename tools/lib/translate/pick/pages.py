@@ -39,7 +39,6 @@ Picked = Callable[[str, str, str], str]  # the text of a function in a language,
 
 
 def page(name: str, picked: Picked, languages: Languages = OF_TREE) -> str:
-    """Of a function."""
     sections = [f"## {title}\n\n```{word}\n{picked(name, language, arithmetic)}```\n"
                 for title, language, arithmetic, word in languages]
     floats = ("They compute with floats (`HN_FAST`). " if languages == OF_TREE else

@@ -269,7 +269,7 @@ class Shaders(unittest.TestCase):
             found = []
 
             def value(of: object) -> int | None:
-                """Of a literal, and of what is computed of literals."""
+                """The value of a literal, and of what is computed of literals."""
                 if isinstance(of, Number):
                     return int(of.at.text.rstrip("u"), 0) if re.fullmatch("0x[0-9A-F]+u?|[0-9]+u?", of.at.text) else None
                 if isinstance(of, Name) and of.at.text in constants:
@@ -433,7 +433,7 @@ class Statements(unittest.TestCase):
 
 
 class Nodes(unittest.TestCase):
-    """Of three.js; npm.browser has what they compute."""
+    """The nodes of three.js; npm.browser has their values."""
     pick = staticmethod(command.picker())
 
     def test_a_module_has_a_node_of_each_function_and_both_texts(self) -> None:
@@ -482,7 +482,7 @@ class Comments(unittest.TestCase):
             self.assertRegex(line, self.REFERENCE)
 
     def test_all_is_explained(self) -> None:
-        """Of every function: it is in the library's comments, so it is in those of each language."""
+        """Every function is explained: it is in the library's comments, so it is in those of each language."""
         for name, function in module("fast").forms.items():
             with self.subTest(name):
                 facts = comments.facts(function, GLSL, True)
@@ -651,7 +651,7 @@ class Comments(unittest.TestCase):
             self.assertEqual("name all functions in one call" in done.stderr, bool(status))
 
     def test_two_files_of_a_shader_may_include_a_text(self) -> None:
-        """Of Metal there is no compiler here but that of C++."""
+        """Here no compiler but that of C++ reads Metal."""
         shown = self.pick(["hn_cellular2_jitter"], command.Choice("metal"))
         self.assertRegex(shown, r"\n#ifndef (HN_CELLULAR2_JITTER_[0-9A-F]{8}_H)\n#define \1\n#include <metal_stdlib>\n")
         main = "float4 main() : SV_Target { return hn_fbm(float2(1, 2), 6, 2.0, 0.5, 7u); }\n"

@@ -91,7 +91,7 @@ class Language:
         return name
 
     def field(self, name: str) -> str:
-        """Of a struct."""
+        """The field of a struct."""
         return name
 
     def typed(self, type_: str) -> str:
@@ -243,7 +243,7 @@ class Expressions:
         return f"{parts[0]} {node.name} {parts[1]}", strength
 
     def _operands(self, node: Operation) -> list[Node]:
-        """Of an operator, as the language takes them."""
+        """The operands of an operator, as the language takes them."""
         left, right = node.arguments
         return [self._scalar(one) if SIZES[other.type] > 1 else one for one, other in ((left, right), (right, left))]
 
@@ -258,7 +258,7 @@ class Expressions:
 
 
 class Writer(Expressions):
-    """Of the body of one function. `hints` has what values are called in the library, `names` what is called."""
+    """Writes the body of one function. `hints` has what values are called in the library, `names` what is called."""
     indent = 2
 
     def __init__(self, language: Language, block: list[Statement], hints: Mapping[Node, str], parameters: Iterable[str],
@@ -463,7 +463,7 @@ class Writer(Expressions):
         return f"{self._type(type_)} {self.language.variable(name)} = {text};"
 
     def _declared(self, variable: Variable, name: str, value: str | None) -> str:
-        """Of what branches and loops change."""
+        """The declarations of what branches and loops change."""
         shown = "" if value is None else f" = {value}"
         return f"{self._type(variable.type)} {self.language.variable(name)}{shown};"
 

@@ -443,7 +443,8 @@ class Program:
         return function.types[-1:] == ("uint",) and self.module.overload(function.name, function.types[:-1]) is not None
 
     def _names(self, language: Language) -> dict[Kept, str]:
-        """Of the functions that are called. Overloads may differ in what is left out alone: the later has a number."""
+        """The names of the functions that are called. Overloads may differ in what is left out alone: the later has a
+        number."""
         def head(name: str, types: tuple[str, ...]) -> object:
             return (name, types) if language.has_overloads else name
 

@@ -55,7 +55,7 @@ class Case(NamedTuple):
 
 
 class Runner:
-    """Of a language. Words are read by `read` and written by `write`, where {} stands for the value."""
+    """Runs programs of a language. Words are read by `read` and written by `write`, where {} stands for the value."""
     syntax: type[Syntax]
     programs: Sequence[str]  # that are needed
     packages: str            # of Debian, which have them
@@ -177,7 +177,7 @@ class RustRunner(Runner):
 """
 
     # Roots of all that two exponents have, or of one in 16 by default; those of
-    # others are the same times a power of 2. Of all floats one in 1021.
+    # others are the same times a power of 2. One float in 1021 of all.
     exact = """fn main() {
     for x in (0x3F80_0000..0x4080_0000).step_by(STEP).map(f32::from_bits) {
         assert_eq!(sqrt(x).to_bits(), x.sqrt().to_bits(), "the root of {x}");
@@ -231,7 +231,7 @@ class RustRunner(Runner):
 
 
 class LikeC(Runner):
-    """Of a language whose loops and declarations are those of C#."""
+    """A language whose loops and declarations are those of C#."""
     loop = "for (int point = 0; point < {points}; point++) {{"
 
     def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
@@ -300,7 +300,7 @@ int main(void) {{
             ran(folder, compiler, *self.WARNINGS, "-Wno-unused-function", "-fsyntax-only", *units)
 
     def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
-        """Of a number, a vector or a struct, and of pointers to others."""
+        """How a number, a vector or a struct is called, and pointers to others."""
         syntax = self.syntax()
         lines = [f"{syntax.type(part.type)} {part.name};" for part in results]
         pointers = [f"&{part.name}" for part in results if part.name != "value"]

@@ -239,14 +239,13 @@ class Syntax:
         return camel(bare(name))
 
     def type_name(self, name: str) -> str:
-        """Of a struct."""
         return pascal(bare(name))
 
     def field_name(self, name: str) -> str:
         return camel(name)
 
     def constant_name(self, name: str) -> str:
-        """Of one that users pass, such as HN_METRIC_EUCLIDEAN."""
+        """The name of a constant that users pass, such as HN_METRIC_EUCLIDEAN."""
         return name.removeprefix("HN_")
 
     def variable(self, name: str) -> str:
@@ -323,7 +322,7 @@ class Syntax:
         return Piece(f"{of.within(UNARY)}.{axis}")
 
     def component_of(self, of: Piece, axis: str, type_: str) -> Piece:
-        """The same of an expression of that type."""
+        """The component of an expression of that type."""
         return self.member(of, axis)
 
     def convert(self, to: str, of: str, piece: Piece) -> Piece:
@@ -342,7 +341,7 @@ class Syntax:
         raise NotImplementedError
 
     def make_results(self, results: Sequence[Part], parts: Sequence[Piece]) -> Piece:
-        """Of a function that returns several."""
+        """The results of a function that returns several."""
         raise NotImplementedError
 
     # Statements.
@@ -389,7 +388,7 @@ class Syntax:
         return []
 
     def body(self, lines: Sequence[str]) -> Sequence[str]:
-        """Of a function, as it stands in the text."""
+        """The body of a function, as it stands in the text."""
         return lines
 
     def struct(self, name: str, fields: Sequence[Part]) -> str:
@@ -406,7 +405,7 @@ class Syntax:
         return [f"/// {line}".rstrip() for line in self.paragraphs(facts)]
 
     def paragraphs(self, facts: Facts) -> list[str]:
-        """Of a comment in sentences."""
+        """The paragraphs of a comment in sentences."""
         listed = [line for names, text in facts.parameters.items() if names not in facts.sets
                   for line in paragraph_lines(f"{names}: {text}.", begin=self.item, indent=" " * len(self.item))]
         paragraphs = [paragraph_lines(facts.what), listed,
@@ -446,7 +445,7 @@ class Syntax:
 
 
 class Scalars(Writer):
-    """Of the body of one function."""
+    """Writes the body of one function."""
 
     def __init__(self, syntax: Syntax, structs: Mapping[str, Sequence[Part]], block: list[Statement],
                  hints: Mapping[Node, str], axes: Mapping[Node, str], parameters: Iterable[str],
@@ -490,7 +489,7 @@ class Scalars(Writer):
                         self._dropped.add(id(after))
 
     def _find_counts(self) -> None:
-        """Of a language whose loops go through a range those that do: by one, to a limit that the loop does not change.
+        """The loops through a range, if the language has them: by one, to a limit that the loop does not change.
         The others ask a condition."""
         super()._find_counts()
         if self.syntax.branches_are_values:
@@ -693,7 +692,7 @@ def pieces(program: Program, syntax: Syntax) -> Iterator[tuple[str, str]]:
 
 
 def fields_of(module: Module, name: str) -> list[Part]:
-    """Of a struct: a vector is its components."""
+    """The fields of a struct: a vector has its components."""
     return [Part(dotted((field, *path)), part) for field, type_, _ in module.structs[name].fields
             for path, part in ([((), type_)] if type_ in module.structs else module.parts(type_))]
 
@@ -720,7 +719,7 @@ def components(function: Function) -> Sequence[str]:
 
 
 def _names(program: Program, syntax: Syntax, public: Sequence[str]) -> dict[Kept, str]:
-    """Of the functions that are called. There are no overloads: the later has a number."""
+    """The names of the functions that are called. There are no overloads: the later has a number."""
     parameters = (one.at.text for evaluated in (*program.roots, *program.called.values())
                   for one in evaluated.parameters)
     taken = {*public, *syntax.helpers, *syntax.reserved, *map(syntax.variable, parameters)}

@@ -49,7 +49,7 @@ class Case(NamedTuple):
 
 
 class Runner:
-    """Of a language."""
+    """Runs shaders of a language."""
     form: Form
     arithmetics: Sequence[str] = ("fixed",)  # whose words are those of the library
     # The text behind a pick, by the words that a call takes and gives at each of the points.

@@ -127,7 +127,7 @@ def through_spirv(find: Callable[[str], Path]) -> Take:
 
 
 def naga(version: str, *options: str) -> Take:
-    """Of crates.io, in MSL, HLSL and SPIR-V."""
+    """naga of crates.io, to MSL, HLSL and SPIR-V."""
     folder = ROOT / "build" / f"naga-{version}"
     if not (folder / "bin" / "naga").exists():
         done = subprocess.run([own("cargo"), "install", "naga-cli", "--version", version, "--locked", "--root", folder],

@@ -100,7 +100,7 @@ NEUTRAL = {"+": 0, "-": 0, "|": 0, "^": 0, "<<": 0, ">>": 0, "*": 1, "/": 1}  # 
 
 @functools.lru_cache(maxsize=None)
 def result_type(sign: str, left: str, right: str) -> str | None:
-    """Of an operator between these types; None if there is none that the library needs."""
+    """The type of an operator's result between these types; None if the library needs none."""
     if left not in SIZES or right not in SIZES:
         return None
     one, other = scalar_of(left), scalar_of(right)

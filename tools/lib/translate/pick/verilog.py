@@ -187,7 +187,7 @@ class Pipeline(Used):
         return self.latency
 
     def set_stages(self, most: int) -> None:
-        """The same for the fastest clock with so few stages."""
+        """Sets the stages of the fastest clock with so few."""
         low, high = 0.0, 2000.0
         for _ in range(16):
             middle = (low + high) / 2
@@ -235,7 +235,7 @@ class Pipeline(Used):
 
 def with_multipliers(circuit: Circuit, results: Sequence[tuple[Gate, int]],
                      most: float) -> list[tuple[Gate, int]]:
-    """The same with products that multipliers compute, those that would take the most tables otherwise: at most so many
+    """With products that multipliers compute, those that would take the most tables otherwise: at most so many
     multipliers."""
     used = Used(results)
     costs: dict[Gate, tuple[float, int]] = {}  # tables for a multiplier, and multipliers
@@ -479,7 +479,7 @@ class Made:
 
 
 def constants(text: str) -> dict[str, str]:
-    """Of NAME=VALUE,NAME=VALUE."""
+    """The constants of NAME=VALUE,NAME=VALUE."""
     found: dict[str, str] = {}
     for one in filter(None, text.split(",")):
         name, sign, value = one.partition("=")

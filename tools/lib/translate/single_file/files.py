@@ -86,7 +86,7 @@ MACRO = re.compile(r"(#define \w+(?:\([^)]*\))?)( |$)(.*)")
 
 
 def minified(lines: Iterable[str]) -> Iterator[str]:
-    """The same lines without blanks that mean nothing, so an error names the line that it named in the stripped file.
+    """The lines without blanks that mean nothing, so an error names the line that it named in the stripped file.
     The one behind a macro's name stays: it separates a macro without arguments from one with."""
     for line in stripped(lines):
         if macro := MACRO.fullmatch(line):

@@ -50,7 +50,6 @@ def _directive(line: str) -> tuple[str, str]:
 
 @dataclass
 class _Branch:
-    """Of an open #if."""
     decided: bool
     holds: bool   # the present branch may be active
     before: bool  # and one above it is, if it is decided
@@ -70,7 +69,7 @@ class _Conditions:
         return self.active() and all(branch.decided or branch.guard for branch in self.branches)
 
     def take(self, name: str, rest: str) -> bool:
-        """Of a directive of conditions; whether it has to stay."""
+        """Takes a directive of conditions; returns whether it has to stay."""
         if name in ("if", "ifdef", "ifndef"):
             value = self.value(name, rest) if self.active() else False
             self.branches.append(_Branch(value is not None, value is not False, value is not False,

@@ -79,7 +79,7 @@ class Device:
         return self._device.create_shader_module(code=text)
 
     def compile_glsl(self, text: str) -> None:
-        """The same of a fragment shader in GLSL, which naga reads as well."""
+        """Compiles a fragment shader in GLSL, which naga reads as well."""
         self._device.create_shader_module(code=text, label="shader.frag")  # the label names the stage
 
     def evaluate(self, text: str, inputs: Sequence[Sequence[int]]) -> list[tuple[int, ...]]:

@@ -71,11 +71,10 @@ class Module:
         return Definition(struct.name, struct.comments.before, [*lines, "}"], needs)
 
     def definitions(self) -> list[Definition]:
-        """Of public functions, and of all that they need. A file without a public function is there as a whole."""
+        """Public functions, and all that they need. A file without a public function is there as a whole."""
         return self._definitions_of(self.public() or self.all_but_constants())
 
     def _definitions_of(self, names: Iterable[str]) -> list[Definition]:
-        """Of these, and of all that they need."""
         needed: set[str] = set()
         pending = list(names)
         while pending:

@@ -50,7 +50,7 @@ class ProvenBounds:
 
 
 def derived(promise: float, exact: float, lipschitz: float, cell_error: float, parts: dict[str, float]) -> ProvenBounds:
-    """Of a fixed error that is the sum of its parts; the cut takes no value out of its range."""
+    """Bounds of a noise with a fixed error that is the sum of its parts; the cut takes no value out of its range."""
     error, fixed = position_error(cell_error, lipschitz), sum(parts.values()) * SAFE
     return ProvenBounds(promise, exact, lipschitz, cell_error, error, exact + error, fixed,
                    exact + (sum(parts.values()) - parts["cut"]) * SAFE, parts)

@@ -17,7 +17,7 @@ COUNT = 2
 
 
 def derived(dims: int, count: int) -> ProvenBounds:
-    """Of so many distances."""
+    """Bounds of so many distances."""
     most = {metric: features.largest_distance(dims, count, metric) for metric in features.METRICS}
     cell_error = max(distances.metric_error(metric, dims, largest) for metric, largest in most.items())
     slope = max(distances.metric_slope(metric, dims, largest) for metric, largest in most.items())

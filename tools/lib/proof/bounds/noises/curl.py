@@ -105,7 +105,7 @@ def product(kernel: Kernel, parts: int, place: np.ndarray):
 
 
 def jets(kernel: Kernel, points: Points, boxes: Boxes) -> Iterator[Jet]:
-    """Of a derivative along any direction, for any gradients: by the place, along each axis."""
+    """The jets of a derivative along any direction, for any gradients: by the place, along each axis."""
     near = [Offsets.of(kernel, boxes, tuple(point)) for point in points]
     for axis in range(kernel.dims):
         total = Jet(0.0)

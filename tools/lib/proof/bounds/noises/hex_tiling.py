@@ -35,7 +35,7 @@ BELOW_ONE = 1 - 2.0**-24
 
 
 def skewed_error(ulps: float = 1.0) -> float:
-    """Of X, and so of u; a coordinate that is subnormal may be 0."""
+    """The error of X, and so of u; a coordinate that is subnormal may be 0."""
     return rounding(LARGEST_SKEWED, ulps) + 3 * TINY
 
 
@@ -45,7 +45,7 @@ def weight_error(ulps: float = 1.0) -> float:
 
 
 def offset_error(_: int, fixed: bool) -> float:
-    """Of a component of a vector, in cells."""
+    """The error of a component of a vector, in cells."""
     if fixed:
         return 1 / ONE
     return position_error((skewed_error() + 2 * rounding(BELOW_ONE, 1.0)) / 2, 1.0)

@@ -12,12 +12,12 @@ CASES = ((2, OCTAHEDRAL), (3, OCTAHEDRAL))
 
 
 def unit(dims: int) -> float:
-    """Of ramps, scaled."""
+    """The unit of scaled ramps."""
     return SCALE[ROTATED][dims] / RAMP_ONE[OCTAHEDRAL][dims]
 
 
 def ratio(dims: int) -> float:
-    """Of the scales with and without a phase."""
+    """The ratio of the scales with and without a phase."""
     return SCALE[ROTATED][dims] / SCALE[OCTAHEDRAL][dims]
 
 

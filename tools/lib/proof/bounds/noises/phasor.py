@@ -128,13 +128,13 @@ def lipschitz_of(kernel: Waves) -> float:
 # --- Floats -----------------------------------------------------------------------------------------------------------
 
 def angle_error(kernel: Waves, own: kernel_floats.Offsets, ulps: float):
-    """Of the waves along an offset, before they are cut off."""
+    """The error of the waves along an offset, before they are cut off."""
     along = kernel_floats.total(Approx(-d.size(), d.size(), d.err, ulps).scaled(float(kernel.waves)) for d in own)
     return TURN * along.err / kernel.steps
 
 
 def wave_error(kernel: Waves, own: kernel_floats.Offsets, ulps: float):
-    """Of the cosine and the sine of a point."""
+    """The error of the cosine and the sine of a point."""
     return angle_error(kernel, own, ulps) + rotations.ANGLE_CUT + rotations.float_error(ulps)
 
 
@@ -163,7 +163,7 @@ def error_bound(kernel: Waves, ulps: float = 1.0) -> float:
 # --- Fixed ------------------------------------------------------------------------------------------------------------
 
 def fixed_wave_error(kernel: Kernel, offsets: Offsets):
-    """Of the cosine and the sine of a point, in each box."""
+    """The error of the cosine and the sine of a point, in each box."""
     along = WAVE_CUT * offsets.size.sum(axis=0) / kernel.steps + kernel.dims * ANGLE_UNIT
     return rotations.fixed_error() + TURN * along
 

@@ -13,7 +13,7 @@ LIPSCHITZ. The derivative of that along a vector s has in place of z
 Its length is convex in c and in b, so it is largest where both are: for both signs of their product. As in kernels.py
 it is bounded by the value in the middle of a box and the first derivatives.
 
-FLOATS. Of each point the derivative has fall * cosine * x, in any order, and then
+FLOATS. Each point adds to the derivative fall * cosine * x, in any order, and then
 
     S * sum;  on the plane times 2;  (k * 6.2831853) * z, of the quadrature or the value z as it is returned;  the sum
 
@@ -59,7 +59,7 @@ FINE, LAST = 2.0**-24, 2.0**-16  # the units of the terms of a derivative, and o
 # --- Exactly ----------------------------------------------------------------------------------------------------------
 
 def range_of(kernel: Waves) -> float:
-    """Of a derivative, per cell."""
+    """The range of a derivative, per cell."""
     rate = phasor.rate_along(kernel, 1)
     return kernel.steps * scale_of(kernel) * max(phasor.largest(kernel, axis, rate, 1) for axis in kernels.axes(kernel))
 
@@ -111,7 +111,7 @@ def second_derivative(kernel: Waves, u: tuple[float, ...], s: tuple[float, ...],
 
 
 def lipschitz_of(kernel: Waves) -> float:
-    """Of a derivative, per cell."""
+    """The constant of a derivative, per cell."""
     if kernel.triangles:
         pairs = [(axis, sign, 2) for axis in kernels.axes(kernel) for sign in ((1.0, 1.0), (1.0, -1.0))]
     else:
@@ -201,7 +201,8 @@ class Point(kernel_fixed.Weighted):
 
 @functools.cache
 def fixed_rounding_effect(kernel: Waves) -> float:
-    """Of the points: on a derivative and, times 2 pi k, through the value; per cell, not scaled."""
+    """The effect of rounding at the points: on a derivative and, times 2 pi k, through the value; per cell, not
+    scaled."""
     rate = TURN * kernel.waves
 
     def of_boxes(boxes: Boxes):

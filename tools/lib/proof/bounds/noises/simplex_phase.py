@@ -16,12 +16,12 @@ def range_of(dims: int) -> float:
 
 
 def unit(dims: int) -> float:
-    """Of ramps, scaled."""
+    """The unit of scaled ramps."""
     return ROTATING[dims].scale / 1024 / ramp_one(dims)
 
 
 def ratio(dims: int) -> float:
-    """Of the scales with and without a phase."""
+    """The ratio of the scales with and without a phase."""
     return ROTATING[dims].scale / SIMPLEX[dims].scale
 
 

@@ -19,7 +19,7 @@ are bounded together, for each box:
     LERP     see integers.py.
     SCALE    (n + 128) >> 8 rounds to nearest, by 1/2 unit of 2^-21 at most.
 
-Of a derivative, the slope s'(f_1) is off by e', and the differences of numbers, at most 2, are interpolated along the
+In a derivative, the slope s'(f_1) is off by e', and the differences of numbers, at most 2, are interpolated along the
 other axes. With sum_o |change of w_o| over these, which is FADE in one dimension less, that comes to
 2 (|e'| + slope * FADE).
 """
