@@ -76,7 +76,7 @@ HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_i_num jitter, hn_uint seed, 
 //            (HN_FIXED: in steps of 2^-16)
 //   error    at most 1.51e-3 against the exact value, in any rounding mode. HN_FIXED 1.27e-2. This is for two points
 //            that nearly touch: it falls with the distance of the two that make the border (docs/measured/accuracy.md)
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     9, 1 and 15 hashes (none with HN_HASH_LATTICE), as many multiplications, and 15 square roots and divisions
 //   source   Quilez, "Voronoi edges", 2012, for the distance; docs/reference/contract.md, section 16
 HN_FN hn_float hn_cell_border(hn_place2 place, hn_uint seed) { return hn_i_cell_border(place, HN_I_ONE, seed); }

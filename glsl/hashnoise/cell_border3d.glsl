@@ -72,7 +72,7 @@ HN_FN hn_float hn_i_cell_border(hn_place3 place, hn_i_num jitter, hn_uint seed, 
 //            (HN_FIXED: in steps of 2^-16)
 //   error    at most 1.72e-3 against the exact value, in any rounding mode. HN_FIXED 6.97e-3. This is for two points
 //            that nearly touch: it falls with the distance of the two that make the border (docs/measured/accuracy.md)
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     27, 1 and 54 hashes (none with HN_HASH_LATTICE), as many multiplications, and 54 square roots and
 //            divisions
 //   source   Quilez, "Voronoi edges", 2012, for the distance; docs/reference/contract.md, section 16

@@ -33,7 +33,7 @@ HN_FN hn_float hn_i_cellular_smooth(hn_i_block2 block, hn_i_num2 f, hn_i_num jit
 //            (HN_FIXED: in steps of 2^-19)
 //   error    at most 4.15e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            2.46e-4. From a cell at most 4.02e-6
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     9 hashes (none with HN_HASH_LATTICE), 9 multiplications and 11 square roots; 2 more multiplications to
 //            spread the coordinates, and 2 more for a seed that is not constant
 //   source   docs/reference/contract.md, section 16

@@ -129,7 +129,7 @@ HN_FN hn_float hn_fbm(hn_vec4 p, hn_float footprint, hn_int octaves, hn_float la
 //   (parameters, period and cost as for hn_fbm)
 //   example     float n = hn_turbulence(vec4(uv * 8.0, 0.5, 0.25), 6, 2.0, 0.5, 7u);
 //   returns     [0, 1], with creases where the noise passes 0
-//   error       that of hn_fbm
+//   error       hn_fbm's
 //   source      Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
 HN_FN hn_float hn_turbulence(hn_place4 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_turbulence(hn_octaves(place, octaves, lacunarity, gain, seed));
@@ -145,7 +145,7 @@ HN_FN hn_float hn_turbulence(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_
 //   (parameters, period and cost as for hn_fbm)
 //   example     float n = hn_clouds(vec4(uv * 8.0, 0.5, 0.25), 6, 2.0, 0.5, 7u);
 //   returns     [0, 1]: 0 is clear, 1 is dense; with fewer than 1 octave 5/32
-//   error       3 times that of hn_fbm, plus 5.4e-7 (HN_FIXED 2.6e-5)
+//   error       3 times hn_fbm's, plus 5.4e-7 (HN_FIXED 2.6e-5)
 //   source      after the cloud images of Valdenegro-Toro and Pincheira, fig. 6; the paper has no formula for them
 HN_FN hn_float hn_clouds(hn_place4 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_clouds(hn_octaves(place, octaves, lacunarity, gain, seed));
@@ -161,7 +161,7 @@ HN_FN hn_float hn_clouds(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_floa
 //   (parameters, period and cost as for hn_fbm)
 //   example     float n = hn_billow(vec4(uv * 8.0, 0.5, 0.25), 6, 2.0, 0.5, 7u);
 //   returns     [-1, 1]; with fewer than 1 octave -1
-//   error       twice that of hn_turbulence
+//   error       twice hn_turbulence's
 //   source      as of hn_turbulence
 HN_FN hn_float hn_billow(hn_place4 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_billow(hn_octaves(place, octaves, lacunarity, gain, seed));
@@ -215,7 +215,7 @@ HN_FN hn_float hn_hybrid(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_floa
 //   left out)
 //   example     float n = hn_ping_pong(vec4(uv * 8.0, 0.5, 0.25), 6, 2.0, 0.5, 2.0, 7u);
 //   returns     [-1, 1]
-//   error       twice the strength times that of hn_fbm, and a little more; docs/measured/accuracy.md
+//   error       twice the strength times hn_fbm's, and a little more; docs/measured/accuracy.md
 //   source      FastNoiseLite, FractalType_PingPong
 HN_FN hn_float hn_ping_pong(hn_place4 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
                             hn_uint seed) {

@@ -99,7 +99,7 @@ HN_FN hn_ivec2 hn_i_on_circle(hn_uint h) { return ivec2(hn_i_whole_wave(h + 0x40
 HN_FN hn_ivec3 hn_i_on_sphere(hn_uint h) {
   hn_ivec2 direction = hn_i_on_circle(h);
   hn_int z = int((hn_rehash(h, 1u) >> 16u) << 1u) - 65535;
-  hn_uint square = 0u - uint(z) * uint(z);  // 2^32 less that of the height
+  hn_uint square = 0u - uint(z) * uint(z);  // 2^32 less the square of the height
   hn_int radius = int(hn_i_root(square >> 4u) >> 3u);
   return ivec3((direction.x * radius) >> 15, (direction.y * radius) >> 15, z);
 }

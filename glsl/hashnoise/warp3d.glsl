@@ -117,7 +117,7 @@ HN_FN hn_vec3 hn_i_warp_progressive(hn_octaves3 o, hn_float amplitude) {
 //   example     vec3 n = hn_warp(vec3(uv * 8.0, 0.5), 6, 2.0, 0.5, 1.0, 7u);
 //   returns     the displacement along x, y and z, each in [-amplitude, amplitude]
 //   error       docs/measured/accuracy.md
-//   period      none that floats reach, or that of the tile
+//   period      none that floats reach, or the tile's
 //   cost        hn_value_vector per octave
 //   source      Quilez, "Domain warping", 2002
 HN_FN hn_vec3 hn_warp(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float amplitude,

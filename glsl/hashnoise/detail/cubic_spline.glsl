@@ -69,7 +69,7 @@ HN_FN hn_uvec4 hn_i_line(hn_int cell, hn_int period, bool tiled, hn_uint step, h
   return coordinates;
 }
 
-// The high bits of these coordinates; the shift is that of the axis.
+// The high bits of these coordinates, shifted as for the axis.
 HN_FN hn_uvec4 hn_i_high_of_line(hn_uvec4 v, hn_uint shift) {
   return uvec4(v.x >> shift, v.y >> shift, v.z >> shift, v.w >> shift);
 }

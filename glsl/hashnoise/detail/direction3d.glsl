@@ -16,7 +16,7 @@
 //   hn_i_direction3(h, turned)      all three components
 //   hn_i_along3(g, x, y, z)         a gradient times an offset; in HN_FIXED in units of offsets, 2^-20
 //   hn_i_along3(h, x, y, z, turned)  the same without the component that is 0
-//   hn_i_ramp_of3, hn_i_edge3 and hn_i_d_edge3 are those of direction.glsl from these units
+//   hn_i_ramp_of3, hn_i_edge3 and hn_i_d_edge3 are as in direction.glsl, from these units
 //   hn_i_scaled_d(n, s)             a noise and its derivatives times s / 1024
 
 #if HN_I_BITCAST && HN_ARITHMETIC != HN_FIXED

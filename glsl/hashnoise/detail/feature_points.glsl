@@ -245,7 +245,7 @@ HN_FN hn_i_rank4 hn_i_insert(hn_i_rank4 best, hn_i_rank rank, hn_int code) {
                     hn_i_select(rank < best.x, hn_i_rank_of_code(code), best.w));
 }
 
-// Inserts the ranks of a row. `code` is that of the cell in the middle, and the others are a step from it.
+// Inserts the ranks of a row. `code` is for the cell in the middle, and the others are a step from it.
 HN_FN hn_i_rank4 hn_i_insert(hn_i_rank4 best, hn_i_rank3 ranks, hn_int code, hn_int step) {
   best = hn_i_insert(best, ranks.x, code - step);
   best = hn_i_insert(best, ranks.y, code);

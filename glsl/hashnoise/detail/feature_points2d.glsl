@@ -51,7 +51,7 @@ HN_FN hn_vec3 hn_i_points_y(hn_uvec3 words) {
 
 #else
 
-// They are computed as floats, since on GPUs the absolute value of a float costs nothing, and that of an integer does.
+// They are computed as floats, since on GPUs the absolute value of a float costs nothing, and of an integer it does.
 // No step rounds: the floats are whole numbers of few bits.
 HN_FN hn_vec3 hn_i_whole_points(hn_uvec3 words) {
 #if HN_I_BITCAST

@@ -143,7 +143,7 @@ HN_FN hn_uvec3 hn_i_joins_z(hn_i_block3 block) {
 
 // Inserts the ranks of nine cells in a slab across z into the three smallest so far. x and y are the offsets of the
 // place from their centres along these axes, and z is that along z. `join` and `odd` are what z and the seed add to the
-// joins of a hash. `code` is that of the cell in the middle.
+// joins of a hash. `code` is for the cell in the middle.
 HN_FN hn_i_rank4 hn_i_visit_slab(hn_i_rank4 best, hn_i_block3 block, hn_uint join, hn_uint odd, hn_i_num3 x,
                                  hn_i_num3 y, hn_i_num z, hn_i_num jitter, hn_int metric, hn_int code) {
   hn_uvec3 joins = hn_i_joins_x(block);

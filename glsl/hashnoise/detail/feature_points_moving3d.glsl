@@ -22,7 +22,7 @@ struct hn_i_turn3 {
 HN_FN hn_float hn_i_product_of_sines(hn_float a, hn_float b) { return hn_i_times(a, b); }
 #else
 // Half of a sine times another, in units of 2^-16, may be 2^31: a sine is 1 in places. So the second is halved, too,
-// and its low bit taken on its own. The result is that of the whole product.
+// and its low bit taken on its own. The result is the whole product's.
 HN_FN hn_int hn_i_product_of_sines(hn_int a, hn_int b) {
   hn_int first = a >> 3;
   return ((first * (b >> 3) + ((first * ((b >> 2) & 1) + 16384) >> 1)) >> 14) * 4;

@@ -48,7 +48,7 @@ HN_FN hn_uint hn_i_turns(hn_uint w) {
   return m * 0x28BE60DBu + high * 0x9391u + (rest >> 16u);
 }
 
-// A gradient times an offset (arithmetic.glsl has that of floats), and the floats of a gradient.
+// A gradient times an offset (for floats it is in arithmetic.glsl), and the floats of a gradient.
 #if HN_ARITHMETIC != HN_FIXED
 
 HN_FN hn_vec2 hn_i_components(hn_vec2 g) { return g; }

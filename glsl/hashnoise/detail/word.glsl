@@ -103,7 +103,7 @@ HN_FN hn_uint hn_i_mix(hn_uint k) {
 // The seed of another field, where a function needs several.
 HN_FN hn_uint hn_i_other_seed(hn_uint seed) { return hn_i_mix(seed + HN_I_SEED_STEP); }
 
-// The hashes of a vector's second and third component, from those of the first: an odd number of 24 bits times their
+// The hashes of a vector's second and third component, from the first one's: an odd number of 24 bits times their
 // good bits. With other factors two components may depend on each other: docs/measured/quality.md has a test of it.
 HN_FN hn_uvec4 hn_i_words_of_y(hn_uvec4 words) { return (words >> 8u) * 0xEB1831u; }
 HN_FN hn_uvec4 hn_i_words_of_z(hn_uvec4 words) { return (words >> 8u) * 0x84A5E5u; }
@@ -113,7 +113,7 @@ HN_FN hn_uvec4 hn_i_words_of_z(hn_uvec4 words) { return (words >> 8u) * 0x84A5E5
 // loses nothing. Either alone would repeat itself along some line. Without a hash both factors are below 2^24, and
 // compilers see it: such a product costs a quarter of one of 32 bits on AMD's GPUs, and a third on Adreno's. Points
 // that share coordinates share the work: a noise steps from corner to corner in both joins. The lowest bits are not
-// good: bit 0 is that of the first join.
+// good: bit 0 is the first join's.
 
 // The share of the mixed seed in the exclusive or.
 HN_FN hn_uint hn_i_seed_join(hn_uint s) { return s >> 8u; }

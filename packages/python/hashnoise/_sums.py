@@ -180,8 +180,7 @@ def fbm_d(x=None, y=None, z=None, /, *, points=None, seed=0, noise="perlin_d", o
     """Fractional Brownian motion (fBm) and its slope, in 2D and 3D.
 
     noise    one with derivatives: "perlin_d", "simplex_d" or "value_d"
-    returns  planes: the value, which is that of `fbm`, and its derivatives along each axis, per cell of the first
-             octave
+    returns  planes: the value of `fbm`, and its derivatives along each axis, per cell of the first octave
     source   as of `fbm`
 
     help(hashnoise) explains the other options: `points`, `seed`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,

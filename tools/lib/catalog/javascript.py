@@ -125,7 +125,7 @@ def types_of_settings(twin: Twin) -> str:
         def each(values: Sequence[float]) -> str:
             return str(values[0]) if len(set(values)) == 1 else listed(values)
 
-        return (f"Of {listed(list(owners))}{unit}, from 0 to {each([one.most for one in owners.values()])}; "
+        return (f"For {listed(list(owners))}{unit}: from 0 to {each([one.most for one in owners.values()])}; "
                 f"{each([one.default for one in owners.values()])} if it is left out.")
 
     jitter, octaves = twin.settings["jitter"], twin.settings["octaves"]
@@ -133,13 +133,13 @@ def types_of_settings(twin: Twin) -> str:
     return "".join([
         member("noise", "NoiseName", f'"perlin" if it is left out, and of fractals what the shader\'s take: '
                                      f'{in_quotes(usual[:-1])} or "{usual[-1]}".'),
-        member("octaves", "number", f"Of fractals, from {octaves.least} to {octaves.most}; {twin.default('octaves')} if "
+        member("octaves", "number", f"For fractals: from {octaves.least} to {octaves.most}; {twin.default('octaves')} if "
                                     "they are left out."),
-        *(member(name, "number", f"Of fractals, from 0 to {most}; {twin.default(name)} if it is left out.")
+        *(member(name, "number", f"For fractals: from 0 to {most}; {twin.default(name)} if it is left out.")
           for name, most in (("lacunarity", "255, and a whole number from 1 with a period"), ("gain", "1"))),
         member("strength", "number", strength("strength")),
         member("amplitude", "number", strength("amplitude", ", in cells")),
-        member("jitter", "number", f"Of {listed(twin.owners('jitter'))}, from {jitter.least} to {jitter.most}; "
+        member("jitter", "number", f"For {listed(twin.owners('jitter'))}: from {jitter.least} to {jitter.most}; "
                                    f"{twin.default('jitter')} if it is left out."),
         member("metric", "MetricName", f'Of {listed(twin.owners("metric"))}; "{twin.metrics[0]}" if it is left out.')])
 
