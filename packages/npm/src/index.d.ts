@@ -21,7 +21,7 @@ export interface Settings {
   amplitude?: number;
   /** For cellular: from 0 to 1; 1 if it is left out. */
   jitter?: number;
-  /** Of cellular; "euclidean" if it is left out. */
+  /** For cellular; "euclidean" if it is left out. */
   metric?: MetricName;
   // tools/make catalog: end
 }

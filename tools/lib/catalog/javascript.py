@@ -141,7 +141,7 @@ def types_of_settings(twin: Twin) -> str:
         member("amplitude", "number", strength("amplitude", ", in cells")),
         member("jitter", "number", f"For {listed(twin.owners('jitter'))}: from {jitter.least} to {jitter.most}; "
                                    f"{twin.default('jitter')} if it is left out."),
-        member("metric", "MetricName", f'Of {listed(twin.owners("metric"))}; "{twin.metrics[0]}" if it is left out.')])
+        member("metric", "MetricName", f'For {listed(twin.owners("metric"))}; "{twin.metrics[0]}" if it is left out.')])
 
 
 def types_of_names(twin: Twin) -> str:

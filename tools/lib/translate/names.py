@@ -3,7 +3,7 @@ they do not move when others are added.
 
 A public function has its name in GLSL, and behind it:
 
-  1 to 4      its dimensions: those of the position, the place, the cell or the words that it takes
+  1 to 4      its dimensions: of the position, the place, the cell or the words that it takes
   _place      if it takes a place
   _phase      if it takes a phase, which it need not: hn_phasor and hn_cellular_phase always do
   _jitter     if it takes a jitter and no phase: of all the settings of cellular noise, there are forms without

@@ -64,7 +64,7 @@ def words_around(home, reach=2):
 
 
 def homes(rng, dims, count, touching, of=100_000):
-    """Cells: so many have a point that nearly touches that of the next one along x: the nearest of many."""
+    """Cells: so many have a point that nearly touches the next one's along x: the nearest of many."""
     home = rng.integers(-2**31, 2**31, (dims, of))
     own, other = (model.directions(dims, lattice_word([home[0] + step, *home[1:]], np.int64(SEED))) for step in (0, 1))
     gap = np.linalg.norm((other - own) / 1024 + np.eye(dims)[0][:, None], axis=0)
@@ -242,7 +242,7 @@ class Errors(unittest.TestCase):
             self.assertTrue(bound * least[name] < error < bound, (name, dims, error, bound))
 
     def test_floats(self):
-        """Borders are compared with a bound for points that nearly touch, which those of hashes seldom do."""
+        """Borders are compared with a bound for points that nearly touch, which points of hashes seldom do."""
         least = {"cellular": 1 / 15, "cellular_three": 1 / 15, "cellular_smooth": 1 / 30, "cell_border": 1 / 8000,
                  "cellular_d": 1 / 12, "slope": 1 / 30}
         for dims in DIMS:

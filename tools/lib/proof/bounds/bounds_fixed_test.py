@@ -89,7 +89,7 @@ class Noises(floats.Errors, unittest.TestCase):
     def test_range_is_proven(self):
         for dims in DIMS:
             room = 1 - range_bound(dims, OCTAHEDRAL) - perlin.range_loss(dims, OCTAHEDRAL)
-            self.assertGreater(room, 32 * 2 * integers.UNIT)  # also that of octave sums
+            self.assertGreater(room, 32 * 2 * integers.UNIT)  # also the room of octave sums
             self.assertEqual(proven(OCTAHEDRAL, dims).fixed_limit, 1)
         for dims in (2, 3):
             limit = range_bound(dims, SINE) + perlin.range_loss(dims, SINE)

@@ -144,7 +144,7 @@ class Errors:
     MACROS: tuple[str, ...] = ()
 
     def errors(self, noise, dims, exactly, rotating, some, count=5000):
-        """The largest of the value and of the derivatives; `exactly` are those of cells, fractions and phases."""
+        """The largest of the value and of the derivatives; `exactly` are for cells, fractions and phases."""
         rng = np.random.default_rng(8)
         f = list(rng.random((dims, count)).astype(np.float32).astype(float))
         cells = list(rng.integers(-2**31, 2**31, (dims, count)))

@@ -143,7 +143,7 @@ class Exact(unittest.TestCase):
             self.assertTrue(0.3 < phasor.error_bound(slower) / phasor.error_bound(kernel) < 0.5)
 
     def test_weight_by_its_slope(self):
-        """The slope is that of the weight, and both are within the ends for each range of t."""
+        """The slope is the weight's, and both are within the ends for each range of t."""
         rng, step, weight = np.random.default_rng(11), 1e-6, KERNELS[3].weight
         low, high = np.sort(rng.uniform(0, 1, (2, 4000)), axis=0)
         between = low + (high - low) * np.linspace(0, 1, 65)[:, None]

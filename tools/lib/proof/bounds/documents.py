@@ -41,7 +41,7 @@ def name_of(key: Key) -> str:
 
 
 def values_of(derived: Everything) -> Everything:
-    """Without the noises that return derivatives, whose values are those of another, or only what derivatives make."""
+    """Without the noises that return derivatives, with values of another, or only what derivatives make."""
     return {key: of_noise for key, of_noise in derived.items() if of_noise.promise and not of_noise.slope}
 
 
@@ -242,8 +242,8 @@ def missing_quotes(derived: Everything, root: Path = ROOT) -> list[str]:
 
 # The kind of a number, in reading order: a heading, a knob, or a number.
 # The range of a derivative has few decimals, and is known by its brackets. "of the offset": the errors after it are
-# those of the out parameter. "From a cell": those after it are of places that hn_place makes of a cell and a fraction,
-# which are smaller than those of positions.
+# for the out parameter. "From a cell": those after it are for places that hn_place makes of a cell and a fraction,
+# and smaller than for positions.
 WORD = re.compile(r"^   ?(?P<heading>[a-z]+)  |HN_FIXED|HN_GRADIENT_SINE|(?P<offset>of the offset)"
                   r"|(?P<cell>[Ff]rom a cell)|(?P<error>\d\.\d+e-\d+)"
                   r"|(?P<range>\d\.\d{3,}|(?<=\[-)\d+\.\d+|\d+\.\d+(?=\]))", re.MULTILINE)
@@ -289,7 +289,7 @@ def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gr
             ends = module.ends(dims)
             return ends[place] if place < len(ends) else None
         of_noise = of_function(function, gradient, derived)
-        of_noise = of_noise.slope or of_noise  # the value is that of another noise
+        of_noise = of_noise.slope or of_noise  # the value is another noise's
         if kind == "range":
             return of_noise.range if of_noise.promise else max(of_noise.largest, of_noise.fixed_largest)
         return of_noise.fixed_error if fixed else of_noise.cell_error if kind == "in a cell" else of_noise.error
@@ -305,7 +305,7 @@ def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gr
 
 
 def beyond_fbm(kind: str) -> float:
-    """The error of a sum beyond that of an fBm: that of no octaves."""
+    """The error of a sum beyond an fBm's: the error of no octaves."""
     return octave_tolerance(Sum(kind, 0.0, 0, 2.0, 0.5), Bounds(NOISE_OF_SUMS, 2, "none", *[0.0] * 6))
 
 

@@ -188,7 +188,8 @@ class Tree(unittest.TestCase):
 
 
 class Phases(unittest.TestCase):
-    """The forms of a noise with a phase have bounds of their own, and those of a cell share a comment with the rest."""
+    """The forms of a noise with a phase have bounds of their own, and the forms of a cell share a comment with the
+    rest."""
 
     def test_names(self):
         def named(*types, name="hn_perlin"):

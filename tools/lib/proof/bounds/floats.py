@@ -171,7 +171,7 @@ def approx_derivatives(values, fractions, of_gradient):
 
 def approx_number_derivatives(values, fractions, offset):
     """The derivatives of numbers, without gradients. In the plane, what climbs along x is interpolated along y first.
-    The rises have no offset, and those of the corners' numbers are exact."""
+    The rises have no offset, and the corners' numbers rise exactly."""
     t, slopes = [approx_fade(f) for f in fractions], [approx_slope(f) for f in fractions]
     rises = [Approx(-a.size() - b.size(), a.size() + b.size(), a.err + b.err, a.ulps) for a, b in pairs(values)]
     if len(fractions) == 1:

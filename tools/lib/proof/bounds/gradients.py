@@ -11,7 +11,7 @@ with another one. On the plane these are all vectors that are as long as they ar
 the edge e, 60 degrees apart, are both perpendicular to g x e, which is 1 or -1 along each axis: so g goes along the
 circle of the radius sqrt(2) that is perpendicular to a diagonal s of the cube. Each of the four has six edges on its
 circle, and a reflection only exchanges diagonals. On a circle the largest g.v is sqrt(2) times the length of v without
-its part along s, sqrt(|v|^2 - (s.v)^2 / 3); h is that of the diagonal with the least |s.v|. With the magnitudes a >= b
+its part along s, sqrt(|v|^2 - (s.v)^2 / 3); h belongs to the diagonal with the least |s.v|. With the magnitudes a >= b
 >= c of the components, |s.v| is one of a + b + c, a + b - c, a - b + c and |a - b - c|. The last is the least: the
 third is more by 2 c or 2 (a - b).
 

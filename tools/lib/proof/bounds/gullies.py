@@ -3,7 +3,7 @@ docs/reference/contract.md, section 24. The suite has the formula of floats, and
 tools/lib/proof/sums/gullies.cpp has the proof.
 
 WAVES. A wave is k = 3/2 (-u_y, u_x) with |u| < 1, so it is shorter than 3/2. The bounds of value and derivatives are
-those of phasor noise for 3/2 waves along each axis. How long the vector g of both derivatives is, and how fast v
+as of phasor noise, for 3/2 waves along each axis. How long the vector g of both derivatives is, and how fast v
 and g change with k, is bounded by a sum over the points of
 
     G            hypot(2 m w' |d|, |k| w)                              in units of 1 / cells, times 2 pi with each k
@@ -26,7 +26,7 @@ a hundredth. Each of its components is rounded down to 2^-21. |u| is rounded dow
 with a rate or a weight. Rates and weights are compared with the exact ones as they are.
 
 NO OVERFLOW. Where the bounds hold a rate is at most 64, which is 2^24, and a step of a slope is at most 64 G, below
-2^26. The heights sum to no more than those of 32 octaves of an fBm."""
+2^26. The heights sum to no more than 32 octaves of an fBm."""
 
 from __future__ import annotations
 

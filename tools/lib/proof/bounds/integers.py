@@ -150,7 +150,7 @@ def lerp_roundings():
 
 @functools.cache
 def mirrored_lerp_roundings():
-    """The larger one of those of f and 1 - f."""
+    """The larger one at f and at 1 - f."""
     return np.maximum(lerp_roundings(), lerp_roundings()[::-1])
 
 
@@ -306,7 +306,7 @@ def largest_rounding(dims: int, of_corner: float = 0) -> float:
 # --- Derivatives ------------------------------------------------------------------------------------------------------
 
 def slope_rounding(dims: int, gradients: bool) -> float:
-    """A bound of what derivatives round by, in units four times as large as those of the ramps, or numbers. Every shift
+    """A bound of what derivatives round by, in units four times as large as for the ramps, or numbers. Every shift
     by 2 rounds down by at most 3/4. After k interpolations a ramp is rounded down by at most k lambda, lambda the
     largest rounding of LERP, and so a rise is off by that at most, up or down. Components of gradients are multiples of
     2^18 in their units, so their first interpolation is exact, and k of them round by less than k lambda. The product

@@ -5,7 +5,7 @@ The Jacobian of an octave is a matrix K. Its columns, which a derivative is a pr
 is, are lengthened by no more than the rotations stretch lengths. Integers of a Jacobian do not depend on the position,
 and so they are compared with the exact numbers as they are.
 
-Lengths are bounded, as those of positions are; with a period nothing rotates, and each coordinate is bounded on its
+Lengths are bounded, as for positions; with a period nothing rotates, and each coordinate is bounded on its
 own. L of a noise is the largest sum of the magnitudes of its derivatives. It bounds the lengths of gradients, and with
 them how far noise changes with the length of a step: less than L times the step."""
 
@@ -265,7 +265,7 @@ def largest_words(dims: int) -> dict[str, float]:
 
 
 TOLERANCES = {  # in floats and fixed, from a sum and the bounds of its noise and of the derivatives of that
-    "fbm_d": (slope_tolerance, fixed_slope_tolerance),  # of a derivative; the value has those of fbm
+    "fbm_d": (slope_tolerance, fixed_slope_tolerance),  # for a derivative; the value has fbm's
     "eroded": (octave_tolerance, fixed_eroded_tolerance),
     "warp": (octave_tolerance, fixed_warp_tolerance),
     "warp_progressive": (octave_tolerance, fixed_warp_tolerance)}

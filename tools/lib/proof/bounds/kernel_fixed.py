@@ -15,7 +15,7 @@ The value adds h(d) times the error of W, and what part(R, W) rounds down by. A 
 
 the error of E, what both parts round by, and up to 3 units of D that are lost.
 
-SCALE is that of Perlin noise.
+SCALE is as for Perlin noise.
 """
 
 from __future__ import annotations

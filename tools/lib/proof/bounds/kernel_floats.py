@@ -65,7 +65,7 @@ def squared(offsets: Offsets) -> Approx:
 
 
 def to_neighbour(sizes: Offsets, axes: list[int], base: Approx, smooth: bool, is_centre: bool) -> Approx:
-    """The square of the distance of a point behind those axes, from that of the nearest of its kind."""
+    """The square of the distance of a point behind those axes, from the nearest one's of its kind."""
     one, size, ulps = Approx(1.0, 1.0, 0.0, base.ulps), sizes[axes[0]], base.ulps
     twice = Approx(2 * size.lo, 2 * size.hi, 2 * size.err, ulps)
     if not smooth:

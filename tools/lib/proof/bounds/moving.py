@@ -12,7 +12,7 @@ is,
 The left side is linear in x, and the right side is convex. So, as in features.py, the corners of the simplex are
 enough, and two such cells c of the block for each o outside. Both sides are nearest at the corner of 2^n cells.
 
-DISTANCES. In the simplex the nearest centre is that of the cell itself, and the next one that of its neighbour along
+DISTANCES. In the simplex the nearest centre is the cell's own, and the next one its neighbour's along
 the first axis. Both distances are convex, so with RADIUS they are largest at corners. On the plane the points of four
 cells are that far from the corner where these meet, if they are rotated by 1/8. In any dimension those of the
 neighbours of a cell are that far from its centre, if they are not rotated. But in space no rotation takes directions to
@@ -115,7 +115,7 @@ def rotation_error(dims: int, ulps: float) -> float:
 
 
 def components(dims: int, reach: float, ulps: float) -> tuple[float, float]:
-    """As those of distances.py, but without ROTATION."""
+    """As in distances.py, but without ROTATION."""
     away = 2 * (reach + RADIUS[dims]) * 1.001
     projected = dims * f32(1.0, ulps) + sum(f32(math.sqrt(axes) * 1.001, ulps) for axes in range(2, dims + 1))
     centre = math.sqrt(dims) * 1.001 * f32(1.0, ulps) + projected + dims * f32(away, ulps)
@@ -235,8 +235,8 @@ def offset_error(dims: int, fixed: bool) -> float:
 
 
 def largest_intermediates(dims: int) -> dict[str, float]:
-    """An offset is rotated forwards if it is the nearest. A square is that of one to a cell at a corner of the block.
-    In space the half of a sine is multiplied with that of another."""
+    """An offset is rotated forwards if it is the nearest. A square belongs to an offset to a cell at a corner of the
+    block. In space the half of a sine is multiplied with another one's."""
     length = 1.5 * math.sqrt(dims) + RADIUS[dims] + 2.0**-10
     largest = int(fixed_sines().max())
     products = {"product of two sines": (largest // 2 + 1) ** 2 + 2.0**15} if dims == 3 else {}

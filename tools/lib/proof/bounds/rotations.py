@@ -6,8 +6,8 @@ N(0) + sin(a) N(1/4 turn). The exact noise is bounded with all gradients at all 
 is how fast it changes. So the length of (N(0), N(1/4 turn)) is at most the range R. A cosine and a sine that are off by
 d move the noise by at most sqrt(2) d R.
 
-It is computed as A n + B m, where n is the noise of the gradients g, and m that of other gradients of the same set: all
-bounds of n hold for m, too.
+It is computed as A n + B m, where n is the noise of the gradients g, and m the noise of other gradients of the same
+set: all bounds of n hold for m, too.
 
 ON THE PLANE these are the g', A the cosine and B the sine. |A| + |B| is at most sqrt(2), and so is that times e what
 the noise is moved by if n and m are off by e.
@@ -17,8 +17,8 @@ sqrt(3) times a cosine, of angles that are 120 degrees apart: so |A| + |B| is at
 rounded, by b, and A, by a' beside the cosine and B / 2: this moves the noise by b (m - n / 2) + a' n = b sqrt(3)/2
 N(1/4 turn) + a' n, at most (sqrt(3)/2 b + a') R.
 
-IN FLOATS the cosine and the sine are off by that of a sine, and by the angle that is cut off. In space B is a product
-with the float FACTOR, and A a difference; B / 2 is exact. Two products round, their sum and what is scaled. The
+IN FLOATS the cosine and the sine are off by the error of a sine, and by the angle that is cut off. In space B is a
+product with the float FACTOR, and A a difference; B / 2 is exact. Two products round, their sum and what is scaled. The
 products are at most R in sum on the plane, where (n, m) is no longer than R, and 2 R in space.
 
 IN INTEGERS they are off likewise. In space B is 2 sin(a) / sqrt(3) with 20277 / 2^15 for 4 (2 / sqrt(3) - 1), rounded
@@ -84,7 +84,7 @@ def moved(dims: int, error: float, off: float, largest: float, rounding: float =
 
 
 def mixed(dims: int, error: float, largest: float, ulps: float = 1.0) -> float:
-    """The error of a noise in floats, from that of n and m."""
+    """The error of a noise in floats, from the errors of n and m."""
     err = moved(dims, error, float_error(ulps), largest, float_rounding(dims, ulps))
     return err + (PRODUCTS[dims] + 2) * ulps * UNIT * (1 + UNIT)**3 * (largest + err) + 4 * dims * TINY
 

@@ -1,5 +1,5 @@
 """Measures how smooth slopes are with HN_FIXED, at random points; nothing here is proven. The slope of a pixel differs
-from that of its neighbour because the noise bends, and because both are rounded."""
+from its neighbour's because the noise bends, and because both are rounded."""
 
 from __future__ import annotations
 

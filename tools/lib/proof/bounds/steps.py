@@ -21,7 +21,7 @@ class Step(Protocol):
         """The number that an octave adds, and the rest for the next."""
 
     def fixed_errors(self, errs: list[float], strength: float, cut: float) -> list[float]:
-        """The errors of octaves in integers, before their weights, given those of the noise; the strength is cut by so
+        """The errors of octaves in integers, before their weights, given the noise's; the strength is cut by so
         much. The errors of floats are in tools/lib/proof/sums/bounds.cpp."""
 
 

@@ -20,8 +20,8 @@ CATALOG = {sum_.name: sum_ for sum_ in catalog.model.read().sums}
 KINDS = tuple(name for name, sum_ in CATALOG.items() if sum_.is_of_values)
 SLOPED, SHIFTS = ("fbm_d", "eroded"), ("warp", "warp_progressive")  # sums with slopes, and of vectors: jacobians.py
 SHIFT_MAX = {1: 11 / 32, 2: 19 / 32, 3: 23 / 32, 4: 27 / 32}  # the largest component of the shift between octaves
-# By how much the rotations of a position make a length larger at most: in the plane of x and y, then in that of y and
-# z, then in that of z and w. The second makes lengths in its plane smaller, but not that along x.
+# By how much the rotations of a position make a length larger at most: in the plane of x and y, then of y and
+# z, then of z and w. The second makes lengths in its plane smaller, but not along x.
 ROTATIONS = (math.hypot(25, 20) / 32, max(math.hypot(29, 13) / 32, 1.0), math.hypot(25, 20) / 32)
 WHOLE = 2.0**-24  # the unit of whole positions
 
@@ -216,8 +216,9 @@ def fixed_octave_tolerance(s: Sum, noise: Bounds) -> float:
 
     A noise is off by L times its position's error and by fixed_error (the cut to 2^-20 is in that). The weights are
     compared with the exact ones as they are: a change of weights by c_i, whose exact sum is 1, moves the mean by at
-    most limit * sum |c_i|; those of weighted depend on the noise, and are bounded. A product v A / 2^18 is rounded down
-    by less than 2 units of 2^-21, and so is their sum by less than 2 an octave; the division by less than 1."""
+    most limit * sum |c_i|; the changes of weighted depend on the noise, and are bounded. A product v A / 2^18 is
+    rounded down by less than 2 units of 2^-21, and so is their sum by less than 2 an octave; the division by less than
+    1."""
     if not (0 <= s.lacunarity <= 255 and 0 <= s.gain <= 1 and s.octaves <= 32):
         return math.inf
     limit, error = min(noise.fixed_limit, 1.0) if step_of(s.kind).clamps else noise.fixed_limit, 0.0

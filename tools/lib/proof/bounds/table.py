@@ -90,7 +90,7 @@ class GulliesBounds:
 
 @dataclass(frozen=True)
 class UniformBounds:
-    """The errors of a value; of a slope, times the reach; of the reach of a sum, divided by that of its noise; and of
+    """The errors of a value; of a slope, times the reach; of the reach of a sum, divided by its noise's; and of
     another number of its distribution."""
     value: float
     slope: float

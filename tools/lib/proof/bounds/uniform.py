@@ -1,7 +1,7 @@
 """Uniform values and spreads (docs/reference/contract.md, section 21), in floats and in integers: how far they are off,
 proven.
 
-A spread is in its range: taking it there is exact, and errors are those of the numbers in range.
+A spread is in its range: taking it there is exact, and errors are for the numbers in range.
 
 VALUES AND SLOPES, of a box of s at a time. In floats, with a quotient within QUOTIENT_ULPS (distances.py):
 
@@ -11,7 +11,7 @@ VALUES AND SLOPES, of a box of s at a time. In floats, with a quotient within QU
 
 An error of y moves T by 4 times that and (t_1 - t_0), which is at most the largest of the Bernstein polynomials of
 degree 3 at y, since it is their mean weighted with a, b - a, c - b and 1 - c. Likewise the numbers of a round before it
-differ by no more than the largest of those of a lower degree. In integers a number rounds down by less than 1 unit of
+differ by no more than the largest ones of a lower degree. In integers a number rounds down by less than 1 unit of
 2^-21 where it is cut, and in each round. (reach is at least 1/16, so that s is off by 2^-17 for that, and 2^-18.)
 
 SPREADS OF SUMS, of a box at a time: octaves, gain, how much of the last octave counts, and a, b and c. A weight in
@@ -21,7 +21,7 @@ positive numbers have the relative errors of what they are made of. In integers 
     x' = B + rho_4 H d + rho_8 (x - B - H d)     is off by |H d| and |x - B - H d| times the errors of rho_4 and rho_8
     reach' = reach sqrt(S_2 V / V') / S_1        relatively by half of what S_2, V and V' are off by, and as S_1
 
-and both by what their own operations round. The error of V' is 65, 33 and 17 times that of a', b' and c'.
+and both by what their own operations round. The error of V' is 65, 33 and 17 times the errors of a', b' and c'.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ def float_values(ulps=1.0):
 
     err = 0 * y.hi
     for degree in range(4):
-        # The last is at most that of three numbers of 1.
+        # The last is at most as for three numbers of 1.
         largest = 1 - (1 - most)**4 if degree == 3 else 1.0
         err, apart, apart_error = mixed(err, degree, largest)
     slope = Approx(0 * apart, apart, apart_error, ulps).times(w)
@@ -157,7 +157,7 @@ def ranges(weights):
 
 def float_ratios(weights, ulps=1.0):
     def relative(power):
-        """Roundings of the sum of powers: those of a later octave are more, so that they are most at the higher end."""
+        """Roundings of the sum of powers: a later octave has more, so that they are most at the higher end."""
         terms = [a**power for a in weights.high]
         factors = [power * (i + (i == weights.octaves - 1)) + power - 1 for i in range(weights.octaves)]
         factors[0] = 0  # 1 and its powers
@@ -213,7 +213,7 @@ def boxes_of_coefficients():
 
 
 def spread_errors(ratios, fixed, ulps=1.0):
-    """The errors of reach' and of a', b' and c': the largest over all boxes. The first axis is that of the weights."""
+    """The errors of reach' and of a', b' and c': the largest over all boxes. The first axis is the weights'."""
     u, factors = COARSE, [float(x) for x in VARIANCE[:3]]
     low, high = (end[:, None, :] for end in boxes_of_coefficients())
     rho4, rho8, share = ([end[:, None] for end in ends] for ends in (ratios.rho4, ratios.rho8, ratios.share))

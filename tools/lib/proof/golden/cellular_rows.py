@@ -129,7 +129,7 @@ def special(function: Function, generator: Generator) -> list[Row]:
 
 # --- Borders of far cells ---------------------------------------------------------------------------------------
 
-# Places where the nearest border is that of a cell two steps on, along each axis and to both sides: a cell and a
+# Places where the nearest border is with a cell two steps on, along each axis and to both sides: a cell and a
 # fraction, with the seed 0 and a jitter of 1. They are rare, most of all in space: a search of some thousand million
 # places found them, with the default hash. With another hash they are places like others.
 FAR_BORDERS = (

@@ -140,7 +140,7 @@ class GoldenContents(unittest.TestCase):
         for id, file in FILES.items():
             for values in file.values:
                 if values.configuration.fixed:
-                    read = Golden(id, values.name)  # whose bits are those of floats
+                    read = Golden(id, values.name)  # with bits of floats
                     for (_, kind), results in zip(read.head.results, zip(*read.expected)):
                         self.assertTrue(kind == "i32" or 0x80000000 not in results, id)
 
@@ -161,7 +161,7 @@ class GoldenContents(unittest.TestCase):
             self.assertEqual(further, fixed is not None and not file.function.form.startswith(("point", "place")), id)
 
     def columns(self, id: str, setting: str, name: str) -> Iterator[list]:
-        """The numbers in a column, or in that of each axis."""
+        """The numbers in a column, or in each axis' column."""
         names = [column.name for column in FUNCTIONS[id].inputs]
         axes = [name[:-1] + axis for axis in "xyzw"] if name[-1] == "x" else [name]
         for found, *column in zip(names, *rows_with(id, setting)):
@@ -448,7 +448,7 @@ class GoldenContents(unittest.TestCase):
             hashes = [setting.name for setting in SETTINGS if setting.covers(function) and not setting.fixed]
             for setting in hashes:
                 self.assertEqual(self.unclear(function, rows, setting), [], (function.id, setting))
-            # The check finds those of fixed arithmetic, behind the others.
+            # The check finds faults of fixed arithmetic, behind the others.
             more = rows_with(function.id, "lattice+fixed")[len(rows):]
             self.assertGreater(len(self.unclear(function, more, "lattice")), 2 * cellular_rows.CHANGES - 1)
 
@@ -601,7 +601,7 @@ class GoldenContents(unittest.TestCase):
                     continue
                 # The end of the last cell is beyond the largest int.
                 self.assertTrue(all(-2**31 <= x <= 2**31 - (i > 0) for i, q in enumerate(positions) for x in q))
-                # The whole positions are those of the same lacunarity.
+                # The whole positions have the same lacunarity.
                 self.assertTrue(periods or options.lacunarity * 2**23 % 1 == 0)
                 far += octaves > 1 and max(map(abs, place)) > 2**26
             self.assertEqual(far > 4, function.has_cell, function.id)

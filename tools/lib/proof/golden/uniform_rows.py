@@ -100,7 +100,7 @@ def fixed_values(generator: Generator) -> list[Row]:
 def sums(generator: Generator) -> list[Row]:
     rows = [(*spread(9), octaves, 0.5) for octaves in OCTAVES] + [(*spread(2), 4.5, gain) for gain in GAINS]
     rows += [(*of, generator.pick(OCTAVES), generator.pick(GAINS)) for of in (*map(spread, NOISES), *EDGES, *BEYOND)]
-    # At the edges the spread is that of a sum, whose numbers may be clamped, or its reach is at its largest.
+    # At the edges the spread belongs to a sum, whose numbers may be clamped, or its reach is at its largest.
     rows += [(*of, octaves, gain) for of in EDGES for octaves, gain in ((2.0, 1.0), (32.0, 1.0), (5.0, 0.5))]
     while len(rows) < 2 * COUNT:
         octaves = generator.pick((generator.uniform(1, 9), float(generator.integer(1, 32))))

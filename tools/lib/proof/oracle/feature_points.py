@@ -182,7 +182,7 @@ class MovingExact(Exact):
 
     @property
     def reach(self) -> int:
-        # The magnitudes of U sum to that of one direction.
+        # The magnitudes of U sum to one direction's.
         return DIRECTION_UNIT * max(abs(x) for row in self.steps for x in row)
 
 
@@ -256,15 +256,15 @@ class MovingFixed(Fixed):
 @dataclass(frozen=True)
 class Point:
     """The point of a cell, which has the numbers of the lattice, neither wrapped nor replaced by a period yet. The
-    offset is that of the position from the point."""
+    offset leads from the point to the position."""
     rank: int
     cell: tuple[int, ...]
     offset: tuple[int, ...]
-    is_beside: bool  # whether its cell is that of the position or a neighbour of it
+    is_beside: bool  # whether it is the cell of the position or a neighbour
 
     @property
     def order(self) -> tuple[int, ...]:
-        """Among points at the same distance, those of the cell of the position and of its neighbours come first, and of
+        """Among points at the same distance, the points of the position's cell and of its neighbours come first, and of
         these that of the cell with the smallest z, then y, then x."""
         return (self.rank, not self.is_beside, *reversed(self.cell))
 

@@ -1,7 +1,7 @@
 """Section 8 of docs/reference/contract.md, what noises in fixed arithmetic share: coordinates, fade, interpolation, the
 sine.
 
-The formulas are those of the contract, in Python's integers. Python's never overflow, so that the contract's words of
+The formulas are the contract's, in Python's integers. Python's never overflow, so that the contract's words of
 32 bits need two checks: `signed` and `word` raise where a value would not fit. Numbers that should wrap are masked in
 place. """
 

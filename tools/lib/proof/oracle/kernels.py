@@ -95,7 +95,7 @@ class Kernel:
 
 @dataclass(frozen=True)
 class Point:
-    """A lattice point: its numbers beside those of the corner of the cell, and how far the position is from it."""
+    """A lattice point: its numbers beside the cell's corner, and how far the position is from it."""
     numbers: tuple[int, ...]
     centre: bool
     offset: tuple[int, ...]

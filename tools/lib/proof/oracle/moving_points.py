@@ -30,7 +30,7 @@ def forwards(n: int, phase: Real) -> Matrix:
     c, s = rotation.cosine_and_sine(phase)
     if n == 2:
         return ((c, -s), (s, c))
-    # First in the plane of y and z, then in that of x and y.
+    # First in the plane of y and z, then of x and y.
     return ((c, -s * c, s * s), (s, c * c, -c * s), (Fraction(0), s, c))
 
 

@@ -25,7 +25,7 @@ def ramp(g: Sequence[int], d: Sequence[int]) -> int:
 
 
 def components(g: Sequence[int]) -> tuple[int, ...]:
-    """The components of a whole gradient, in units four times as large as those of ramps."""
+    """The components of a whole gradient, in units four times as large as a ramp's."""
     n = len(g)
     return tuple(RAMP_UNITS[n] // (4 * GRADIENT_UNITS[n]) * x for x in g)
 

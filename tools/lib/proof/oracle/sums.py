@@ -15,7 +15,7 @@ from proof.oracle.words import MASK, SEED_STEP
 from proof.oracle.words import signed as wrapped
 
 SHIFT = (Fraction(11, 32), Fraction(19, 32), Fraction(23, 32), Fraction(27, 32))
-# In 32nds the cosines and the sines of the rotations: in the plane of x and y, then in that of y and z, then of z and
+# In 32nds the cosines and the sines of the rotations: in the plane of x and y, then of y and z, then of z and
 # w.
 ROTATIONS = ((25, 20), (29, 13), (25, 20))
 

@@ -124,7 +124,7 @@ double detail_total(const OctaveArguments& arguments) {
 //
 //   sum = sum + amplitude*noise(q);  total = gain*total + 1;  amplitude = amplitude*gain;  value = sum / total
 //   bent:       amplitude = amplitude*(1 - strength*(0.5 - 0.5*n)) before that
-//   footprint:  amplitude*fade, in place of the amplitude, adds to the sum: factor_errors are those of the fades
+//   footprint:  amplitude*fade, in place of the amplitude, adds to the sum: factor_errors are the fades'
 //   detail:     the last amplitude is multiplied with its share, with which the total begins
 //
 // A term is at most the limit, exact as well as computed, so |sum| is at most limit * total; a division errs by up to
@@ -169,7 +169,7 @@ double mean_error(const SumRule& rule, const OctaveArguments& arguments, double 
 //
 // The Jacobian of an octave is gain * lacunarity to the power of the octave, times rotations. So its columns have that
 // length, but for what rotations stretch, and no vector becomes longer by more. Without rotations each axis is on its
-// own, and lengths are those of coordinates. The lipschitz of a noise is the largest sum of the magnitudes of its
+// own, and coordinates stand for lengths. The lipschitz of a noise is the largest sum of the magnitudes of its
 // derivatives: it bounds the lengths of gradients, and with them how far noise changes with the length of a step.
 
 struct Jacobian {

@@ -16,7 +16,7 @@ struct FloatBounds {
   double limit;       // how large it can be, computed in floats
 };
 
-// The step of an octave: a step of detail/octave.glsl, or that of a sum with derivatives or displacements.
+// The step of an octave: a step of detail/octave.glsl, or the step of a sum with derivatives or displacements.
 enum class SumStep {
 #define SUM_STEP(name) name,
 #include "library/sums.inc"
@@ -54,7 +54,7 @@ bool has_jacobian(SumStep step);
 bool is_clamped(SumStep step);
 
 // The largest error of an octave sum over a noise, against the exact sums of docs/reference/contract.md at the same
-// floats; of a sum of vectors, that of a component. `slope` are the bounds of the derivative of the noise: an erosion
+// floats; of a sum of vectors, of a component. `slope` are the bounds of the derivative of the noise: an erosion
 // and a warp need them. From a cell the sum is defined for a lacunarity in [0, 255]; the error is infinite where no
 // error is bounded. A step or a mean without a proof throws, and so do the functions above.
 double octave_tolerance(const SumRule& rule, const OctaveArguments& arguments, const FloatBounds& noise,

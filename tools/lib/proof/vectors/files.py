@@ -116,7 +116,7 @@ def hexadecimal(words: Words) -> str:
 
 
 def groups_of(function: Function, settings: Sequence[Configuration]) -> list[Group]:
-    """Words and gradients have values of every hash, noise has those of the default: above the words it is the same."""
+    """Words and gradients have values of every hash, noise has only the default's: above the words it is the same."""
     if function.family == "independent":
         return [Group(function, None)]
     with_values = [one for one in settings if one.has_golden_values and one.covers(function) and one.hash != "custom"]

@@ -7,7 +7,7 @@ whole. From the text of the plane it makes what other dimensions have alike.
 includes another noise of its dimension, or detail/octave.glsl, is built on noise: then `<name>.glsl` includes
 `<name>2d.glsl` and `<name>3d.glsl`. hashnoise.glsl includes the files of noise first, since a knob may name any noise
 for what is built on it. After them it includes every file that no other file includes. detail/undef_guards.h takes the
-guards of all files back, but that of config.glsl, so that C++ can include the text once more for other types.
+guards of all files back, but config.glsl's, so that C++ can include the text once more for other types.
 
 The text of the plane is by hand. Where another dimension has the same, but for the number of its axes, it is made: as a
 whole file, such as fbm3d.glsl, which is marked at its top, or below a line in one of these forms:

@@ -1,4 +1,4 @@
-"""Tests of the texts that are made of those of the plane."""
+"""Tests of the texts that are generated from the plane's."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which texts are made of those of the plane, and where they stand.
+"""Which texts are generated from the plane's, and where they stand.
 
 A file may be generated as a whole. In others two lines mark where generated text begins and ends, and the same lines
 mark its source in the file of the plane; they name all files. Where a file has several dimensions, the lines name them.

@@ -1,5 +1,5 @@
 """Calls of picked functions in shading languages, for tests: they read the words of arguments from `inputs`;
-those of a point begin `at`, and write the words of results to `outputs`, from `to` on."""
+a point's begin `at`, and write the words of results to `outputs`, from `to` on."""
 
 from __future__ import annotations
 

@@ -98,7 +98,7 @@ class Circuit:
         return self.gate("shr", (a,), low, high, -by)
 
     def within(self, a: Gate, low: int, high: int) -> Gate:
-        """The number of that range whose lowest bits are those of a."""
+        """The number of that range with the lowest bits of a."""
         if low <= a.low and a.high <= high:
             return a
         bits = width(low, high)

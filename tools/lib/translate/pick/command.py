@@ -16,8 +16,8 @@ the CPU.
 
 A function is called by its form: hn_perlin2 is hn_perlin(vec2 p, uint seed), and hn_perlin2_place is
 hn_perlin(hn_place2 place, uint seed). The functions that it calls are inlined; a function that is called more than once
-stays a function. Constants are folded, and unused code is removed. The values are those of the library. In the text its
-name is that of the library where the language has overloads, and that of its form elsewhere: hn_perlin2 in WGSL and C,
+stays a function. Constants are folded, and unused code is removed. The values are the library's. In the text its
+name is the library's where the language has overloads, and its form's elsewhere: hn_perlin2 in WGSL and C,
 perlin2 in Rust, Perlin2 in C# and Go.
 
 Ask for all functions of a shader or program at once: two texts may have the same function. In HLSL, C#, Java and Go
@@ -162,7 +162,7 @@ def circuits(names: Sequence[str], choice: Choice, module: Module | None = None,
 
 
 def renaming(code: str, choice: Choice) -> Callable[[str], str]:
-    """Writes the name that was chosen in place of hn where names are those of the code."""
+    """Writes the name that was chosen in place of hn where the code has names."""
     names = {*re.findall(r"\bhn_\w+", code)} - {choice.hash_function}
     return lambda text: re.sub(r"\bhn(_\w+)", lambda found: f"{choice.name or 'hn'}{found[1]}" if found[0] in names else
                                found[0], text)

@@ -30,7 +30,7 @@ METRIC = ". This is with the Euclidean metric and a jitter of 1"
 
 
 class Facts(NamedTuple):
-    """Paragraphs. The parameters are those of GLSL."""
+    """Paragraphs. The parameters are GLSL's."""
     what: str = ""
     parameters: Mapping[str, str] = {}
     returns: str = ""
@@ -242,7 +242,7 @@ def arguments_of(function: Function, argument: Callable[[Parameter, Sequence[flo
 
 
 def lines(facts: Facts, variable: Callable[[str], str], call: str) -> list[str]:
-    """The lines of a comment, without the slashes, in the order of those of the library. The names of the parameters
+    """The lines of a comment, without the slashes, in the library's order. The names of the parameters
     are what `variable` makes of them."""
     rows = {**{variable(name): text for name, text in facts.parameters.items()}, "example": call,
             "returns": facts.returns, "error": facts.error}

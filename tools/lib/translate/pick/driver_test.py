@@ -36,7 +36,7 @@ from translate.pick.program import Program, chosen, read
 from translate.pick.shading import LANGUAGES
 from translate.pick.shading_runners import GlslRunner, pairs_of
 
-# The structs are those of the library.
+# The structs are the library's.
 WITHOUT_STRUCTS = replace(LANGUAGES["glsl"], structs=False)
 SOME = ("perlin2d.glsl", "cellular2d.glsl", "value_d3d.glsl")
 LOWEST = "#version 300 es\nprecision mediump float;\nprecision mediump int;\nprecision lowp sampler2D;\n"

@@ -95,7 +95,7 @@ def dotted(path: Sequence[str]) -> str:
 
 class Module(Library):
     """The library for an evaluation. For languages without vectors it is split: a vector is its components, as a struct
-    is its parts. `summed` is the noise of sums, if it is not that of the library."""
+    is its parts. `summed` is the noise of sums, if it is not the library's."""
 
     def __init__(self, tree: list[Function | Struct], constants: dict[str, Macro], splits: bool = False,
                  own: Sequence[Function] = ()):

@@ -161,7 +161,7 @@ def _cutoff(one: Binary, depth: int) -> int:
 
 
 def _walked(one: Binary) -> tuple[set[int], int]:
-    """The strengths of what is not in brackets, and that of two signs that may not touch."""
+    """The strengths of what is not in brackets, and of two signs that may not touch."""
     strength = STRENGTH[one.sign]
     found, problem = {strength}, 0
     for side, other in enumerate((one.left, one.right)):

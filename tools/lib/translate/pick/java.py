@@ -12,7 +12,7 @@ from translate.pick.values import AXES, SIZES, scalar_of
 
 UNSIGNED = {"/": "divideUnsigned", "%": "remainderUnsigned"}
 RECORD = re.compile(r"public record (\w+)\(")
-# Records of results that are no vectors, by their first and last components; a number is that of the dimensions.
+# Records of results that are no vectors, by their first and last components; a number counts the dimensions.
 RECORDS = {("value", "d"): "Derivatives", ("f1", "f"): "Distances", ("value", "quadrature"): "ValueQuadrature",
            ("value", "slope"): "ValueSlope"}
 

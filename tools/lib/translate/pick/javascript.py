@@ -1,4 +1,4 @@
-"""JavaScript and TypeScript: modules whose numbers are floats and words where those of the library are.
+"""JavaScript and TypeScript: modules whose numbers are floats and words where the library's are.
 
 A word is any number that is the same modulo 2^32; where its size counts, `>>> 0` makes it one from 0 on. Each float is
 rounded where it is computed.

@@ -482,7 +482,7 @@ class Comments(unittest.TestCase):
             self.assertRegex(line, self.REFERENCE)
 
     def test_all_is_explained(self) -> None:
-        """Every function is explained: it is in the library's comments, so it is in those of each language."""
+        """Every function is explained: it is in the library's comments, so each language has it."""
         for name, function in module("fast").forms.items():
             with self.subTest(name):
                 facts = comments.facts(function, GLSL, True)
@@ -651,7 +651,7 @@ class Comments(unittest.TestCase):
             self.assertEqual("name all functions in one call" in done.stderr, bool(status))
 
     def test_two_files_of_a_shader_may_include_a_text(self) -> None:
-        """Here no compiler but that of C++ reads Metal."""
+        """Here only a C++ compiler reads Metal."""
         shown = self.pick(["hn_cellular2_jitter"], command.Choice("metal"))
         self.assertRegex(shown, r"\n#ifndef (HN_CELLULAR2_JITTER_[0-9A-F]{8}_H)\n#define \1\n#include <metal_stdlib>\n")
         main = "float4 main() : SV_Target { return hn_fbm(float2(1, 2), 6, 2.0, 0.5, 7u); }\n"

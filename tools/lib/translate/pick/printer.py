@@ -31,7 +31,7 @@ from translate.pick.statements import (
 from translate.pick.values import SIZES, Constant, Node, Operation, Variable, operation, scalar_of
 
 WIDTH = 100  # of lines, as far as values have parts that can be named
-# Names that no variable has: those of the languages, and what readers would take for something else.
+# Names that no variable has: the languages' own, and what readers would take for something else.
 RESERVED = frozenset("""abs floor trunc sqrt min max float int uint bool vec2 vec3 vec4 ivec2 ivec3 ivec4 uvec2 uvec3
     uvec4 sample input output filter half fixed common partition active packed this resource patch centroid flat smooth
     mix sign step length distance normal dot cross float2 float3 float4 int2 int3 int4 uint2 uint3 uint4 asfloat asuint
@@ -50,7 +50,7 @@ Place = tuple[tuple[int, int], ...]  # of a statement: of each block around it t
 
 
 def guard(name: str, code: str) -> str:
-    """The name of the include guard of a text. It is that of this text alone, so that it leaves out no other one."""
+    """The name of the include guard of a text. It belongs to this text alone, so it leaves out no other."""
     return f"{name.upper()}_{zlib.crc32(code.encode('ascii')):08X}_H"
 
 

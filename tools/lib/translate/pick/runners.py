@@ -231,7 +231,7 @@ class RustRunner(Runner):
 
 
 class LikeC(Runner):
-    """A language whose loops and declarations are those of C#."""
+    """A language with C#'s loops and declarations."""
     loop = "for (int point = 0; point < {points}; point++) {{"
 
     def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:

@@ -80,7 +80,7 @@ class Facts(NamedTuple):
     what: str
     returns: str
     error: str
-    parameters: Mapping[str, str] = {}  # by their names in the language, those of a position together
+    parameters: Mapping[str, str] = {}  # by their names in the language, a position's together
     call: str = ""
     sets: Sequence[str] = ()  # what it returns beside its result: the names of what it sets in GLSL
 
@@ -132,7 +132,7 @@ def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: comments.Fa
     size = next(filter(None, (re.search(r"\d", type_) for type_ in function.types)), ["1"])[0]
 
     def of_language(text: str) -> str:
-        """With the names that functions and words have in the language: those of forms of as many dimensions."""
+        """With the names that functions and words have in the language: of forms with as many dimensions."""
         def called(found: re.Match[str]) -> str:
             known = (f"{found[0]}{size}", f"{found[0]}_of{size}", found[0])
             form = next((one for one in known if one in module.forms), "")
@@ -304,7 +304,7 @@ class Syntax:
         return Piece(f"{parts[0]} {sign} {parts[1]}", strength, sign)
 
     def binary(self, sign: str, type_: str, left: Piece, right: Piece) -> Piece:
-        """`type_` is that of the operands, or of the left one in shifts."""
+        """`type_` is the operands', or the left one's in shifts."""
         made = self.infix(sign, left, right)
         return self.rounded(made) if type_ == "float" and sign in "+-*/" else made
 
@@ -440,7 +440,7 @@ class Syntax:
         return 0
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
-        """All of the text. The names are those of the public functions."""
+        """All of the text. The names are the public functions'."""
         return "\n".join([*(f"//{line}" for line in heading), "", spaced(parts)])
 
 
@@ -712,7 +712,7 @@ def _results() -> dict[str, tuple[str, ...]]:
 
 
 def components(function: Function) -> Sequence[str]:
-    """The names of the components of its result: those of a vector are its axes."""
+    """The names of the components of its result: a vector's are its axes."""
     is_mean_with_slopes = function.name == "hn_mean" and function.types[1:] and "slopes" in function.types[1]
     given = _results().get("hn_fbm_d" if is_mean_with_slopes else function.name, AXES)
     return expanded(given, SIZES[function.type] - 1) if len(given) > 1 and function.type in SIZES else AXES

@@ -51,7 +51,7 @@ class Case(NamedTuple):
 class Runner:
     """Runs shaders of a language."""
     form: Form
-    arithmetics: Sequence[str] = ("fixed",)  # whose words are those of the library
+    arithmetics: Sequence[str] = ("fixed",)  # whose words are the library's
     # The text behind a pick, by the words that a call takes and gives at each of the points.
     entry: str
 

@@ -146,7 +146,7 @@ def _folded(sign: str, left: Constant, right: Constant) -> Constant | None:
     if sign not in FLOATS or sign == "/" and not other or exact(one) is None or exact(other) is None:
         return None
     value = FLOATS[sign](one, other)
-    if not value:  # 0 has a sign: here that of +0, unless a 0 or a minus makes another
+    if not value:  # 0 has a sign: here +0's, unless a 0 or a minus makes another
         return NOTHING if one and sign in "+-" or sign in "*/" and "-" not in left.value + right.value else None
     return exact(value)
 

@@ -68,7 +68,7 @@ class Used:
 
     def __init__(self, results: Sequence[tuple[Gate, int]]):
         self.results = results
-        self.same: dict[Gate, Gate] = {}  # sums whose used bits are those of one summand
+        self.same: dict[Gate, Gate] = {}  # sums with the used bits of one summand
         while self._find_bits():
             pass
 

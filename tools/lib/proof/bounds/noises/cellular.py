@@ -2,7 +2,7 @@
 its entry in cellular_three.py. features.py and distances.py of the folder above have the proofs.
 
 One bound holds for all metrics: the largest. The bound of floats is the hybrid metric's, whose distances are the largest;
-that of fixed arithmetic is the Euclidean one's, by the root of a small square. The errors of offsets are smaller.
+in fixed arithmetic the Euclidean one's, by the root of a small square. The errors of offsets are smaller.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ FLOATS, in steps; a cell has two:
     a = u - v/2;  a or a - 1 or a + 1/2 or a - 1/2;    v or v - 1;    halved
 
 X is below 4 and rounds by up to 2^-22: SKEWED. u and v are exact after that, as are halves. Where that moves X over a
-whole number, the corners are those of the other side; where it moves u over v, the weights of both sides differ by no
+whole number, the corners are on the other side; where it moves u over v, the weights of both sides differ by no
 more than u moved. Each difference is at most 1 and rounds by up to 2^-24: ONE. So a weight is off by SKEWED and ONE,
 and a vector by half of SKEWED and twice ONE, which is less.
 

@@ -62,7 +62,7 @@ class Waves(Kernel):
     waves: float = WAVES
 
 
-# The lattices and the distances are those of hn_simplex.
+# The lattices and the distances are hn_simplex's.
 KERNELS = {2: Waves(2, 819 / 1024, 1, 762, 3, EVEN, triangles=True), 3: Waves(3, 1.0, 2, 674, 4, EVEN)}
 CASES = tuple((dims, None) for dims in KERNELS)
 TURN = 2 * math.pi

@@ -19,7 +19,7 @@ FLOATS. Each point adds to the derivative fall * cosine * x, in any order, and t
 
 On the plane the skewed coordinate moves the place for all of this alike.
 
-FIXED. The fall is that of kernel_fixed.py with a cosine in place of a ramp. The sum is in units of 2^-27 per step. Its
+FIXED. The fall is as in kernel_fixed.py, with a cosine in place of a ramp. The sum is in units of 2^-27 per step. Its
 product with S, in units of 2^-19, is exact in units of 2^-24 per cell, and so
 
     TURN     2 pi k_i is off by the largest error over all integers K, 2^21 + 1 in number, and by the cut of the wave,
@@ -214,7 +214,7 @@ def fixed_rounding_effect(kernel: Waves) -> float:
 
 
 def whole_turns(kernel: Waves) -> np.ndarray:
-    """T of every K up to that of the largest wave."""
+    """T of every K up to the largest wave's."""
     k = np.arange(-int(kernel.waves / WAVE_CUT), int(kernel.waves / WAVE_CUT) + 1)
     return (k * (205887 >> 9) + (k >> 9) * (205887 & 511)) >> 9
 

@@ -8,7 +8,7 @@ within +-1, too. A derivative is s'(f_1) times an interpolation of differences o
 LIPSCHITZ. See suprema.py. At a corner's number within +-1, L is the largest sum_o |D w_o|.
 
 FLOATS. A number is computed with 3 added: it has 23 bits in [2, 4), exactly, and the difference of two is exact, too.
-Their interpolation is that of floats.py of the folder above. A value from 2 to 4 less 3 is exact, and so it is where it
+Their interpolation is in floats.py of the folder above. A value from 2 to 4 less 3 is exact, and so it is where it
 was rounded beyond. The computed value may be beyond +-1 by its error.
 
 FIXED. The fixed numbers are the exact ones. The fixed value differs from the exact one by four things. FADE and LERP

@@ -25,7 +25,7 @@ Number = TypeVar("Number", int, Fraction)
 OUTPUTS = ("value", "quadrature")
 ROTATES = True
 UNITS = (NOISE_UNIT,) * 2
-# By the number of dimensions. The lattices and t are those of simplex noise. In space the same weight falls twice as
+# By the number of dimensions. The lattices and t are as for simplex noise. In space the same weight falls twice as
 # fast, since t does.
 KERNELS = {2: replace(simplex.KERNELS[2], weight=kernels.PLANE_EVEN, scale=762),
            3: replace(simplex.KERNELS[3], weight=kernels.SPACE_EVEN, scale=674)}
@@ -42,7 +42,7 @@ def clamped(wave: Sequence[Real]) -> list[Fraction]:
 
 def summed(waves: Iterable[tuple[Number, Sequence[Number]]],
            product: Callable[[Number, Number], Number]) -> tuple[Number, ...]:
-    """The sum of cosines, and that of sines: of each point its weight, and both."""
+    """The sums of cosines and of sines: of each point its weight, and both."""
     return tuple(map(sum, zip(*([product(x, weight) for x in wave] for weight, wave in waves))))
 
 

@@ -1,4 +1,5 @@
-"""Section 23 of docs/reference/contract.md, derivatives: phasor noise with those of its value and of its quadrature."""
+"""Section 23 of docs/reference/contract.md, derivatives: phasor noise with the slopes of its value and its
+quadrature."""
 
 from __future__ import annotations
 
