@@ -1,4 +1,4 @@
-// The texts to copy: the functions of code.js with the colours, with what they call, and as a whole shader.
+// The texts to copy: the functions of code.js with the colours, with their helpers, and as a whole shader.
 import { decimal, declaration, functions, kLanguages, kTypes, knobs, numbers } from "./code.js";
 import { bakeLines, isOneLine, pythonLines } from "./lines.js";
 import { isLeaning, mapsOf, numbersOfTinted, rangeOf, shownLayers } from "./model.js";

@@ -1,4 +1,4 @@
-// The state: what is shown, as a list of layers and the settings of the whole picture.
+// The state of the picture, as a list of layers and the settings of the whole picture.
 
 import { scaleWithin, wrapped } from "./numbers.js";
 import { possibleStops, stopsOfMap } from "./palette.js";
@@ -176,7 +176,7 @@ function possibleLayer(given, period) {
   return layer;
 }
 
-// The state with every setting possible: what a noise or a sum does not have becomes what it has.
+// The state with every setting possible: a setting that a noise or a sum lacks becomes one that it has.
 export function possible(state) {
   const next = possibleSettings(usualsOf(false), state);
   next.layers = state.layers.slice(0, kMostLayers).map((layer) => possibleLayer(layer, next.period));

@@ -1,4 +1,4 @@
-// "Surprise me": any setting of what is not locked, from ranges in which pictures are good.
+// "Surprise me": any value of the unlocked settings, from ranges in which pictures are good.
 import { chosen, changed, dimensionsOf, noisesOf, possible, usualOf } from "./model.js";
 import { kBlends, kMaps, kMetrics, kNoises, kSums } from "./tables.js";
 

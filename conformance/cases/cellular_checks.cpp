@@ -54,7 +54,7 @@ Places at(const Places& places, const std::array<double, 3>& from_corner) {
   return there;
 }
 
-// Walls, middles and what is one unit beside them.
+// Walls, middles and places one unit beside them.
 Places at_edges(Places places, Random& random) {
   for (Place& place : places) {
     const double edge = random.below(2) == 0 ? 0.0 : 0.5;
@@ -221,7 +221,7 @@ const Function& returned_beside(const Function& setting) {
   return beside;
 }
 
-// One way to the nearest point and to what is known of it.
+// One way to the nearest point and to its properties.
 struct Route {
   const Function* names;
   const Function* offsets;

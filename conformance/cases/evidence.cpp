@@ -342,7 +342,7 @@ Result<std::array<std::uint8_t, 4>> draw_pixel(const Context& context, const Pro
 
 bool EvidenceBudget::take(const CaseName& name) {
   auto& of_function = by_function_[name.function];
-  // Known bugs come last, have no pictures, and explain what comes before them.
+  // Known bugs come last, have no pictures, and explain the cases before them.
   const bool is_bug = name.function.starts_with("bugs.");
   if ((all_ >= kMostPerDriver && !is_bug) || of_function.size() >= kMostPerFunction) return false;
   // A fault in one version of the language is mostly in the others, too.

@@ -1,4 +1,4 @@
-// Octave sums over a noise that is constant: so what comes out follows from a few lines. Sums that cut off the noise
+// Octave sums over a noise that is constant: so the result follows from a few lines. Sums that cut off the noise
 // of an octave at 1 and -1, or its slopes at 128 and -128, meet one beyond each of them, too.
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-// The positions of places: what a place was made of comes back from the first octave of a sum.
+// The positions of places: a place's source comes back from the first octave of a sum.
 #include <fmt/format.h>
 
 #include <algorithm>

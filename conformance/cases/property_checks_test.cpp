@@ -91,7 +91,7 @@ TEST_F(Extreme, RangesThatDependOnSettingsAreHeld) {
                 "hn_perlin_worley(q, o, l, args) (0.5 + hn_perlin_worley(q, o, l, args))");
 }
 
-// Not the noise, the octaves' weights, or what a sum makes of each octave.
+// Not the noise, the octaves' weights, or a sum's step of each octave.
 TEST_F(Extreme, ASumOverAnotherNoiseThatIsNotThatSumIsCaught) {
   constexpr Replacement kFaults[] = {
       {"fbm.fbm2.lattice.fast.fragment.gl330.other_noise", "detail/octave.glsl", "hn_i_summed(s.value, n, weight)",

@@ -1,4 +1,4 @@
-// The cases on a device of Vulkan: that they notice a wrong library in each language, and what is not for them.
+// The cases on a device of Vulkan: that they notice a wrong library in each language, and which are not for them.
 #include <fmt/format.h>
 
 #include "cases/case_named.hpp"

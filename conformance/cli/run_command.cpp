@@ -398,7 +398,7 @@ std::string reason_to_end(const Journal& journal, int signal) {
   return journal.problem().empty() ? "" : journal.problem() + "; ";
 }
 
-// The cases, what is made of their results, and the exit status.
+// The cases, their results, and the exit status.
 int run_to_the_end(const RunPlan& plan, const RunOutput& output, const RunInputs& inputs, const DriverChoice& choice,
                    Journal& journal, const Interruption& interruption) {
   announce(plan);

@@ -59,7 +59,7 @@ LOOK = """<script>{
 
 
 class Listener(http.server.BaseHTTPRequestHandler):
-    """Serves one page, and keeps what it posts."""
+    """Serves one page, and keeps its posts."""
 
     def do_GET(self):
         if self.path != "/":

@@ -458,7 +458,7 @@ Pairing small_footprint_pairing(const Evaluation& evaluation, std::uint64_t seed
                     has_exact_values(function, evaluation.configuration));
 }
 
-// Every octave is divided by 1 then, and what is below 0 counts as 0. With floats a division by 1 may round.
+// Every octave is divided by 1 then, and a number below 0 counts as 0. With floats a division by 1 may round.
 Pairing zero_strength_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
   const Evaluation other{find_function(function.plain), evaluation.configuration, evaluation.profile};

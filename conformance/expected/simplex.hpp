@@ -1,5 +1,5 @@
-// How fast the second derivatives of simplex and of phasor noise change: what a difference in place of a derivative may
-// be off by.
+// How fast the second derivatives of simplex and of phasor noise change: how much a difference in place of a derivative
+// may be off by.
 #pragma once
 
 namespace hn {

@@ -16,7 +16,7 @@ namespace {
 
 using namespace hashnoise;
 
-constexpr int kFew = 1 << 12;  // points of each function; what is not optimised takes 30 times as long
+constexpr int kFew = 1 << 12;  // points of each function; without optimization it takes 30 times as long
 constexpr int kMany = 1 << 15;
 
 bool few_only = false;
@@ -146,7 +146,7 @@ constexpr bool is_tried(std::string_view id) {
     return true;
 #endif
   }
-// Each noise, and sums of the two kinds, on the plane alone: what is not inlined in one is in all.
+// Each noise, and sums of the two kinds, on the plane alone: a function not inlined in one is in all.
 #ifdef HN_TEST_EACH_KIND
   if (id.starts_with("fbm.")) return id == "fbm.clouds3" || id == "fbm.ping_pong2";
   if (id.find("_phase") != id.npos) return id == "noise2d.simplex_phase";

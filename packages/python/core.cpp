@@ -143,7 +143,7 @@ struct Tile {
 };
 
 // Cuts a grid into such parts. They are long along the axis that is the nearest in the memory of the result, so that
-// what is written lies together, and along x, where a field is fast.
+// the results lie together, and along x, where a field is fast.
 template <int D>
 class Tiles {
  public:

@@ -1,4 +1,4 @@
-// The parts of the table of bugs, and what they are written with.
+// The parts of the table of bugs, and helpers to write them.
 #pragma once
 
 #include <bit>

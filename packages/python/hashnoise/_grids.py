@@ -1,4 +1,4 @@
-"""Uniform grids, and what there is to choose from."""
+"""Uniform grids, and their choices."""
 
 import numpy as np
 
@@ -167,7 +167,7 @@ def field_of(function, name, dimensions, options):
 
 
 def _options(function, name, given):
-    """The noise, the fractal and the options that make the function called `name`: its defaults, and what is given."""
+    """The noise, the fractal and the options that make the function called `name`: its defaults, and the given ones."""
     if isinstance(name, str) and name in _noises.NOISES:
         own, chosen = _noises.NOISES[name], {"noise": name, "fractal": ""}
     elif isinstance(name, str) and name in _sums.SUMS:

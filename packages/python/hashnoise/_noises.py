@@ -1,5 +1,5 @@
 # Made by tools/make catalog from catalog/noises.toml and settings.toml.
-"""The noises: each is a function of arrays of coordinates. help(hashnoise) describes what they have in common."""
+"""The noises: each is a function of arrays of coordinates. help(hashnoise) describes their common options."""
 
 from ._evaluate import evaluated, suggesting
 

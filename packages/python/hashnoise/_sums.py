@@ -1,5 +1,5 @@
 # Made by tools/make catalog from catalog/sums.toml and settings.toml.
-"""The fractals and the warps, over any noise. help(hashnoise) describes what they have in common."""
+"""The fractals and the warps, over any noise. help(hashnoise) describes their common options."""
 
 from ._evaluate import evaluated, suggesting
 

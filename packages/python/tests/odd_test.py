@@ -1,4 +1,4 @@
-"""Odd inputs, of every function: what is no number, huge, masked, of another type or another kind of array."""
+"""Odd inputs, of every function: NaN, huge, masked, of another type or another kind of array."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-// Where the points of a grid are, and what a twin is there: from the comments in points.hpp.
+// Where the points of a grid are, and the twin's value there: from the comments in points.hpp.
 // SPDX-License-Identifier: MIT
 
 #pragma once

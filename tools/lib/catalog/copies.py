@@ -57,7 +57,7 @@ def made(file: str, text: str) -> str:
 
 
 def wrong() -> list[str]:
-    """The lines that are not as they must be, and what they must be."""
+    """The lines that are not as they must be, and the right ones."""
     found = []
     for file, lines in LINES.items():
         text = (ROOT / file).read_text(encoding="utf-8")

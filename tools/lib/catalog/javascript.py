@@ -22,7 +22,7 @@ PAGE = "docs/guide/javascript.md"
 PLAYGROUND = ROOT / "playground" / "catalog.js"
 MOST_DIMENSIONS = 3  # of the twin
 MOST_BYTES = 52_000  # of its module
-PARTS = ("jitter", "metric")  # what a noise of the twin takes beside a seed and a period; it has no phases
+PARTS = ("jitter", "metric")  # the options of a noise of the twin beside a seed and a period; it has no phases
 NUMBERS = ("seed", "period", "jitter", "octaves", "lacunarity", "gain")
 
 
@@ -190,7 +190,7 @@ def sums(twin: Twin) -> str:
 
 
 def settings_of_page(twin: Twin) -> str:
-    """The table in docs/guide/javascript.md, and what is not in the twin."""
+    """The table in docs/guide/javascript.md, and of the noises that the twin lacks."""
     def by_dimensions(functions: Sequence[Function]) -> str:
         line = code([function.name for function in functions if function.is_in(1)])
         return f"{line}; in 2D and 3D {code([function.name for function in functions if not function.is_in(1)])}"
@@ -228,7 +228,7 @@ def package(twin: Twin) -> dict[Path, str]:
 
 
 # ---------------------------------------------------------------------------------------------------------------------
-# The playground. The page has to stay small, so what is not true or not there is left out.
+# The playground. The page has to stay small, so false and missing options are left out.
 
 
 def drawn(catalog: Catalog) -> tuple[list[Noise], list[Sum]]:

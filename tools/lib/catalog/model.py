@@ -1,4 +1,4 @@
-"""The catalog: what there is, as catalog/*.toml have it, and what is wrong with them."""
+"""The catalog as catalog/*.toml have it, and its faults."""
 
 from __future__ import annotations
 
@@ -99,8 +99,8 @@ class Sum(Function):
     range: tuple[float, float] | str  # "noise": that of the noise; its strength's name: all up to that size
     strength: Strength | None
     step: str  # by which it adds an octave to a value; "" if it is none
-    mean: str  # what it makes of the mean
-    adds_words: str  # what the step adds, in words
+    mean: str  # its value from the mean
+    adds_words: str  # the step's work, in words
     error: str  # in words
 
     @property

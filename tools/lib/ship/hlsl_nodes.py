@@ -9,7 +9,7 @@ from catalog import asked
 from translate.parsing.syntax import Function
 from translate.pick.command import Choice, picker, read_library
 
-# The arithmetics, with what they add to the names of classes, files and nodes.
+# The arithmetics, with their suffixes in the names of classes, files and nodes.
 ARITHMETICS = {"fast": "", "fixed": "Fixed"}
 # One shader may have both arithmetics, and one program.
 NAMES = {("hlsl", "fixed"): "hn_fixed", ("csharp", "fixed"): "HashNoiseFixed"}
@@ -42,7 +42,7 @@ def port(name: str) -> str:
 
 
 def ports(form: str) -> list[tuple[str, str]]:
-    """The type and the name of what a node takes."""
+    """The type and the name of a node's inputs."""
     taken: list[tuple[str, str]] = []
     for one in forms()[form].parameters:
         if one.type == "hn_place2":

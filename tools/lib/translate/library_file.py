@@ -39,7 +39,7 @@ def function_name(text: str) -> str:
 
 
 def word(before: str) -> Callable[[str], str]:
-    """An argument in lower case: fixed of Fixed, or of HN_FIXED, which is what the library calls it."""
+    """An argument in lower case: fixed of Fixed, or of HN_FIXED, the library's name."""
     return lambda text: text.lower().removeprefix(before)
 
 

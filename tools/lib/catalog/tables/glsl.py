@@ -145,7 +145,7 @@ def _blank(text: str) -> str:
 
 
 def file_scope(text: str) -> str:
-    """The text with blanks for comments, directives and bodies, so that what is left stays in its place."""
+    """The text with blanks for comments, directives and bodies, so that the rest stays in its place."""
     depth, kept = 0, []
     for part in re.split("([{}])", NO_CODE.sub(lambda match: _blank(match[0]), text)):
         depth -= part == "}"

@@ -1,4 +1,4 @@
-"""Tests of functions.py, configurations.py and glsl.py: they read the catalog, and refuse what they do not know."""
+"""Tests of functions.py, configurations.py and glsl.py: they read the catalog, and refuse unknown entries."""
 
 from __future__ import annotations
 

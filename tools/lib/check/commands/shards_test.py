@@ -1,4 +1,4 @@
-"""tools/conform shards: it deals the parts to this machine or to hosts, and joins what they leave.
+"""tools/conform shards: it deals the parts to this machine or to hosts, and joins the results.
 
 Scripts stand in for tools/conform, for the program that joins, and for ssh: a host is a folder here, which its HOME is.
 """

@@ -83,7 +83,7 @@ class Deletions(unittest.TestCase):
         self.golden.symlink_to(GOLDEN)
 
     def change(self, path: str, pattern: str, new: str = "") -> None:
-        """Replaces what a pattern finds in a file, or in the one of the library that has it."""
+        """Replaces the matches of a pattern in a file, or in the one of the library that has it."""
         files = [file for file in sorted(self.root.glob(path)) if re.search(pattern, file.read_text(), re.MULTILINE)]
         self.assertTrue(files, f"{pattern} is not in {path}")
         text = files[0].read_text()

@@ -7,7 +7,7 @@ First the healthy driver must pass the cases, or else everything would count as 
 and a case failed because a value is wrong; a shader that does not compile notices nothing. Each fault prints a line.
 
 --check compares with the file instead of writing it. With names it injects these faults, and takes from the file what
-the others turned red. With --sample N it injects N faults, and compares what a few functions of each kind notice.
+the others turned red. With --sample N it injects N faults, and compares the notices of a few functions of each kind.
 
 Exit status: 0 all were noticed (and the file is up to date), 1 some were not (or it is not), 2 bad usage, 3 the
 unchanged driver does not pass, or hn-conform did not run.

@@ -1,4 +1,4 @@
-"""tools/make freeze: what it notices, what it refuses, and what the committed table has."""
+"""tools/make freeze: the faults that it notices and refuses, and the committed table."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ VALUES = {PERLIN: ("11111111", "aaaa0001"), HASHED: ("11111111", "aaaa0002"), WO
 
 
 class Command(unittest.TestCase):
-    """With a program that prints what a library would have."""
+    """With a program that prints a library's values."""
     experimental: Collection[str] = ()
 
     def setUp(self) -> None:

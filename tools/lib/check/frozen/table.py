@@ -23,7 +23,7 @@ Key = tuple[str, str]  # a function and a setting
 
 @dataclass(frozen=True)
 class Sums:
-    """Checksums of what goes in at some points, and of what comes out."""
+    """Checksums of the inputs at some points, and of the results."""
 
     points: str
     values: str

@@ -1,4 +1,5 @@
-"""The mutants that compute the same as the library, or nothing that the contract distinguishes from what is right."""
+"""The mutants that compute the same as the library, or nothing that the contract distinguishes from the right
+values."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ from proof.bounds import features
 from proof.bounds.boxes import Boxes
 from proof.bounds.features import Cell
 
-REACH = 0.8125  # what is farther from a place does not matter: r is less, as the proof finds, too
+REACH = 0.8125  # a point farther from a place does not matter: r is less, as the proof finds, too
 
 
 def block(dims: int) -> frozenset[Cell]:

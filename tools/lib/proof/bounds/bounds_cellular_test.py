@@ -1,4 +1,4 @@
-"""Tests of what is proven of cellular noise: blocks of cells that are one smaller are refuted, ranges are nearly
+"""Tests of the proofs for cellular noise: blocks of cells that are one smaller are refuted, ranges are nearly
 attained, and the text of the library stays within the bounds."""
 
 import functools
@@ -144,7 +144,7 @@ class Blocks(unittest.TestCase):
 
 class Borders(unittest.TestCase):
     def test_a_climb(self):
-        """It finds what the page states, and more than the largest borders that are known of the library."""
+        """It finds the page's number, and more than the largest borders that are known of the library."""
         known = {2: ((-567291, 57828), (0.5342983, 0.7685160), 233433071),
                  3: ((974166, -68968, 352045), (0.5813425, 0.4050027, 0.2685761), 2892670609)}
         for dims, place in known.items():

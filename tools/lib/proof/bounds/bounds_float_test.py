@@ -1,4 +1,4 @@
-"""Tests of what is proven of floats, of the noises, their derivatives, the sine and the sums: the text of the library
+"""Tests of the proofs for floats, of the noises, their derivatives, the sine and the sums: the text of the library
 over floats of any rounding mode stays within the bounds."""
 
 import functools
@@ -287,7 +287,7 @@ class Octaves(OctaveErrors, unittest.TestCase):
         self.assert_near(self.check(self.random_sum), 1 / 100)
 
     def test_first_octave(self):
-        """Where positions are exact: what is left are the steps of the sum. A single octave hardly has any."""
+        """Where positions are exact: only the steps of the sum are left. A single octave hardly has any."""
         self.assert_near(self.check(lambda rng, name: self.random_sum(rng, name, octaves=1)), 1 / 15)
 
     @in_thorough_runs

@@ -82,7 +82,7 @@ def ratios(case, seed, found, tolerance_of):
 
 class Bounds(unittest.TestCase):
     def test_of_waves(self):
-        """Nothing at random places is steeper, or rotates faster, than what is proven; and it comes near."""
+        """Nothing at random places is steeper, or rotates faster, than proven; and it comes near."""
         rng, bounds, count, kernel = np.random.default_rng(1), read_gullies(), 4000, KERNELS[2]
         words = {tuple(kernel_model.halves(point)): rng.integers(0, 2**32, count)
                  for point in kernel_model.points(kernel)}
@@ -105,7 +105,6 @@ class Bounds(unittest.TestCase):
 
 
 def smaller(times):
-    """Than what is proven."""
     proven = read_gullies()
     return replace(proven, **{field.name: getattr(proven, field.name) / times for field in fields(proven)})
 

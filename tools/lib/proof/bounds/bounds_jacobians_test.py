@@ -271,7 +271,7 @@ class Steps(unittest.TestCase):
                 self.assertGreater(max(jacobians.largest_intermediates(3).values()), 2**31)
 
 
-# Noises that fit a loop with slopes, and what they take behind the place.
+# Noises that fit a loop with slopes, and their arguments behind the place.
 FITTING = {name: "0.375f, " if name.endswith("_phase") else "" for name in jacobians.FITTING}
 NO_NOISES = {"hn_fbm_d", "hn_uniform_d"}  # functions that end in _d: a sum, and one of a value
 CUTS = {ROOT / "docs" / "reference" / "contract.md": r"`g = trunc\(clamp\(g, -(\d+), (\d+)\) \* 2\^19\)`",

@@ -1,4 +1,4 @@
-"""Tests of what is proven of simplex noise, of gradients that rotate and of curl: the library's text stays within the
+"""Tests of the proofs for simplex noise, of gradients that rotate and of curl: the library's text stays within the
 bounds, and reaches a part of them. A wrong constant is noticed."""
 
 import functools
@@ -105,7 +105,7 @@ class Exact(unittest.TestCase):
                 self.assertLess(abs(rise - derivative).max(), 1e-6, noise)
 
     def test_second_derivatives(self):
-        """Random gradients in small boxes are within what is assumed."""
+        """Random gradients in small boxes are within the assumptions."""
         rng, step = np.random.default_rng(4), 1e-4
         for kernel in (*SIMPLEX.values(), *SMOOTH.values()):
             boxes = Boxes(5, rng.integers(0, 16, (kernel.dims, 200)))
@@ -310,7 +310,7 @@ class Curl(unittest.TestCase):
                 self.assertNotAlmostEqual(product(no_symmetry @ place, no_symmetry @ u, no_symmetry @ v), expected)
 
     def test_second_derivatives(self):
-        """Random gradients along random directions, in small boxes, are within what is assumed."""
+        """Random gradients along random directions, in small boxes, are within the assumptions."""
         rng, step = np.random.default_rng(12), 1e-4
         boxes = Boxes(5, rng.integers(0, 16, (3, 200)))
         middle, angle = (boxes.lo + boxes.hi) / 2, rng.uniform(0, math.pi, 200)
@@ -396,7 +396,7 @@ class Rotations(unittest.TestCase):
             self.assertAlmostEqual(max(abs(a).max(), abs(b).max()), rotations.LARGEST_SHARE[dims])
 
     def test_errors_of_two_sums(self):
-        """Two sums that are off as far as they may, a cosine and a sine that are, and in space what is made of them:
+        """Two sums that are off as far as they may, a cosine and a sine that are, and in space their results:
         one of them is nearly off by the bound."""
         rng = np.random.default_rng(17)
         angle, part = rng.uniform(0, 2 * math.pi, (2, 100_000))

@@ -1,4 +1,4 @@
-"""Tests of what is proven of phasor noise: the text of the library stays within the bounds, and reaches a part of them.
+"""Tests of the proofs for phasor noise: the text of the library stays within the bounds, and reaches a part of them.
 A wrong constant is noticed."""
 
 import functools
@@ -83,7 +83,7 @@ def body(dims, from_cell, what):
 
 @functools.cache
 def text(*macros):
-    """With the derivatives, for bounds_phasor_d_test.py: reading the library is half of what a text costs."""
+    """With the derivatives, for bounds_phasor_d_test.py: reading the library is half of a text's cost."""
     forms = [(dims, form, what) for dims in KERNELS for form in ("cell", "position")
              for what in ("", "value", *(f"d{axis}" for axis in AXES[dims]))]
     weights = {name: Body.of("t:i32 m:i32", "n:i32", f"return uvec4(uint({step}), 0u, 0u, 0u);") for name, step in (
@@ -157,7 +157,7 @@ class Exact(unittest.TestCase):
             self.assertLess(np.mean(largest - least) / np.mean(values.max(axis=0) - values.min(axis=0)), 1.001)
 
     def test_second_derivatives(self):
-        """Waves at random angles, in small boxes, are within what is assumed."""
+        """Waves at random angles, in small boxes, are within the assumptions."""
         rng, step = np.random.default_rng(3), 1e-4
         for dims, kernel in KERNELS.items():
             boxes, angle = Boxes(5, rng.integers(0, 16, (dims, 200))), rng.uniform(0, 2 * np.pi, 200)
@@ -199,7 +199,7 @@ class Weights(unittest.TestCase):
         return abs(t - exactly), abs(w - exact_w), abs(fall - 2 * kernel.fall * exact_slope)
 
     def float_ratios(self, off, lost=1.0):
-        """The largest of errors over what is proven, of both. With `lost` above 1 the bounds are for finer floats."""
+        """The largest of errors over the proven ones, of both. With `lost` above 1 the bounds are for finer floats."""
         rng, worst = np.random.default_rng(12), np.zeros(2)
         for kernel, fuse in itertools.product(KERNELS.values(), (False, True)):
             exactly = rng.uniform(0, kernel.radius, 200_000)

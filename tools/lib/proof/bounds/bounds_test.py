@@ -1,4 +1,4 @@
-"""Tests of what is proven of the exact noise and its derivatives: how large they can be, and how fast they can
+"""Tests of the proofs for the exact noise and its derivatives: how large they can be, and how fast they can
 change."""
 
 import itertools
@@ -142,7 +142,7 @@ class Range(unittest.TestCase):
         self.assertEqual(SCALE, exact.SCALE)
 
     def test_derivatives_of_the_model(self):
-        """By differences: the quantities are about what the contract calls a derivative."""
+        """By differences: the quantities are about the contract's derivatives."""
         rng, step = np.random.default_rng(21), 1e-5
         for dims, kind in CASES:
             f = rng.uniform(0.1, 0.9, (dims, 200))

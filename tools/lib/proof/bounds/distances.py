@@ -1,4 +1,4 @@
-"""The errors of cellular noise: of the distances to feature points, of what is made of them, and of derivatives.
+"""The errors of cellular noise: of the distances to feature points, of numbers made of them, and of derivatives.
 
 FLOATS. As elsewhere an operation returns one of the two floats around its exact result (floats.py). GLSL leaves more
 room to a square root and to a division: here a root is taken to be within ROOT_ULPS and a quotient within

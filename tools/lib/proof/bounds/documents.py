@@ -46,7 +46,7 @@ def values_of(derived: Everything) -> Everything:
 
 
 def slopes_of(derived: Everything) -> Everything:
-    """The derivatives, and what is made of them."""
+    """The derivatives, and results made of them."""
     return {key: of_noise.slope or of_noise for key, of_noise in derived.items()
             if of_noise.slope or not of_noise.promise}
 
@@ -198,7 +198,7 @@ def jacobians_overflow() -> float:
 
 
 def quotes(derived: Everything) -> list[tuple[str, str]]:
-    """Pairs of a file and what must stand in it."""
+    """Pairs of a file and a text that must stand in it."""
     plane, space = (derived[NOISE_OF_SUMS, dims, GRADIENTS[0]] for dims in (2, 3))
     stated = [(KNOBS, f"| {scientific(plane.error)} | {scientific(space.error)} |"),
               (KNOBS, f"| {scientific(plane.fixed_error)} | {scientific(space.fixed_error)} |"),

@@ -155,7 +155,7 @@ def weights(corner, fractions):
 
 
 def perlin(kind, words_of, fractions, gradient_of=gradient):
-    """The value, and the derivatives, of what a function makes of the kind, the dimensions and the words."""
+    """The value, and the derivatives, that a function makes of the kind, the dimensions and the words."""
     dims = len(fractions)
     value, derivatives = 0.0, [0.0] * dims
     for corner in corners(dims):

@@ -68,7 +68,7 @@ def sine_support(v):
 class Gradient:
     name: str
     support: Callable
-    component_error: float = 0.0  # of floats: what the contract allows
+    component_error: float = 0.0  # of floats: the contract's limit
 
     def reach(self, dims: int) -> float:
         """The largest |g.v| for |v_i| <= 1."""

@@ -1,4 +1,4 @@
-"""hn_gullies: what is proven of the waves of its octaves, and how far the sum may be off in fixed arithmetic, from
+"""hn_gullies: proofs for the waves of its octaves, and how far the sum may be off in fixed arithmetic, from
 docs/reference/contract.md, section 24. The suite has the formula of floats, and float_sums.py calls it:
 tools/lib/proof/sums/gullies.cpp has the proof.
 
@@ -104,7 +104,7 @@ FLAT = 1 / 8
 LARGEST_SLOPE = math.sqrt(2) * 8
 SLOPE_UNIT, ROOT_UNIT = 2.0**-16, 2.0**-14
 LARGEST_RATE = 64.0  # for which the bounds are promised
-COARSE = 127  # what a large height loses at most, in its units
+COARSE = 127  # the largest loss of a large height, in its units
 
 
 def clamped_depth(depth: float) -> float:

@@ -1,5 +1,5 @@
-"""Bounds what the fixed arithmetic (HN_FIXED, docs/reference/contract.md, sections 8 to 11) does to a noise of lattice
-points.
+"""Bounds the effect of fixed arithmetic (HN_FIXED, docs/reference/contract.md, sections 8 to 11) does to a noise of
+lattice points.
 
 Numbers of a single fraction are computed here for each of the 2^20 + 1 fractions F, in the integers of the
 contract: the fade t of F, its slope, the weights of the spline, and how much a product with each of them rounds. The
@@ -215,7 +215,7 @@ def fade_effect(boxes: Boxes, gradient: Gradient | None) -> np.ndarray:
         curvature = curvature + 2 * curve[axis] * others * (gradient.reach(dims) if gradient else 1.0)
         if gradient:
             curvature = curvature + 4 * slope[axis] * others * gradient.component(dims)
-    # DOUBLE * 2^n corners: what the rounding of the exact fade may add.
+    # DOUBLE * 2^n corners: the rounding of the exact fade may add that.
     return effect + curvature / 8 * boxes.side**2 + DOUBLE * 2**dims * dims
 
 
@@ -310,7 +310,7 @@ def slope_rounding(dims: int, gradients: bool) -> float:
     by 2 rounds down by at most 3/4. After k interpolations a ramp is rounded down by at most k lambda, lambda the
     largest rounding of LERP, and so a rise is off by that at most, up or down. Components of gradients are multiples of
     2^18 in their units, so their first interpolation is exact, and k of them round by less than k lambda. The product
-    with the slope has its own rounding, and what is made is interpolated along the axes behind. For numbers, the rise
+    with the slope has its own rounding, and the result is interpolated along the axes behind. For numbers, the rise
     along x is first interpolated along y."""
     lerp, product = float(lerp_roundings().max()), float(part_roundings(slopes()).max())
     steepest, worst = slopes().max() / FADE_ONE, 0.0

@@ -45,7 +45,7 @@ LARGEST_AMPLITUDE = max(LARGEST_STRENGTH[kind] for kind in SHIFTS)
 FITTING = tuple(noise.name + phase for noise in catalog.model.read().noises  # what hn_add takes
                 if noise.shape in ("slopes", "distance_with_slopes") for phase in ("", "_phase")[:1 + ("phase" in noise.options)])
 DOUBLES = 1e-12  # more than the rounding errors of 32 Jacobians of up to 64, computed in doubles
-COARSE = 127  # what a large result loses at most, in its units
+COARSE = 127  # the largest loss of a large result, in its units
 
 
 def stretch(s: Sum, dims: int) -> float:
@@ -244,7 +244,7 @@ def fixed_warp_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
 def largest_intermediates(dims: int) -> dict[str, float]:
     """By name, bounds of the magnitudes that must stay below 2^31 where the bounds are promised, for any noise with
     derivatives: gain * lacunarity is then at most 63, since the first octave adds 1 to the sum. In a Jacobian a number
-    is rounded down by less than 5 units for each octave, and what was lost before grows as the Jacobian does."""
+    is rounded down by less than 5 units for each octave, and earlier losses grow as the Jacobian does."""
     stretched = stretch(Sum("fbm_d", 0.0, 32, 1.0, 1.0), dims)**31
     jacobian = stretched * ((LARGEST_GROWTH - 1) * FADE_ONE + 5 * LARGEST_GROWTH)
     slope, vector = math.sqrt(dims) * SLOPE_LIMIT, math.sqrt(dims) / UNIT

@@ -1,5 +1,5 @@
-"""Bounds what the fixed arithmetic (HN_FIXED, docs/reference/contract.md, sections 8 and 13) does to a sum over lattice
-points.
+"""Bounds the effect of fixed arithmetic (HN_FIXED, docs/reference/contract.md, sections 8 and 13) does to a sum over
+lattice points.
 
 A coordinate is cut to a multiple of 2^-20 cells, which moves the value by at most L * 2^-20 (CUT), and likewise a
 derivative. There the offsets are exact, and so are ramps and gradients. The rest is bounded over boxes of places, for
@@ -54,7 +54,7 @@ def near_error(kernel: Kernel, t):
 
 
 class Weighted:
-    """The largest of what a lattice point has in each box, whatever its weight is multiplied with: a ramp, which is
+    """A lattice point's largest number in each box, whatever its weight is multiplied with: a ramp, which is
     less than 2^31 in units of 1 / one."""
 
     def __init__(self, kernel: Kernel, boxes: Boxes, point, one: int):
@@ -65,7 +65,6 @@ class Weighted:
         self.weight_error = kernel.weight.fixed(self.offsets.least, t, self.near_error)
 
     def added(self, ramp, ramp_error):
-        """How far what it adds is off."""
         error = ((ramp + ramp_error) * self.weight_error + ramp_error * self.weight
                  + part_rounding(self.weight + self.weight_error) / self.one)
         return np.where(self.counts, error, 0.0)
@@ -158,7 +157,7 @@ def pieces(kernel: Kernel) -> tuple[np.ndarray, np.ndarray]:
 def weighted_intermediates(kernel: Kernel, ramp: float) -> dict[str, float]:
     """The words of ramps up to that size. The value is at most 1. No offset from a point that is visited is more than 1
     along an axis: so the squares sum to at most 2 steps on the plane, and elsewhere to 1, or 3/2 with the larger
-    kernel, of which m is 1. The word m q is then at most 2^31. The products in the weights of simplex noise fit 32
+    kernel, where m is 1. The word m q is then at most 2^31. The products in the weights of simplex noise fit 32
     bits, since t < 2^16, and t (98304 - t) is at most 49152^2. A sum of the parts of some of the points is as large as
     that of all can be."""
     weight = kernel.weight.size(0, *pieces(kernel)).max() * FADE_ONE + 1

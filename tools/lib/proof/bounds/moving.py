@@ -19,7 +19,7 @@ neighbours of a cell are that far from its centre, if they are not rotated. But 
 all diagonals of a cube. There the first distance is bounded over boxes of places and angles, as that to the farthest
 corner of an octahedron that is rotated. For a constant angle this is convex in the place. With the angle a corner
 moves, and is off a chord of its way by no more than 1/2 k times 4 (see below) times 1/8 of the square of the chord's
-angle. Half a turn, and a rotation backwards, only reflect what there is. So angles up to a quarter of a turn are
+angle. Half a turn, and a rotation backwards, only reflect the rest. So angles up to a quarter of a turn are
 enough.
 
 FLOATS. With B, the transpose of M, an offset is, in units of half a cell,

@@ -18,8 +18,8 @@ rounded, by b, and A, by a' beside the cosine and B / 2: this moves the noise by
 N(1/4 turn) + a' n, at most (sqrt(3)/2 b + a') R.
 
 IN FLOATS the cosine and the sine are off by the error of a sine, and by the angle that is cut off. In space B is a
-product with the float FACTOR, and A a difference; B / 2 is exact. Two products round, their sum and what is scaled. The
-products are at most R in sum on the plane, where (n, m) is no longer than R, and 2 R in space.
+product with the float FACTOR, and A a difference; B / 2 is exact. Two products round, their sum and the scaled result.
+The products are at most R in sum on the plane, where (n, m) is no longer than R, and 2 R in space.
 
 IN INTEGERS they are off likewise. In space B is 2 sin(a) / sqrt(3) with 20277 / 2^15 for 4 (2 / sqrt(3) - 1), rounded
 down to a multiple of 2^-18, and B >> 1 rounds down to one. All parts of an error but the cut of the place and SCALE are
@@ -44,7 +44,7 @@ IN_SUM = {2: math.sqrt(2), 3: 2.0}  # |A| + |B|, by the number of dimensions
 OFF_IN_SUM = {2: 2.0, 3: 3.0}  # how far they are off, by the error of a cosine and a sine
 LARGEST_SHARE = {2: 1.0, 3: 2 / math.sqrt(3)}  # of A and of B
 PRODUCTS = {2: 1.0, 3: 2.0}  # |A n| + |B m|, by R
-# # Two parts, in units of what they are parts of.
+# # Two parts, each in units of its whole.
 MIXED_ROUNDING = {dims: 511 * in_sum + 2 + 2 * 511 for dims, in_sum in IN_SUM.items()}
 FACTOR = 1.15470054
 

@@ -20,7 +20,7 @@ from catalog.tables.functions import Column, read_functions
 
 SOURCE = Path(__file__).with_suffix(".cpp")
 MODES = ("nearest", "down", "up", "random")
-FIXED = "HN_ARITHMETIC=HN_FIXED"  # a macro: then nothing rounds but what comes in and out
+FIXED = "HN_ARITHMETIC=HN_FIXED"  # a macro: then only inputs and outputs round
 
 
 @dataclass(frozen=True)

@@ -75,7 +75,7 @@ def sine_bound(ulps=1.0):
 
 
 def sine_truncation_bound():
-    """A proven upper bound of what the polynomial alone is off by."""
+    """A proven upper bound of the error of the polynomial alone."""
     return _largest(smooth(sine_truncation, lambda boxes: sine_curvature()[1])) + DOUBLE_SINE
 
 
@@ -111,7 +111,7 @@ def fixed_sines():
 
 
 def fixed_sine_largest():
-    """1, or what a component exceeds it to."""
+    """1, or the end to which a component exceeds it."""
     return max(1.0, fixed_sines().max() / 2**16)
 
 

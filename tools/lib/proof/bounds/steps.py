@@ -1,5 +1,5 @@
-"""The steps by which sums add an octave (glsl/hashnoise/detail/octave.glsl): what each does to the noise, and by how
-much the integers of it may be off."""
+"""The steps by which sums add an octave (glsl/hashnoise/detail/octave.glsl): the effect of each on the noise, and by
+how much the integers of it may be off."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ class Wave:
 
 
 class Bent(Noise):
-    """The noise as it is; what it makes of the next octave's weight is in sums.py."""
+    """The noise as it is; its effect on the next octave's weight is in sums.py."""
     clamps = True
 
 

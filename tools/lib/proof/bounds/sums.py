@@ -174,12 +174,12 @@ def fixed_strength(s: Sum) -> tuple[float, float]:
 
 
 def fixed_terms(s: Sum, noise_errs: list[float]) -> list[float]:
-    """The errors of what an octave adds."""
+    """The errors of an octave's addition."""
     return step_of(s.kind).fixed_errors(noise_errs, *fixed_strength(s))
 
 
 def weighted_errors(s: Sum, noise_errs: list[float]) -> list[float]:
-    """By how much B_i of a bent step is off, beyond what the contract's product of exact factors is: M is off by half
+    """By how much B_i of a bent step is off, beyond the contract's product of exact factors: M is off by half
     of the noise, a rounding of (1 - n) / 2 and one of the product with the strength; two products more round down."""
     strength, cut = fixed_strength(s)
     g, err, errs, weight = math.trunc(s.gain * FADE_ONE) / FADE_ONE, 0.0, [], 1.0
@@ -212,7 +212,7 @@ def fixed_mean_error(s: Sum, limit: float, term_errs: list[float], changes: list
 
 def fixed_octave_tolerance(s: Sum, noise: Bounds) -> float:
     """The largest error against the exact sums of docs/reference/contract.md at the same floats, for lacunarity in [0,
-    255], gain in [0, 1] and at most 32 octaves, which is what it does not cut.
+    255], gain in [0, 1] and at most 32 octaves, which it does not cut.
 
     A noise is off by L times its position's error and by fixed_error (the cut to 2^-20 is in that). The weights are
     compared with the exact ones as they are: a change of weights by c_i, whose exact sum is 1, moves the mean by at

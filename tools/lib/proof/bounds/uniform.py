@@ -16,7 +16,7 @@ differ by no more than the largest ones of a lower degree. In integers a number 
 
 SPREADS OF SUMS, of a box at a time: octaves, gain, how much of the last octave counts, and a, b and c. A weight in
 floats is off by as many roundings as it has factors, and a sum by one more with each number; products and sums of
-positive numbers have the relative errors of what they are made of. In integers each weight rounds down. Then
+positive numbers have the relative errors of their parts. In integers each weight rounds down. Then
 
     x' = B + rho_4 H d + rho_8 (x - B - H d)     is off by |H d| and |x - B - H d| times the errors of rho_4 and rho_8
     reach' = reach sqrt(S_2 V / V') / S_1        relatively by half of what S_2, V and V' are off by, and as S_1
@@ -87,7 +87,7 @@ def float_values(ulps=1.0):
         largest = 1 - (1 - most)**4 if degree == 3 else 1.0
         err, apart, apart_error = mixed(err, degree, largest)
     slope = Approx(0 * apart, apart, apart_error, ulps).times(w)
-    # The quotient has another unit than what is divided, if the reach is no power of 2.
+    # The quotient has another unit than the dividend, if the reach is no power of 2.
     of_slope = 4 * slope.err + 2 * rounding(4 * (slope.hi + slope.err), QUOTIENT_ULPS * ulps)
     return float((err / 2 + rounding(1 - 2.0**-24, ulps)).max()) * SAFE, float(of_slope.max()) * SAFE
 
@@ -256,7 +256,7 @@ def spread_errors(ratios, fixed, ulps=1.0):
         share_err = ratios.error_share[:, None]
         top = v_high * share_err + (share[1] + share_err) * given + 8 * u
         p_err = top / least + p_high * v_err / least + u
-        # The root of what is off by e is off by at most the root of e.
+        # The root of a number that is off by e is off by at most the root of e.
         root_err = np.minimum(p_err / np.sqrt(p_low) / (1 + np.sqrt(np.maximum(1 - p_err / p_low, 0))),
                               np.sqrt(p_err)) + u
         of_reach = root_err + (np.sqrt(p_high) + 1) * u / LEAST

@@ -5,7 +5,7 @@ derivative multiplies an offset with.
 In integers t is off by e, and
 
     Q    by (t + e)^2 - t^2 and 2^-17, as it is rounded to a multiple of 2^-16
-    W    by what its factors are off by, and 2^-19
+    W    by the errors of its factors, and 2^-19
     E    an eighth of the fall, likewise
 
 EVEN. The weight of phasor noise is t^3 (1 + 15 (1 - t)^2), and its slope 3 h^2 with h = 4 t - 5 t^2. Floats compute

@@ -25,7 +25,7 @@ from proof.oracle.nearest import NEAREST
 
 FAMILIES = ("cellular", "further_cellular")
 FINE = 2**20  # fractions are multiples of 2^-20, which fixed arithmetic does not cut
-CLEAR = Fraction(1, 2**10)  # what the nearest point is nearer than the second, where it matters
+CLEAR = Fraction(1, 2**10)  # how much nearer than the second the nearest point is, where it matters
 # The knobs with which that is so, by family. They may be more than have values: then rows stay as they are.
 HASHES = {"cellular": (Knobs("pcg"), Knobs("lattice")), "further_cellular": (Knobs("lattice"),)}
 KINDS = 9  # of fractions

@@ -55,7 +55,7 @@ def generated(directory: Path | None, sample: Sample | None, file: GoldenFile) -
 
 
 def salt() -> str:
-    """It is another one if what the values come from is another: the contract, the oracle, or a table."""
+    """It changes if a source of the values changes: the contract, the oracle, or a table."""
     modules = [path for folder in ("oracle", "golden") for path in (TOOLS / "lib" / "proof" / folder).rglob("*.py")
                if not path.stem.endswith("_test")]
     digest = hashlib.sha256()

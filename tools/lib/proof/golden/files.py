@@ -27,7 +27,7 @@ class Digest:
     seed: int | None = None
 
 
-# The blocks of hashes, by what they take and by the number of axes. The blocks of words run over the wrap at 2^32,
+# The blocks of hashes, by their arguments and by the number of axes. The blocks of words run over the wrap at 2^32,
 # those of coordinates over the sign change. Rows of candidates run over the seams of a tile, too, with a radius of 1.
 ONE = 0x3F800000
 DIGESTS = {
@@ -111,7 +111,7 @@ class GoldenFile:
         return rows_of(self.function, fixed, self.settings, generator_of(self.function.id))
 
     def text(self, found: str = "", sample: Sample | None = None) -> str:
-        """The file. With a sample only some values are computed; the others are what the text `found` has in their
+        """The file. With a sample only some values are computed; the others are as the text `found` has in their
         place, if that are values at all."""
         function, values, (every, of_fixed) = self.function, self.values, self.rows()
         lines = ["hashnoise golden 2", f"function {function.id}", f"calls {function.calls}", f"bits {BITS}",

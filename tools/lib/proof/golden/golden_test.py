@@ -687,7 +687,7 @@ class GoldenCheck(unittest.TestCase):
         golden.write(self.directory, self.files)
 
     def run_main(self, *arguments: str) -> tuple[int, str]:
-        """The exit status and what was printed, with the table cut down to the functions of the few files."""
+        """The exit status and the output, with the table cut down to the functions of the few files."""
         out = io.StringIO()
         functions = [function for function in FUNCTIONS.values() if f"{function.id}.golden" in self.files]
         with mock.patch.object(golden, "read_functions", return_value=functions), contextlib.redirect_stdout(out):

@@ -138,7 +138,7 @@ def crossings(form: str, has_period: bool) -> list[Row]:
 
 # --- Phases -----------------------------------------------------------------------------------------------------
 
-# Whole turns and quarters, what is cut off, the step of 2^-30 and the end of a turn, and phases far from 0.
+# Whole turns and quarters, numbers that are cut off, the step of 2^-30 and the end of a turn, and phases far from 0.
 PHASES = tuple(map(to_f32, (
     0.0, -0.0, 0.25, 0.5, 0.75, 1.0, -0.25, -0.5, -1.0, 1 / 3, -1 / 3, 0.125, 2.0**-30, -2.0**-30, 2.0**-31, -2.0**-31,
     3 * 2.0**-31, 1e-40, 1 - 2.0**-24, -1 + 2.0**-24, 0.25 - 2.0**-26, 1000.125, -1000.125, 2.0**21 + 0.25,

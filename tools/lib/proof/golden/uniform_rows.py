@@ -67,7 +67,7 @@ def some(generator: Generator) -> Spread:
 
 
 def edges_of(of: Spread) -> list[float]:
-    """Values: the middle and what is tiny, the ends of a spread and what is beside them, and beyond all spreads."""
+    """Values: the middle and tiny ones, the ends of a spread and their neighbours, and beyond all spreads."""
     reach = to_f32(min(max(of[0], 0.0625), 3))
     found = (0.0, *TINY[::3], reach / 2, beside(reach, -1), reach, beside(reach, 1), 3.0)
     return [signed for x in found for signed in (x, -x)]

@@ -2,7 +2,7 @@
 
 All cells of a block around the position are candidates. A point lies within an octahedron about the middle of its cell,
 so it is at least as far as a box around that. The candidates are taken in the order of these least distances, until all
-others are farther than what was found; what lies outside of the block must be farther, too, or a search raises.
+others are farther than the found ones; a point outside of the block must be farther, too, or a search raises.
 With a phase points go round about the middle of their cells, and no farther from it.
 
 Both arithmetics count in whole numbers: exactly, in units in which everything is whole, or in units of 2^-20.
@@ -65,7 +65,7 @@ def direction(word: int, n: int) -> tuple[int, ...]:
 
 def root(x: Fraction) -> Fraction:
     """The square root: exact if it is rational, else so that every number of up to 2^8 bits is less or greater than it
-    as it is than the root. So what is rounded to a double is rounded correctly."""
+    as it is than the root. So rounding to a double is correct."""
     n = x.numerator * x.denominator
     more = max(0, 256 - n.bit_length() // 2)
     r = math.isqrt(n << 2 * more)
@@ -175,7 +175,7 @@ class Exact(Arithmetic):
 @dataclass(frozen=True)
 class MovingExact(Exact):
     """Points that have gone round."""
-    steps: Matrix  # for each unit of each component of U: what is moved along each axis
+    steps: Matrix  # for each unit of each component of U: the move along each axis
 
     def moved(self, u: Sequence[int]) -> tuple[int, ...]:
         return tuple(sum(a * x for a, x in zip(row, u)) for row in self.steps)

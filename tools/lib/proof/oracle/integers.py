@@ -3,7 +3,8 @@ sine.
 
 The formulas are the contract's, in Python's integers. Python's never overflow, so that the contract's words of
 32 bits need two checks: `signed` and `word` raise where a value would not fit. Numbers that should wrap are masked in
-place. """
+place.
+"""
 
 from __future__ import annotations
 

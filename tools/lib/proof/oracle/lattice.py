@@ -1,5 +1,5 @@
 """The lattice under a noise: its points with a seed, with periods and with a phase (docs/reference/contract.md, 6, 13,
-14 and 16), and what a caller of cellular noise (16) and of phasor noise (23) chooses."""
+14 and 16), and the choices of a caller of cellular noise (16) and of phasor noise (23) chooses."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ def columns(matrix: Matrix) -> Matrix:
 
 @functools.lru_cache(maxsize=4096)
 def forwards(n: int, phase: Real) -> Matrix:
-    """M: what a phase makes of a direction."""
+    """M: it takes a direction by a phase."""
     rotation.check(n)
     c, s = rotation.cosine_and_sine(phase)
     if n == 2:
@@ -50,7 +50,7 @@ def fixed_product(a: int, b: int) -> int:
 
 @functools.lru_cache(maxsize=4096)
 def backwards(n: int, phase: Real) -> Matrix:
-    """B, in units of 2^-16: what a phase makes of a position, so that points need no rotation."""
+    """B, in units of 2^-16: it takes a position by a phase, so that points need no rotation."""
     rotation.check(n)
     c, s = rotation.fixed_cosine_and_sine(phase)
     if n == 2:

@@ -47,7 +47,7 @@ class FaultChecks:
     the fault itself, and the checks that notice it."""
     CHECKS: tuple[str, ...]
     FAULTS: Sequence[tuple[object, str, object, tuple[str, ...]]] = ()
-    NOTICED: type[Exception] | tuple[type[Exception], ...] = AssertionError  # what a check raises at a fault
+    NOTICED: type[Exception] | tuple[type[Exception], ...] = AssertionError  # raised by a check at a fault
 
     def test_every_check_passes(self) -> None:
         for check in self.CHECKS:

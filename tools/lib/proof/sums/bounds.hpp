@@ -1,4 +1,4 @@
-// How far an octave sum of floats may be from the exact one, given what is proven of its noise. The proofs are in
+// How far an octave sum of floats may be from the exact one, given the bounds of its noise. The proofs are in
 // bounds.cpp. The suite and tools/make bounds compile it, so it includes the standard library and what tools/make
 // catalog makes, and nothing else.
 #pragma once

@@ -173,7 +173,7 @@ def sources() -> list[Path]:
 
 
 def vectors_folder() -> Path:
-    """The folder with the files, which are made if they are not there, or if what they are made of has changed. The
+    """The folder with the files, which are made if they are not there, or if their sources have changed. The
     source of a release has them at its top."""
     there = ROOT / "vectors"
     return there if there.is_dir() else kept(VECTORS, sources(), vectors)

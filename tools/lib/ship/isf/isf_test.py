@@ -1,4 +1,4 @@
-"""tools/pack isf: what the looks are, and that they draw.
+"""tools/pack isf: the looks, and that they draw.
 
     python3 -m unittest ship.isf.isf_test   descriptions of all, and the text of one
     python3 -m ship.isf.isf_test FOLDER     all: npm's parser reads them, and Mesa draws them. FOLDER is for the parser
@@ -48,7 +48,7 @@ def described(text: str) -> dict:
 
 
 def compiled(text: str, first: str = "#version 330") -> str:
-    """A file as a program for ISF has it compiled: behind its own lines, which declare what the format has."""
+    """A file as a program for ISF has it compiled: behind its own lines, which declare the format's inputs."""
     uniforms = "".join(f"uniform {TYPES[one['TYPE']]} {one['NAME']};\n" for one in described(text)["INPUTS"])
     return (f"{first}\nprecision highp float;\nprecision highp int;\n#define gl_FragColor isf_FragColor\n"
             "out vec4 gl_FragColor;\nuniform vec2 RENDERSIZE;\nuniform float TIME;\nin vec2 isf_FragNormCoord;\n"

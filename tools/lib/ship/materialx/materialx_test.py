@@ -1,4 +1,4 @@
-"""tools/pack materialx: what the library of nodes has, and its command line.
+"""tools/pack materialx: the content of the library of nodes, and its command line.
 
     python3 -m unittest ship.materialx.materialx_test  names and texts of a few
     python3 -m ship.materialx.materialx_test           the whole library: MaterialX makes shaders of it, which

@@ -1,6 +1,6 @@
 """The files of the npm package that are made of the library: GLSL and WGSL as modules of JavaScript, with their types.
 
-A text stands in one module, and others import it, so a bundler keeps what is used, and keeps it once.
+A text stands in one module, and others import it, so a bundler keeps each used text once.
 """
 
 from __future__ import annotations

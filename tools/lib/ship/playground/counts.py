@@ -1,4 +1,4 @@
-"""How many instructions and registers compilers of GPUs count for what the page shows: from the record of
+"""How many instructions and registers compilers of GPUs count for the page's functions: from the record of
 tools/measure gpu, one chip of each compiler."""
 
 from __future__ import annotations

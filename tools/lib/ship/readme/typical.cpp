@@ -1,4 +1,4 @@
-// Prints what the functions of the library return at 2^16 random points within 4096 cells of the origin, a line each:
+// Prints the values of the library's functions at 2^16 random points within 4096 cells of the origin, a line each:
 // its name, the axes, then mean, deviation, and the values below which 1 and 99 of 100 lie.
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-"""tools/pack release: what it makes is whole, the same each time, and of a tree that is what is committed."""
+"""tools/pack release: its files are whole, the same each time, and of a committed tree."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from catalog import copies
 from proof.vectors.files import vectors_folder
 from ship.release import files
 
-# Enough of the tree for what is tried here.
+# Enough of the tree for these tests.
 COPIED = ("CMakeLists.txt", "LICENSE", "catalog/asked.toml", "conformance/expected/golden/hash.word.golden",
           "conformance/web/address.js", "glsl", "include", "packages/npm/package.json", "packages/wesl/Cargo.toml",
           "tools", *(name for name in copies.LINES if not name.startswith("include/")))

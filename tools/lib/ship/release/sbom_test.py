@@ -1,4 +1,4 @@
-"""The bill of materials of a release: what is in it, and that it is CycloneDX by the schema of that format.
+"""The bill of materials of a release: its content, and that it is CycloneDX by the schema of that format.
 
     sbom_test.py FOLDER     with the checker, cyclonedx-python-lib of requirements.txt, which is installed into FOLDER
 

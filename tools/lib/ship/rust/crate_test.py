@@ -1,4 +1,4 @@
-"""tools/pack rust: what is in the crate, as far as no cargo is needed to check it, and its command line."""
+"""tools/pack rust: the content of the crate, as far as no cargo is needed to check it, and its command line."""
 
 from __future__ import annotations
 

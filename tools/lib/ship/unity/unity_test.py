@@ -1,4 +1,4 @@
-"""tools/pack unity: what the package has, and its command line.
+"""tools/pack unity: the content of the package, and its command line.
 
     python3 -m unittest ship.unity.unity_test  names and texts of a few
     python3 -m ship.unity.unity_test           the whole package: Mono compiles its C#, and runs it; glslang, DXC
@@ -45,7 +45,7 @@ namespace UnityEngine {
     public class Mesh { public Vector3[] vertices; public int[] triangles; public void RecalculateNormals() {} }
 }
 """
-# A render pipeline: macros that Shader Graph's shaders have before the file, and what the sample includes.
+# A render pipeline: macros that Shader Graph's shaders have before the file, and the includes of the sample.
 PIPELINE = """
 #define real float
 #define PI 3.14159265

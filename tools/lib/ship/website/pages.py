@@ -1,4 +1,4 @@
-"""The pages of the site, and what Sphinx needs them to be: a copy in which every link leads to what is there."""
+"""The pages of the site, in the form that Sphinx needs: a copy in which every link leads somewhere."""
 
 from __future__ import annotations
 

@@ -30,13 +30,13 @@ ZONE = re.compile(rf"(?<=^// From here )(?P<what>[\w.,/ ]+ generated from (?P<so
 BELOW = re.compile(rf"^// Generated for {SEVERAL} from the lines above\.\n", re.MULTILINE)
 ANY_MARK = re.compile(r"^// (?:(?:From|To) here|Generated for) .*", re.MULTILINE)
 TO_READ = re.compile(r"^// To read it in one piece: docs/reference/snippets/(\w+)\.md\n", re.MULTILINE)
-END = re.compile(r"^(?=\n|#)", re.MULTILINE)  # of what is made of the lines above, and of these
+END = re.compile(r"^(?=\n|#)", re.MULTILINE)  # of text made of the lines above, and of these
 ITEM = re.compile(r"^(?:HN_FN|struct) (?:.*\}\n|(?:.*\n)*?\};?\n)", re.MULTILINE)
 OF_THE_PLANE = re.compile(r"\b(?:[iu]?vec|hn_\w*[a-z])2\b")
 
 
 def transformed(source: str, plane: str, n: int) -> str:
-    """The text in n dimensions of what stands in a file of the plane."""
+    """The text in n dimensions of text in a file of the plane."""
     name = source.rpartition("/")[2]
     try:
         text = in_dimension(n, plane, name not in RESULTS_STAY)
@@ -61,7 +61,7 @@ def of_whole(source: str, n: int, texts: Mapping[str, str]) -> str:
 
 
 def of_zones(file: str, texts: Mapping[str, str]) -> str:
-    """A file with what is generated in it from the file of the plane. Where a part is in several dimensions, each of its
+    """A file with its parts generated from the file of the plane. Where a part is in several dimensions, each of its
     functions is in all of them, below the same comment."""
     seen: Counter[str] = Counter()
 
@@ -80,7 +80,7 @@ def of_zones(file: str, texts: Mapping[str, str]) -> str:
 
 
 def of_lines_above(file: str, text: str) -> str:
-    """A file for all dimensions, with what is made in it."""
+    """A file for all dimensions, with its generated parts."""
     made = ""
     while mark := BELOW.search(text):
         above, below = text[:mark.start()], text[mark.end():]

@@ -14,7 +14,7 @@ from translate.dimensions import command as umbrella
 
 # hashnoise.glsl includes these first.
 NOISES = ["noise1d.glsl", "noise2d.glsl", "noise3d.glsl", "noise4d.glsl"]
-# Then it includes what is built on noise, or is none.
+# Then it includes functions built on noise, and others.
 BUILT = umbrella.INCLUDE.findall((umbrella.GLSL / "hashnoise.glsl").read_text())[len(NOISES):]
 
 

@@ -35,7 +35,7 @@ class Name:
 
 @dataclass(frozen=True)
 class Call:
-    at: Token  # the name of what is called: a function, or the type that is constructed
+    at: Token  # the name of the called function, or of the constructed type
     arguments: tuple[Expression, ...]
 
 

@@ -19,7 +19,7 @@ class Form:
     write: Mapping[str, str]
     declare: str = "{type} {name}{value};"
     struct: str = "{{{fields}}}"
-    passed: str = "{}"  # what a function sets
+    passed: str = "{}"  # the function's outputs
     result: str = "{type} result = "
 
     def call(self, module: Module, function: Function) -> tuple[list[str], int, int]:

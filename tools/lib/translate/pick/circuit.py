@@ -123,7 +123,7 @@ class Circuit:
             return self.constant(a.value + b.value)
         if b.value == 0:
             return a
-        # Constants stand last: what is added for a float and subtracted again is gone.
+        # Constants stand last: a number added for a float and subtracted again is gone.
         for one, other in ((a, b), (b, a)):
             if one.kind == "plus" and one.arguments[1].value is not None:
                 return self.plus(self.plus(one.arguments[0], other) if other.value is None else one.arguments[0],

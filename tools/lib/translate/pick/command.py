@@ -1,4 +1,4 @@
-"""Writes functions of the library with what they need, and nothing else, to paste into a shader, or into a program for
+"""Writes functions of the library with their helpers, and nothing else, to paste into a shader, or into a program for
 the CPU.
 
     tools/pick hn_perlin2                              GLSL, HN_FAST, the default hash
@@ -175,7 +175,7 @@ def command_of(names: Sequence[str], choice: Choice) -> str:
 def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
     """Makes many texts: the library is read once for each setting and kind of language, and functions that are
     written in one language after the other are evaluated once."""
-    kinds: dict[tuple[object, ...], Choice] = {}  # the first choice of what is read and evaluated in the same way
+    kinds: dict[tuple[object, ...], Choice] = {}  # the first choice that is read and evaluated in the same way
     module = functools.cache(functools.partial(read_library, library))
 
     @functools.lru_cache(maxsize=4)

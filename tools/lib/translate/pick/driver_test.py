@@ -68,7 +68,7 @@ WHOLE = {"octaves": "word % 9u", "metric": "word % 6u", "period": "word % 9u"}
 
 
 def call_of(module: Module, function: Function) -> str:
-    """Lines that draw what is passed to the function, and mix what comes back. The module is split."""
+    """Lines that draw the function's arguments, and mix its results. The module is split."""
     lines, taken, given = GlslRunner.form.call(module, function)
     drawn = [(path[-1] if path and path[-1].isalpha() and len(path[-1]) > 1 else parameter.at.text, type_)
              for parameter in function.parameters if module.passed(parameter)

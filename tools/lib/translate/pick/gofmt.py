@@ -1,6 +1,6 @@
 """Lines of Go as gofmt prints them, as far as pick.go writes such: blanks around operators, and columns of structs.
 
-Around an operator there are blanks, unless what stands around it binds less strongly or lies deeper: gofmt counts how
+Around an operator there are blanks, unless the text around it binds less strongly or lies deeper: gofmt counts how
 deep an expression lies in others (binaryExpr in go/printer/nodes.go).
 """
 
@@ -161,7 +161,7 @@ def _cutoff(one: Binary, depth: int) -> int:
 
 
 def _walked(one: Binary) -> tuple[set[int], int]:
-    """The strengths of what is not in brackets, and of two signs that may not touch."""
+    """The strengths outside of brackets, and of two signs that may not touch."""
     strength = STRENGTH[one.sign]
     found, problem = {strength}, 0
     for side, other in enumerate((one.left, one.right)):

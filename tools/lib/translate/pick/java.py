@@ -97,7 +97,7 @@ private static int toWord(float x) {
             return piece
         if to == "uint":
             return self.call(self.helper("toWord"), [piece])
-        if of == "uint" and piece.sign != ">>":  # what was shifted is not negative
+        if of == "uint" and piece.sign != ">>":  # a shifted number is not negative
             piece = self.infix("&", piece, Piece("0xFFFFFFFFL"))
         return Piece(f"({to}) {piece.within(UNARY - 1)}", UNARY)
 

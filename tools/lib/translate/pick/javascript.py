@@ -22,7 +22,7 @@ const numbers = new Float32Array(1), words = new Int32Array(numbers.buffer);
 
 
 def inside(piece: Piece) -> Piece:
-    """A sum before it is made a word, for what does so itself."""
+    """A sum before it is made a word, for code that does so itself."""
     return Piece(piece.text[1:-len(f") {LOOSE}")], STRENGTH["+"], "+") if piece.sign == LOOSE else piece
 
 

@@ -59,7 +59,7 @@ def prepared() -> bpy.types.Scene:
 
 
 def compiled(tree: bpy.types.NodeTree, shader: Path) -> bpy.types.Node:
-    """A shader as a node. It is a new one, since a node keeps what it had if a shader is not compiled."""
+    """A shader as a node. It is a new one, since a node keeps its old one if a shader is not compiled."""
     script = tree.nodes.new("ShaderNodeScript")
     script.mode = "EXTERNAL"
     script.filepath = str(shader)

@@ -3,7 +3,7 @@ have these pages in each language.
 
     tools/make snippets [--check] [--out DIR]
 
-Exit status: 0 done, or the pages are what they should be; 1 (--check) one is not, or a text cannot be picked; 2 bad
+Exit status: 0 done, or the pages are up to date; 1 (--check) one is not, or a text cannot be picked; 2 bad
 usage, or a folder that cannot be written.
 """
 

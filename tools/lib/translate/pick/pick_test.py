@@ -1,4 +1,4 @@
-"""Tests of tools/pick: the values of what it writes, its compilation, its size, and bad usage."""
+"""Tests of tools/pick: the values of its texts, their compilation, its size, and bad usage."""
 
 from __future__ import annotations
 
@@ -269,7 +269,7 @@ class Shaders(unittest.TestCase):
             found = []
 
             def value(of: object) -> int | None:
-                """The value of a literal, and of what is computed of literals."""
+                """The value of a literal, and of an expression of literals."""
                 if isinstance(of, Number):
                     return int(of.at.text.rstrip("u"), 0) if re.fullmatch("0x[0-9A-F]+u?|[0-9]+u?", of.at.text) else None
                 if isinstance(of, Name) and of.at.text in constants:
@@ -298,7 +298,7 @@ class Shaders(unittest.TestCase):
         shown = text(*MIXED, language="godot")
 
         def joined(lines: Sequence[str]) -> str:
-            """Without what depends on how long the names are: which declarations share a line, and what is long."""
+            """Without parts that depend on the length of names: which declarations share a line, and what is long."""
             return re.sub(r"; (?:[iu]?vec[234]|float|u?int|bool) (\w+ =)", r", \1", " ".join(" ".join(lines).split()))
 
         self.assertEqual(joined(shown.splitlines()), joined(with_own_names(glsl.splitlines())))
@@ -358,7 +358,7 @@ class Statements(unittest.TestCase):
          "    result = a + 1.0;\n  } else {\n    result = a;\n  }\n  return result;\n}\n"),
         ("uint hn_same(uint a, bool b) { uint c = a & 0xFFFFFFFFu; return (c == 0u ? 0u : c) + (b ? 1u : 0u); }",
          "uint hn_same(uint a, bool b) { return a + (b ? 1u : 0u); }\n"),
-        # A condition behind the body is of what the body set, also where it was tested before.
+        # A condition behind the body reads variables of the body, also where it was tested before.
         ("uint hn_walk(uint x, uint n) { uint v = 9u; do { x = x * 5u + 1u; v = v >= n ? x : v; } while (v >= n); "
          "return v; }",
          "uint hn_walk(uint x, uint n) {\n  uint v = 9u;\n  do {\n    uint x2 = x * 5u + 1u;\n    x = x2;\n"
@@ -547,7 +547,7 @@ class Comments(unittest.TestCase):
             "[-1, 1], which is not scaled, mean 0, 0 at lattice points, "))
 
     def test_no_constant_is_named_that_a_text_lacks(self) -> None:
-        """In languages of the CPU, but for what is passed to hn_distribution: its own text has that."""
+        """In languages of the CPU, but for hn_distribution's argument: its own text has that."""
         of_library = {name: module("fast").constant(name).at.text for name in module("fast").constants if is_passed(name)}
         for (language, syntax), (name, count) in itertools.product(command.SYNTAXES.items(), (
                 ("hn_uniform", 0), ("hn_distribution", 18), ("hn_distribution_fbm", 0), ("hn_cellular2_jitter", 5))):

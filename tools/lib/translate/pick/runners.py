@@ -1,5 +1,5 @@
-"""Programs that call picked functions in other languages: they read the words of what is passed, and write the words of
-what comes back."""
+"""Programs that call picked functions in other languages: they read the words of arguments, and write the words of
+results."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ class Runner:
     linters: Sequence[str] = ()  # programs that lint() needs beside them
     read: Mapping[str, str]
     write: Mapping[str, str]
-    faults: Mapping[tuple[str, str], str]  # operators of types, and what would be wrong with {} as operands
+    faults: Mapping[tuple[str, str], str]  # operators of types, and faults with {} as operands
     arithmetics: Sequence[str] = ("fast", "fixed", "precise")  # that the language has
     exact = ""               # a program that compares the helpers of the syntax with the language's own
     loop: str                # the head of a loop of {points}
@@ -102,7 +102,7 @@ class Runner:
         return self.syntax().declare(type_, name, value, changes)
 
     def result(self, results: Sequence[Part], number: int) -> str:
-        """One of what was returned."""
+        """One of the results."""
         raise NotImplementedError
 
     def passed(self, name: str, is_set: bool) -> str:
@@ -120,7 +120,7 @@ class Runner:
         results = results_of(function, module)
 
         def made(type_: str, name: str) -> Piece:
-            """A value of words: each is read into a variable first, since languages differ in what comes first."""
+            """A value of words: each is read into a variable first, since languages differ in the order."""
             if type_ not in module.structs:
                 lines.append(self.declare(type_, name, self.read[type_], False))
                 return Piece(name)

@@ -1,4 +1,4 @@
-"""Statements as text of languages that know numbers alone: what they have in common, and how each is described.
+"""Statements as text of languages that know numbers alone: their common parts, and the description of each.
 
 A vector is its components (pick.evaluate), and one that a function returns is an array, a tuple or a struct, as the
 language has it. Integers are computed as the library in C++ computes them: words wrap, and integers with a sign do not
@@ -82,11 +82,11 @@ class Facts(NamedTuple):
     error: str
     parameters: Mapping[str, str] = {}  # by their names in the language, a position's together
     call: str = ""
-    sets: Sequence[str] = ()  # what it returns beside its result: the names of what it sets in GLSL
+    sets: Sequence[str] = ()  # its results beside the first: the outputs' names in GLSL
 
     @property
     def all_returns(self) -> str:
-        """With what is returned behind it."""
+        """With the other results behind it."""
         described = (f"{one}, {self.parameters.get(one, '').removeprefix('set to ')}".rstrip(", ") for one in self.sets)
         return "; then ".join(filter(None, [self.returns, *described]))
 
@@ -113,7 +113,7 @@ def spaced(parts: Sequence[str]) -> str:
 
 def block_comment(facts: Facts, tag: str, begin: str = "", types: Mapping[str, str] = {}) -> list[str]:
     """A comment for javadoc and JSDoc. Text behind a tag belongs to it. `begin` stands before a further paragraph, and
-    `types` has what stands before the names of parameters, and by "" before the result."""
+    `types` has the text before the names of parameters, and by "" before the result."""
     paragraphs = [facts.what, facts.call and f"{begin}Example: {facts.call}",
                   facts.error and f"{begin}Error: {facts.error}.",
                   *(f"@param {types.get(one, '')}{one} {text}." for names, text in facts.parameters.items()
@@ -198,7 +198,7 @@ def bare(name: str) -> str:
 
 
 class Syntax:
-    """How a language writes the same. This is what the languages that come from C have in common."""
+    """How a language writes the same. These are the common parts of C's descendants."""
     indent = 4
     end = ";"
     head = "({})"                    # of a condition
@@ -209,7 +209,7 @@ class Syntax:
     helpers: Mapping[str, str] = {}  # functions that the language lacks, with their comments
     needs: Mapping[str, Sequence[str]] = {}  # of helpers: other helpers
     helpers_first = False            # whether functions stand before those that call them
-    sets_parameters = False          # whether what is returned beside the result is set by parameters of that name
+    sets_parameters = False          # whether other results are set by parameters of that name
     shifts_by_int = False            # whether the right operand of a shift has to be an int
     counts_a_range = False           # whether loops that count go through a range
     branches_are_values = False      # whether an if has a value
@@ -218,13 +218,13 @@ class Syntax:
     components = ""
     word = "uint"          # a word of 32 bits in comments
     item = "- "            # before an item of a list in a comment
-    name = ""              # of what the functions are in, if users may name it
+    name = ""              # the frame of the functions, if users may name it
     is_fixed = False       # whether the arithmetic is HN_FIXED, for who writes about it
-    example_of = ""        # what a call begins with, with that name
-    example_struct = "{}"  # what is passed for a struct that changes
-    example_set = ""       # what is passed for what a function sets
+    example_of = ""        # begins a call, with that name
+    example_struct = "{}"  # the argument for a struct that changes
+    example_set = ""       # the argument for an output
     passed = ""            # the declaration of a constant that users pass, with a place for its name and its number
-    joins: re.Pattern[str] | None = None  # what a declaration looks like, if several may share a line
+    joins: re.Pattern[str] | None = None  # a declaration, if several may share a line
 
     def __init__(self, precise: bool = False):
         self.precise = precise
@@ -268,7 +268,7 @@ class Syntax:
         return AXES
 
     def helper(self, name: str) -> str:
-        """The name of what the language lacks, which is then written behind the functions."""
+        """The name of a function that the language lacks, which is then written behind the functions."""
         pending = [name]
         while pending:
             one = pending.pop()
@@ -360,7 +360,7 @@ class Syntax:
         return f"{name} {sign}= {by}"
 
     def returned(self, results: Sequence[Part], pieces: Sequence[Piece]) -> list[str]:
-        """The end of a function: what it returns, and what it returns beside that."""
+        """The end of a function: its result, and its other results."""
         whole = pieces[0] if len(pieces) == 1 else self.make_results(results, pieces)
         return [f"return {whole.text}{self.end}"]
 

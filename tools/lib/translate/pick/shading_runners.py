@@ -40,7 +40,7 @@ def device() -> Device:
 
 
 class Case(NamedTuple):
-    """A text of a function of a split module, what is passed to it, and how many bytes come back."""
+    """A text of a function of a split module, its arguments, and how many bytes come back."""
     module: Module
     function: Function
     text: str

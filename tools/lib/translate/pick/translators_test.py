@@ -63,7 +63,7 @@ class Translator(NamedTuple):
 
 
 def each(commands: Callable[[Path], Sequence[Sequence[str | Path]]]) -> Take:
-    """By commands that succeed, one after the other, in silence but for what they write to standard output."""
+    """By commands that succeed, one after the other, in silence but for standard output."""
     def refused(file: Path) -> str:
         for words in commands(file):
             done = subprocess.run([str(word) for word in words], cwd=file.parent, capture_output=True, text=True,

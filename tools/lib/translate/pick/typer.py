@@ -41,8 +41,8 @@ def plain(node: Node) -> Typed:
 
 
 class Typer:
-    """`make` makes values of others: values.py, which computes what is known, or what leaves all as it is written.
-    `scope` is where an expression stands, for those who know variables."""
+    """`make` makes values of others: values.py, which computes known values, or a maker that leaves all as it is
+    written. `scope` is where an expression stands, for those who know variables."""
 
     make: ModuleType | SimpleNamespace
     chosen: Collection[str] = SIZES  # types that ?: may have

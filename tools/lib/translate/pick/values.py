@@ -42,7 +42,7 @@ class Constant:
 
 @dataclass(eq=False)
 class Variable:
-    """A parameter, or what a branch or a loop changes."""
+    """A parameter, or a variable that a branch or a loop changes."""
     type: str
     name: str               # as it is written, or like which it is to be called
     is_parameter: bool = False
@@ -122,7 +122,7 @@ FLOATS: dict[str, Callable[[Fraction, Fraction], Fraction]] = {
 
 
 def hides(sign: str, left: Node) -> bool:
-    """Whether an operation that does nothing stays. An exclusive or hides from FXC what the number is, and an or keeps
+    """Whether an operation that does nothing stays. An exclusive or hides the number from FXC, and an or keeps
     the conversions of an integer apart for vkd3d (detail/word.glsl)."""
     return sign == "|" or sign == "^" and isinstance(left, Operation) and left.name == "floatBitsToUint"
 
@@ -184,7 +184,7 @@ def binary(sign: str, left: Node, right: Node) -> Node:
         if right.value:
             quotient = _divided(left.value, right.value)
             return _wrapped(left.type, quotient if sign == "/" else left.value - quotient * right.value)
-    if sign == "-" and left is right and left.type in ("float", "int", "uint"):  # what is computed is finite
+    if sign == "-" and left is right and left.type in ("float", "int", "uint"):  # the computed number is finite
         return NOTHING if left.type == "float" else Constant(left.type, 0)
     if left.type == right.type == "uint" and sign == "-" and less_the_same(left, right):
         left, right = left.arguments[0], right.arguments[0]

@@ -28,8 +28,8 @@ if TYPE_CHECKING:
     from translate.pick.command import Choice
 
 CLOCK = "100"  # MHz
-FRACTION, REST = 20, 4  # bits of a fraction, and of what an octave sum has beyond them
-# In ns, with the wires: what a register takes of a clock, a table of four inputs, a multiplier, a carry, and a bit of it.
+FRACTION, REST = 20, 4  # bits of a fraction, and of an octave sum's rest
+# In ns, with the wires: a register's part of a clock, a table of four inputs, a multiplier, a carry, and a bit of it.
 REGISTER, TABLE, MULTIPLIER, CARRY, CARRIED = 1.2, 1.0, 5.5, 1.6, 0.035
 SIGNS = {"plus": "+", "minus": "-", "times": "*", "and": "&", "or": "|", "xor": "^", "less": "<", "equal": "=="}
 RESERVED = frozenset("""always and assign automatic begin buf bufif0 bufif1 case casex casez cell cmos config deassign

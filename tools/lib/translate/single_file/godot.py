@@ -1,4 +1,4 @@
-"""The text as Godot takes it: what no knob decides is decided, and expanded.
+"""The text as Godot takes it: conditions and macros without a knob are expanded.
 
 Godot's preprocessor looks for every macro in every line, so that hundreds of them take seconds; and behind a second
 include it leaves macros with parameters in place. Its compiler for Vulkan
@@ -43,7 +43,7 @@ def _code(line: str) -> str:
 
 
 def _directive(line: str) -> tuple[str, str]:
-    """The name of a directive and what stands behind it; two empty texts for any other line."""
+    """The name of a directive and the text behind it; two empty texts for any other line."""
     match = DIRECTIVE.fullmatch(_code(line).strip())
     return (match[1], match[2]) if match else ("", "")
 

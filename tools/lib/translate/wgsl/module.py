@@ -87,7 +87,7 @@ class Module:
         return [self.definition(name) for name in self.items if name in needed]
 
     def text(self, only: Iterable[str] = (), strip: bool = False) -> str:
-        """The module, or what these functions of it need."""
+        """The module, or its part that these functions need."""
         return "".join(self.pieces(only, strip))
 
     def pieces(self, only: Iterable[str] = (), strip: bool = False) -> list[str]:

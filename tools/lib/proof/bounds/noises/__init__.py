@@ -43,7 +43,7 @@ class ProvenBounds:
     fixed_intermediate: float = 0.0  # the largest number on the way to it
 
     def bounds(self, noise: str, dimensions: int, gradient: Gradient | None) -> Bounds:
-        """Its row of the table. A limit is what the contract promises, unless rounding takes a value beyond."""
+        """Its row of the table. A limit is the contract's promise, unless rounding takes a value beyond."""
         return Bounds(noise, dimensions, gradient.name if gradient else "none", self.cell_error, self.error,
                       self.lipschitz, max(self.promise, self.largest), self.fixed_error,
                       max(self.promise, self.fixed_largest))

@@ -1,4 +1,4 @@
-"""hn_cellular: what is proven of it, from docs/reference/contract.md, section 16; and of hn_cellular_three, which has
+"""Proofs for hn_cellular, from docs/reference/contract.md, section 16; and of hn_cellular_three, which has
 its entry in cellular_three.py. features.py and distances.py of the folder above have the proofs.
 
 One bound holds for all metrics: the largest. The bound of floats is the hybrid metric's, whose distances are the largest;

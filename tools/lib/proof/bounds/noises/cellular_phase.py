@@ -1,4 +1,4 @@
-"""hn_cellular_phase: what is proven of it, from docs/reference/contract.md, section 16. moving.py of the folder above
+"""Proofs for hn_cellular_phase, from docs/reference/contract.md, section 16. moving.py of the folder above
 has the proofs. How fast distances change with the phase is not bounded here.
 
 One bound holds for the distances and for each component of an offset: the larger one. It is the offset's, which is

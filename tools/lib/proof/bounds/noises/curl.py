@@ -1,4 +1,4 @@
-"""hn_curl: what is proven of it, from docs/reference/contract.md, section 15.
+"""Proofs for hn_curl, from docs/reference/contract.md, section 15.
 
 On the plane its components are derivatives of hn_simplex_d, or their negatives. In space the component along x is
 a_y b_z - a_z b_y of two gradients a and b of hn_simplex_d, b at the place that is moved by m = (1/2, 0, 1/4). Let u be

@@ -1,4 +1,4 @@
-"""hn_hex_tiling: what is proven of its weights and vectors, from docs/reference/contract.md, section 20. One bound
+"""Proofs for the weights and vectors of hn_hex_tiling, from docs/reference/contract.md, section 20. One bound
 holds for both.
 
 RANGE. Weights are from 0 to 1. A vector from a corner stays within the hexagon around it: half a cell along each axis.

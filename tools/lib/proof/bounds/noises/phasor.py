@@ -1,4 +1,4 @@
-"""hn_phasor: what is proven of it, from docs/reference/contract.md, section 23. One bound holds for the value and for
+"""Proofs for hn_phasor, from docs/reference/contract.md, section 23. One bound holds for the value and for
 the quadrature: each is the real part of
 
     S * sum of w(t) e(a)        e(a) = exp(2 pi i a) for the value, and -i times that for the quadrature
@@ -67,7 +67,7 @@ KERNELS = {2: Waves(2, 819 / 1024, 1, 762, 3, EVEN, triangles=True), 3: Waves(3,
 CASES = tuple((dims, None) for dims in KERNELS)
 TURN = 2 * math.pi
 WAVE_CUT, ANGLE_UNIT = 2.0**-16, 2.0**-32  # in waves per cell, and in turns
-RAMP_ONE = 2**29  # the unit of what is multiplied with the weights
+RAMP_ONE = 2**29  # the unit of the factors of weights
 
 
 # --- Exactly ----------------------------------------------------------------------------------------------------------
@@ -85,7 +85,7 @@ def attained(kernel: Kernel, u: tuple[float, ...], rate: float, place: np.ndarra
 
 
 def second_derivative(kernel: Kernel, u: tuple[float, ...], rate: float, offsets: Offsets, axis: int) -> np.ndarray:
-    """A bound of that of what one point adds, in each box."""
+    """A bound of the derivative of one point's part, in each box."""
     fall = weight_jet(offsets, axis, 1) * Jet(offsets.along(u), abs(u[axis]))
     return np.hypot(2 * kernel.fall * fall.second, rate * weight_jet(offsets, axis).second)
 

@@ -77,7 +77,7 @@ def attained(kernel: Waves, u, s, rates: tuple[float, float], place: np.ndarray)
 
 
 def slope_along(kernel: Waves, u, s, rates: tuple[float, float], offsets: Offsets, axis: int) -> np.ndarray:
-    """A bound of the first derivative of what one point adds, in each box."""
+    """A bound of the first derivative of one point's part, in each box."""
     m = kernel.fall
     of_u, of_s = (Jet(offsets.along(v), abs(v[axis])) for v in (u, s))
     w, dw, ddw = (weight_jet(offsets, axis, order) for order in range(3))

@@ -1,4 +1,4 @@
-"""hn_value: what is proven of it, from docs/reference/contract.md, section 9, and of the derivatives of hn_value_d,
+"""Proofs for hn_value, from docs/reference/contract.md, section 9, and of the derivatives of hn_value_d,
 from section 10, which has its entry in value_d.py.
 
 RANGE. The number of a corner is within +-1, and -1 occurs. The weights are not negative and sum to 1, so the value is

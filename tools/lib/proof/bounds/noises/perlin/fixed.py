@@ -1,5 +1,5 @@
 """The error of hn_perlin and of the derivatives of hn_perlin_d in fixed arithmetic (docs/reference/contract.md,
-sections 8 and 10), proven; that the noise stays in range, and that what must not wrap does not.
+sections 8 and 10), proven; that the noise stays in range, and that nothing wraps that must not.
 
 HN_PERLIN. The fixed value differs from the exact one by five things. FADE, LERP and RAMP are bounded together, for each
 box:
