@@ -193,7 +193,7 @@ function mainOf(language, state, { main, pixel, below, result }) {
   const leans = isLeaning(state);
   const place = far ? inSpace(state) : middleOf(state);
   const numbers = place.map((parts) => decimal((far ? placeOf(parts) : Number(parts)) / kPartsOfCell));
-  const flat = leans ? n : Math.min(n, 2); // The pixel has so many coordinates; the others are those of the slice.
+  const flat = leans ? n : Math.min(n, 2); // The pixel has so many coordinates; the others are the slice's.
   const onPlane = `${n === 1 ? "pixel.x" : "pixel"} * ${decimal(cellsAcross(state))}`;
   const scaled = leans ? `slice(${vector(float(n), [onPlane, "0.0", "0.0"].slice(0, n - 1))})` : onPlane;
   const slice = `${scaled} + ${vector(float(flat), numbers.slice(0, flat))}`;

@@ -10,7 +10,7 @@ const kRound = 2 * Math.PI;
 
 // The heights of values, from 0 for the lowest colour to 1 for the highest, and the colour of each with its light.
 // `side` is the number of values on a side, the first in the lower left corner; `steep` is the height of the highest
-// colour in sides of the block. Colours are those of the palette, or of `pixels` if there are some.
+// colour in sides of the block. Colours are the palette's, or of `pixels` if there are some.
 export function surfaceOf(values, side, [low, high], palette, steep, pixels) {
   const heights = Float32Array.from(values, (value) => Math.min(Math.max((value - low) / (high - low), 0), 1));
   const colours = new Uint8Array(3 * side * side);

@@ -163,7 +163,7 @@ class Batches : public FaultyLibrary {
     session_.emplace(Suite{sources_, reference_, HN_GOLDEN_DIRECTORY, 1, 2500}, *context_, 1000);
   }
 
-  // Makes the value wrong, by difference, where x is that of a point.
+  // Makes the value wrong, by difference, where x is a point's.
   void break_at(const Words& inputs, std::size_t point, double difference) {
     faults_ += fmt::format("+ (floatBitsToUint(p.x) == {}u ? {:.9f} : 0.0) ", inputs[point * kInputWords], difference);
     append("perlin2d.glsl", fmt::format("#define hn_perlin(args) (hn_perlin(args) {})", faults_));

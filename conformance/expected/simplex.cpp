@@ -79,7 +79,7 @@ double third(const Kernel& kernel, double u, double distance) {
 }
 
 // The sum over the points. One that is a little beyond the radius counts as if it were there: the third derivative
-// jumps at the radius, and the places are those of a grid.
+// jumps at the radius, and the places are a grid's.
 template <typename OfPoint>
 double sum_at(const Kernel& kernel, const std::vector<Place>& points, const Place& place, std::size_t axis,
               double reach, const OfPoint& of_point) {

@@ -332,7 +332,7 @@ double octave_slope_tolerance(OctaveSum kind, int axes, const OctaveArguments& a
 
 //   billow = 1 - 2*distance;  P and B are means of octaves, at most 1;  value = 1 - (1 - P)*(1 - B)*0.25
 //
-// The distance is that of cellular_d, at most 3/2. 1 - 2*distance rounds once, and so do 1 - P and 1 - B, which are at
+// The distance is cellular_d's, at most 3/2. 1 - 2*distance rounds once, and so do 1 - P and 1 - B, which are at
 // most 2, their product, and the difference from 1.
 double perlin_worley_tolerance(OctaveArguments arguments) {
   constexpr double kUnit = 0x1p-23;

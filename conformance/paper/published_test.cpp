@@ -239,7 +239,7 @@ TEST_F(Published, GradientsAreTheSinesOfTheChain) {
   const auto words = random_words();
   std::vector<std::uint32_t> inputs(4096 * kInputWords);
   for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i] = words[i];
-  // The first cells are those of a period.
+  // The first cells are a period's.
   for (std::size_t i = 0; i < 2048 * kInputWords; ++i) inputs[i] &= 1048575u;
   const auto bits = [](std::uint32_t word) {
     return std::bit_cast<std::uint32_t>(static_cast<float>(std::bit_cast<int>(word)));

@@ -336,7 +336,7 @@ test("a sphere and a cube show points of space, the same by WebGL2 and by WebGPU
     }
     assert.equal(unequal(...seen), 0, view);
     if (view === "sphere") assert.ok(colours[0].every((part, at) => Math.abs(part - colours[1][at]) <= 1));
-    // Beside the solid there are no values, and on its points there are those of space.
+    // Beside the solid there are no values, and on its points there are space's.
     const found = async (shown) => {
       let [beside, wrong] = [0, 0];
       for (let at = 3; at < seen[0].length; at += 61) {

@@ -1,6 +1,6 @@
 // Rows of grids whose points are so near each other that neighbours share cells. Along such a row the corners of all
 // points lie in few columns, so what depends on a corner alone is computed once for a column, many columns at a time. A
-// point finds it by the number of its column. Numbers and their order are those of the library, and so are the bits,
+// point finds it by the number of its column. Numbers and their order are the library's, and so are the bits,
 // but for Perlin noise with HN_FAST.
 #pragma once
 

@@ -49,7 +49,7 @@ HN_FN hn_float hn_i_of_d_corners(hn_float n) { return n; }
 
 #else
 
-// The result is in units of 2^-18. x is that of the fade, in units of 2^-17, and q = x (1 - x) is at most 1/4, in units
+// The result is in units of 2^-18. x is the fade's, in units of 2^-17, and q = x (1 - x) is at most 1/4, in units
 // of 2^-18.
 HN_FN hn_int hn_i_d_fade(hn_int f) {
   hn_uint x = hn_i_from_end(f);

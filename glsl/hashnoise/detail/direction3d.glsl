@@ -8,7 +8,7 @@
 #include "direction.glsl"
 
 // In space a gradient is one of the 12 edges of a cube: two components are 1 or -1, and one is 0. Their second moments
-// are those of a sphere. A gradient that is rotated by a sixth of a turn, across a diagonal of the cube, is one of the
+// are a sphere's. A gradient that is rotated by a sixth of a turn, across a diagonal of the cube, is one of the
 // set, too. It keeps a component, and has another axis in place of the other one.
 //
 //   hn_i_signs(h, turned)           the components that are not 0: of a gradient along its first and its second axis,

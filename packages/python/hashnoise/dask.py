@@ -112,7 +112,7 @@ def data_array(name, size, *, step, cell_size=1.0, unit="cells", chunks="auto", 
 
 
 def _lazy(function, name, size, chunks, options):
-    """A grid as a Dask array. `options` are those of hashnoise.grid."""
+    """A grid as a Dask array. `options` are hashnoise.grid's."""
     for option in ("first", "out", "return_range"):
         if option in options:
             raise TypeError(f"{function}: {option} is an option of hashnoise.grid alone; cut the array in its place, "

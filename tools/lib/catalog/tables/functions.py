@@ -249,7 +249,7 @@ class Function:
     @property
     def component(self) -> int | None:
         """Which component of a vector it has with its derivatives: as 1 for noise2d.value_vector_d_y. The noise of such
-        a function is that of a component."""
+        a function is a component's."""
         of_a_vector = self.returns.startswith("hn_derivatives") and self.calls != f"hn_{self.noise}"
         return "xyz".index(self.members[0][-1]) if of_a_vector else None
 

@@ -14,7 +14,7 @@ there is none.
 {parts}
 
 Exit status: 0 done, or nothing is stale; 1 a part could not be made, or (--check) one is stale; 2 bad usage; 4 there is
-no ninja. With one part it is that of the part, which its --help lists.
+no ninja. With one part it is the part's, which its --help lists.
 """
 
 from __future__ import annotations

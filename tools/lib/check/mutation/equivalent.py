@@ -121,7 +121,7 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     *(each for file in ("cell_border3d.glsl", "detail/feature_points3d.glsl")
       for each in alike(file, ("s(u, v, w)", "s(-u, v, w)", "s(u, -v, w)", "s(u, v, -w)", "s(v, u, w)"))),
 
-    # So is that of a falloff, modulo 2^32: uint(-t) is 2^32 - t.
+    # So is a falloff's, modulo 2^32: uint(-t) is 2^32 - t.
     *alike("detail/falloff.glsl", ("hn_i_falloff_square(t)", "hn_i_falloff_square(-t)")),
 
     # Only the first component is taken.

@@ -1,7 +1,7 @@
 """Sections 2 and 3 of docs/reference/contract.md: hashes of words, and of lattice points; the published ones of section
 18; and the words of vectors of section 22.
 
-All values are words: Python integers masked to 32 bits. A `name` is that of a hash.
+All values are words: Python integers masked to 32 bits. A `name` is a hash's.
 """
 
 from __future__ import annotations

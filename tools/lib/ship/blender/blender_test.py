@@ -4,7 +4,7 @@
     python3 -m ship.blender.blender_test ENVIRONMENT  in Blender, PyPI's bpy: the operators. ENVIRONMENT is the
                                                       folder of python.wheel, which has the Python package
 
-Exit status: that of the tests; 77 bpy or the package is not here.
+Exit status: as of the tests; 77 bpy or the package is not here.
 """
 
 from __future__ import annotations

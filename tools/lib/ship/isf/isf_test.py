@@ -3,7 +3,7 @@
     python3 -m unittest ship.isf.isf_test   descriptions of all, and the text of one
     python3 -m ship.isf.isf_test FOLDER     all: npm's parser reads them, and Mesa draws them. FOLDER is for the parser
 
-Exit status: that of the tests; 77 the parser, Mesa or glslang is not here.
+Exit status: as of the tests; 77 the parser, Mesa or glslang is not here.
 """
 
 from __future__ import annotations

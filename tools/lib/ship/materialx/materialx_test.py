@@ -4,7 +4,7 @@
     python3 -m ship.materialx.materialx_test           the whole library: MaterialX makes shaders of it, which
                                                        have the values of the vectors
 
-Exit status: that of the tests; 77 something that the second needs is not here.
+Exit status: as of the tests; 77 something that the second needs is not here.
 """
 
 from __future__ import annotations

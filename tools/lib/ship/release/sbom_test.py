@@ -2,7 +2,7 @@
 
     sbom_test.py FOLDER     with the checker, cyclonedx-python-lib of requirements.txt, which is installed into FOLDER
 
-Without FOLDER, as a module of unittest, it tests all but the schema. Exit status: that of the tests; 77 PyPI cannot be
+Without FOLDER, as a module of unittest, it tests all but the schema. Exit status: as of the tests; 77 PyPI cannot be
 reached.
 """
 

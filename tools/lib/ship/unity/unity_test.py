@@ -4,7 +4,7 @@
     python3 -m ship.unity.unity_test           the whole package: Mono compiles its C#, and runs it; glslang, DXC
                                                and FXC compile its HLSL
 
-Exit status: that of the tests; 77 Mono or glslang is not here, or nothing failed without Microsoft's compilers.
+Exit status: as of the tests; 77 Mono or glslang is not here, or nothing failed without Microsoft's compilers.
 """
 
 from __future__ import annotations

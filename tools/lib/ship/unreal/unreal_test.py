@@ -4,7 +4,7 @@
     python3 -m ship.unreal.unreal_test           the whole plugin: glslang, DXC and FXC compile its nodes, Clang
                                                  and Mono its module
 
-Exit status: that of the tests; 77 glslang, Clang or Mono is not here, or nothing failed without Microsoft's compilers.
+Exit status: as of the tests; 77 glslang, Clang or Mono is not here, or nothing failed without Microsoft's compilers.
 """
 
 from __future__ import annotations

@@ -126,7 +126,7 @@ class Lines(unittest.TestCase):
 
 
 def part(what: str, text: str) -> str:
-    return f"// From here {what}\n{text}// To here {what}\n"
+    return f"// From here {what}\n{text.rstrip()}\n// To here {what}\n"
 
 
 SAME = "a3d.glsl is generated from a2d.glsl."
