@@ -63,8 +63,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "Phases that are whole turns apart, up to 2^16 of either sign, give the same bits, with every arithmetic."},
     {"half_turn", "Half a turn gives the negative within twice the tolerance."},
     {"phase_zero",
-     "A phase of whole turns gives the noise without a phase, and its derivatives; in space times 879/985 for Perlin "
-     "noise, and 4902/4918 for simplex noise."},
+     "A phase of whole turns gives the noise without a phase, and its derivatives, within the tolerances of both; in "
+     "space times 879/985 for Perlin noise, and 4902/4918 for simplex noise."},
     {"period",
      "4,096 points that are whole periods apart have the same bits, in cells beside the seam and anywhere, with "
      "periods from 1 to 2^31 - 1 and none. Simplex noise on the plane repeats after 2^31 cells without a period. "

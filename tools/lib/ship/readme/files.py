@@ -78,5 +78,6 @@ def picked_text(name: str, language: str) -> str:
 
 @functools.cache
 def picked_for_programs() -> str:
-    """A short function in each language of programs."""
-    return "\n".join(f"`--language {language}`:\n\n{picked_text('hn_lattice2', language)}" for language in SYNTAXES)
+    """A short function in each language of programs; the JavaScript is the TypeScript without types."""
+    return "\n".join(f"`--language {language}`:\n\n{picked_text('hn_lattice2', language)}" for language in SYNTAXES
+                     if language != "javascript")
