@@ -538,9 +538,9 @@ class Comments(unittest.TestCase):
                  "From a cell at most 2.44e-6"),
                 ("hn_perlin2", "fast", "sine", "at most 4.58e-6 against the exact value, in any rounding mode. "
                  "From a cell at most 4.36e-6"),
-                ("hn_cellular_d2", "fixed", "octahedral", "that of hn_cellular, and of a derivative at most 1.08e-5 "
+                ("hn_cellular_d2", "fixed", "octahedral", "hn_cellular's, and of a derivative at most 1.08e-5 "
                  "divided by the distance"),
-                ("hn_clouds2", "fixed", "octahedral", "3 times that of hn_fbm, plus 2.6e-5"),
+                ("hn_clouds2", "fixed", "octahedral", "3 times hn_fbm's, plus 2.6e-5"),
                 ("hn_gradient_lattice2", "fixed", "sine", "less than 3.7e-5")):
             self.assertEqual(of(name, arithmetic, gradient).error, error, name)
         self.assertTrue(of("hn_perlin2", "fixed", "sine").returns.startswith(
