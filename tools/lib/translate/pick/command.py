@@ -276,7 +276,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--list", action="store_true", help="write the names of the functions, and what they take")
     parser.add_argument("--glsl", type=Path, default=GLSL, metavar="DIR", help="another copy of the library")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the file to write (default: standard output)")
-    given = parser.parse_args(arguments)
+    given = parser.parse_intermixed_args(arguments)
     given.language = ALIASES.get(given.language, given.language)
     given.arithmetic = given.arithmetic or ("fixed" if given.language == VERILOG else "fast")
     if bool(given.names) == given.list:
