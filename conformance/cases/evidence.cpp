@@ -245,8 +245,9 @@ class Examiner {
     const Reference right = right_at(i);
     if (!differs(i, right)) {
       evidence.note +=
-          "At this point and around it the driver agrees with the C++ twin: the fault is between values, or in another "
-          "stage or shape of the shader, and no shader of one point shows it.";
+          "At this point and around it the driver agrees with the C++ twin: the fault is between values, in another "
+          "value that the case compares, or in another stage or shape of the shader, and no shader of one point shows "
+          "it.";
       return;
     }
     keep_shader(evidence, session_, evaluation_, facts_of(i, right));

@@ -175,7 +175,8 @@ const isFloat = (value) => typeof value === "number" && Number.isFinite(Math.fro
 
 function real(name, value, least = -Infinity, most = Infinity) {
   if (!isFloat(value)) {
-    throw new (errorOf(value, "number"))(`${name} has to be a finite number, not ${shown(value)}`);
+    const right = Number.isFinite(value) ? "number up to 3.4e38" : "finite number";
+    throw new (errorOf(value, "number"))(`${name} has to be a ${right}, not ${shown(value)}`);
   }
   if (value < least || value > most) {
     throw new RangeError(`${name} has to be ${most === Infinity ? `${least} or more` : `from ${least} to ${most}`}, not ${value}`);

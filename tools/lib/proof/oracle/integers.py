@@ -77,8 +77,7 @@ def part(d: int, t: int) -> int:
 
 
 def difference(a: int, b: int) -> int:
-    """b - a, which wraps. It need not but in Perlin noise in space, at corners that have no weight: see
-    perlin_test.py."""
+    """b - a, which wraps. It need not but in Perlin noise in space, at corners that have no weight."""
     return words.signed(b - a)
 
 

@@ -45,6 +45,7 @@ from ship.unity import files as unity
 from ship.unreal import files as unreal
 
 README = "README.md"
+KNOBS = "docs/reference/knobs.md"
 MEASURING = "docs/measured/measuring.md"
 DEFAULT_HASH = "docs/measured/default-hash.md"
 OPERATIONS = "docs/measured/gpu-operations.md"
@@ -81,6 +82,7 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
                 (MEASURING, "costs on a GPU",
                  numbers.cost_table(numbers.costs(numbers.GPU), "nvidia", "of NVIDIA's assembly"), "h100/bench.csv"),
                 (MEASURING, "costs by compilers", of_gpus.chip_table(of_gpus.costs()), "gpu/costs.csv"),
+                (KNOBS, "costs of arithmetics", of_gpus.arithmetics_quote(of_gpus.costs()), "gpu/costs.csv"),
                 (DEFAULT_HASH, "costs of the hash", of_gpus.titled_table(of_gpus.costs(), of_gpus.HASHED),
                  "gpu/costs.csv"),
                 (OPERATIONS, "operations", of_gpus.operation_table(of_gpus.operation_costs()), "gpu/operations.csv"),

@@ -376,7 +376,7 @@ def compiler(language: str) -> Compiler:
 REFUSED: Mapping[str, Sequence[tuple[str, str]]] = {
     "rust": (("-> f32 {", "-> f32 {\n    let unused = 1.0;"), ("seed: u32", "seed: u32, _a: u32, _b: u32, _c: u32, "
              "_d: u32, _e: u32, _f: u32"), (".wrapping_add(", ".wrapping_add(1 - 1 + ")),
-    "go": (("\treturn ", "\treturn  "), ("seed uint32", "seed, seed uint32")),
+    "go": (("\treturn ", "\tseed = seed\n\treturn "), ("seed uint32", "seed, seed uint32")),
     "csharp": (("uint seed) {", "uint seed) {\nint unused = 1;"),
                ("#pragma warning disable 1591\n\n/// <summary>Procedural noise.</summary>\n", "")),
     "c": (("uint32_t seed)", "uint32_t seed, int unused)"), ("float y,", "double y,")),
