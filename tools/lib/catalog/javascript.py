@@ -27,7 +27,6 @@ NUMBERS = ("seed", "period", "jitter", "octaves", "lacunarity", "gain")
 
 
 def literal(value: Any) -> str:
-    """The value in JavaScript."""
     if isinstance(value, Mapping):
         return f"{{ {', '.join(f'{key}: {literal(one)}' for key, one in value.items())} }}"
     if isinstance(value, (list, tuple)):
