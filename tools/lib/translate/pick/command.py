@@ -145,7 +145,6 @@ def settings(arithmetic: str, hash_: str, gradient: str = "octahedral") -> dict[
 
 
 def read_library(library: Path, choice: Choice) -> Module:
-    """The library as this choice has it."""
     language = LANGUAGES.get(choice.language) or (SYNTAXES[choice.language] if choice.language in SYNTAXES else None)
     macros = {**choice.knobs.macros(), **(language.library if language else {})}
     if choice.language == VERILOG:
@@ -223,7 +222,6 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
 
 
 def picked(names: Sequence[str], choice: Choice = Choice(), library: Path = GLSL) -> str:
-    """One text."""
     return picker(library)(names, choice)
 
 

@@ -109,7 +109,6 @@ def listed(module: Module, library: Path) -> str:
 
 
 def chosen(module: Module, names: Sequence[str]) -> list[Function]:
-    """The functions of these names."""
     found = {name: module.form(name) for name in names}
     for name, function in found.items():
         if function is None and JOINED.fullmatch(name):
@@ -333,7 +332,6 @@ class Program:
         return path[0][1:] if path else AXES[0]
 
     def _all_passed(self, function: Function) -> Kept:
-        """The function with all of its arguments."""
         count = sum(len(self.module.passed(parameter)) for parameter in function.parameters)
         return Kept(function.name, function.types, (None,) * count)
 
