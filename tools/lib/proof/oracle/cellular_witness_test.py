@@ -7,11 +7,12 @@ import math
 import unittest
 
 import numpy as np
+from scipy.spatial import Voronoi, cKDTree
+
 from proof.golden.generator import generator_of
 from proof.oracle import feature_points, nearest, noises, words
 from proof.oracle.gradients import Knobs
 from proof.oracle.lattice import Choice
-from scipy.spatial import Voronoi, cKDTree
 
 SEED = 0xC0FFEE
 BLOCK = {2: 12, 3: 7}  # of cells, from 0 on along each axis
