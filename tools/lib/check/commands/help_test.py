@@ -1,4 +1,4 @@
-"""Tests of what the commands that build answer before anything is installed or built: --help, and wrong options."""
+"""Tests of the answers of commands that build, before they install or build anything: --help, and wrong options."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ CONFORM = "conformance/hn-conform"
 # The program behind each, in build/, and its arguments.
 COMMANDS = {"bake": ("src/bake/hn-bake", "--help"), "conform": (CONFORM, "run --help"),
             "measure clock": (CONFORM, "bench --help"), "measure paper": (CONFORM, "paper --help")}
-# By tools/lib/base/scientific-python, which finds no Python here that has what they import.
+# By tools/lib/base/scientific-python, which finds no Python here that has their imports.
 SCIENTIFIC = {"make bounds": "proof/bounds", "measure hashes": "measure/hashes", "measure noise": "measure/noise",
               "measure uniform": "measure/uniform"}
 OF_MAKE = ("base/ending.py", "base/needs.py", "base/modules.py", "base/tree.py", "base/usage.py",

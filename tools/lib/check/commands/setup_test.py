@@ -1,4 +1,4 @@
-"""Tests of tools/lib/base/setup.sh: what a command shows before it runs.
+"""Tests of tools/lib/base/setup.sh: the output of a command before it runs.
 
 Scripts stand in for cmake, ninja, apt-get and dpkg-query, so that nothing is installed or built. A line is due every
 fifth of a second here, in place of every ten seconds, and a step lasts until it has shown some, however busy the
@@ -96,7 +96,7 @@ class Machine:
         path.chmod(0o755)
 
     def run(self, command: str) -> tuple[int, str, int]:
-        """The status of a command, what it shows through a pipe, and how many of its steps showed that they go on."""
+        """The status of a command, its output through a pipe, and how many of its steps showed that they go on."""
         program, *name = command.split()
         lines, step, times, steps = [], "", 0, 0
         with subprocess.Popen([self.tools / program, *name], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -127,7 +127,7 @@ class Setup(unittest.TestCase):
         return Machine(Path(scratch.name))
 
     def at_once(self) -> None:
-        """Of what does not concern times, the steps are short."""
+        """Steps that do not concern times are short."""
         for name, text in (("apt-get", APT_GET), ("cmake", CMAKE)):
             self.machine.program(name, text.replace(SLOW, "true"))
 
@@ -299,7 +299,7 @@ class Setup(unittest.TestCase):
         os.close(terminal)
         self.assertEqual(process.wait(), 0)
         text = shown.decode()
-        self.assertEqual(text.count("\n"), 2, text)  # the first line, and what the program prints
+        self.assertEqual(text.count("\n"), 2, text)  # the first line, and the program's output
         self.assertRegex(text, r"\rBuilding 25 steps \[\d/2\] \d+:\d\d of about 0:\d\d\x1b\[K")
         self.assertTrue(text.endswith("\r\x1b[Kit runs\r\n"), text)
 

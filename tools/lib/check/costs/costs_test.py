@@ -1,4 +1,4 @@
-"""Tests of the table of costs: that it can fail, and that what is recorded is what was measured."""
+"""Tests of the table of costs: that it can fail, and records hold the measured costs."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
-"""Makes what the pages show of the library: their pictures, the table of typical values, the tables of costs, which
+"""Makes the pages' parts from the library: their pictures, the table of typical values, the tables of costs, which
 file has which function, the size of all of them in one, how long the commands take, and what packages for other
 programs have.
 
     tools/make readme            writes them
-    tools/make readme --check    whether they are what they should be, and the README states the costs and the times
+    tools/make readme --check    whether they are up to date, and the README states the costs and the times
 
 A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of
 docs/guide/gallery. The typical values are those of 2^16 points. The costs are those of
