@@ -17,7 +17,7 @@ SIDE, CELLS = 1024, 16  # pixels and cells along a side
 STEP = CELLS / SIDE
 FEW = 128  # pixels along a side, for what is called point by point
 
-# Of a module: what is measured, and how many points that is.
+# The makers return a call of a module, and how many points it computes.
 
 
 def _ours(function, **settings):
