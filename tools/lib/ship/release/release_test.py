@@ -181,15 +181,15 @@ class Refuses(Project):
             r"(HN_VERSION_M\w+) \d+", r"\1 77", text))
         self.change(self.root / "conformance/web/address.js", lambda text: text.replace(PLACE, "https://example.com/x"))
         self.change(self.root / "CHANGELOG.md", lambda text: text.replace("2026-11-22", "2026-13-99"))
-        page = self.root / "docs/measured/results/gcc.md"
-        page.parent.mkdir(parents=True)
-        page.write_text("A chip, hashnoise 0.1.0 of the text 01234567, 2026-11-22.\n")
+        record = self.root / "docs/measured/results/gcc.csv"
+        record.parent.mkdir(parents=True)
+        record.write_text("# date: 2026-11-22\n# by: a chip\n# hashnoise: 0.1.0\nnoise,text\nperlin2,01234567\n")
         self.git(self.root, "add", ".")
         self.git(self.root, "commit", "-qam", "Begin the next version")
         patch = version().split(".")[2]
         new = f"77.77.{patch}"
         said = [f'CHANGELOG.md: the first heading is "## {version()} (2026-13-99)", and must be "## {new} (DAY)"',
-                "results/gcc.md: all rows are of another text; tools/measure cpu measures them",
+                "results/gcc.csv: all rows are of another text; tools/measure cpu measures them",
                 "conformance/web/address.js: https://example.com/x must be the project's address; write it there",
                 f"CITATION.cff: repository-code: {PLACE} must be repository-code: https://example.com/x; ",
                 f'vcpkg.json: "version": "{version()}" must be "version": "{new}"; tools/make catalog writes it',
