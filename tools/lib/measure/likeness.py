@@ -104,7 +104,7 @@ def our_library(calls: str, axes: int) -> str:
 
 
 def look(renderer: Renderer, source_: str, expression: str, axes: int) -> Look:
-    """Of an expression of p in the source."""
+    """An expression of p in the source."""
     words = {"SOURCE": source_, "EXPRESSION": expression, "VECTOR": f"vec{axes}" if axes > 1 else "float",
              "AXES": str(axes), "CELLS": str(CELLS)}
     program = renderer.program(re.sub("|".join(words), lambda word: words[word[0]], SHADER))

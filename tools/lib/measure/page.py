@@ -15,7 +15,7 @@ STYLE = ROOT / "conformance" / "output" / "style.mustache"  # that of hn-conform
 
 
 class Section(NamedTuple):
-    """Of a page by tables.html."""
+    """A page by tables.html."""
     title: str
     text: str
     heads: Sequence[str]
