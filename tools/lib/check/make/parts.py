@@ -35,7 +35,7 @@ PAGES = ("README.md", "docs/guide/gallery/README.md",
              "guide/cellular", "guide/conformance", "guide/engines", "guide/languages", "guide/uniform",
              "measured/default-hash", "measured/gpu-operations", "measured/hashes", "measured/judge",
              "measured/measuring", "measured/results/README", "measured/silicon", "reference/fractals",
-             "reference/noises")))
+             "reference/knobs", "reference/noises")))
 RECORDS = ("docs/measured/results/**/*.csv", "src/grid/*.*")
 
 PARTS = (
