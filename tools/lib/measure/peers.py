@@ -113,7 +113,7 @@ def subject(call: Call) -> str:
 
 
 def dimensions(call: Call) -> int:
-    """Of the position that bench offers: a vec2 or a vec3."""
+    """The position that bench offers: a vec2 or a vec3."""
     return 2 if "2D" in call.noise else 3
 
 
