@@ -58,7 +58,7 @@ class Names(unittest.TestCase):
 
     def test_each_explains_itself(self) -> None:
         for name, (started, _) in self.table.items():
-            if started == "python":  # commands.help_test calls the others
+            if started == "python":  # commands.setup_test calls the others
                 with self.subTest(name):
                     done = call(name, "--help")
                     self.assertEqual((done.returncode, done.stderr), (0, ""))
