@@ -29,7 +29,7 @@ function chunk(type, bytes) {
 }
 
 export class Png {
-  // Of one channel of 16 bits, or of three of 8. The comment is of ASCII.
+  // The picture has one channel of 16 bits, or three of 8. The comment is in ASCII.
   constructor(width, height, deep, comment) {
     this.rowBytes = width * (deep ? 2 : 3);
     this.pixelBytes = deep ? 2 : 3;

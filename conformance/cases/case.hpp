@@ -102,7 +102,7 @@ struct Case {
 CaseResult run_case(Session& session, const Case& test);
 CaseResult run_case(const Suite& suite, const Case& test);  // of one that needs no driver
 
-// How much of the product of functions, settings, versions and stages: what a run has without --thorough, or all.
+// How much of the product of functions, settings, versions and stages: the part of a run without --thorough, or all.
 enum class Scope { covered, thorough };
 // Every case, in the order in which they run.
 std::vector<Case> all_cases(Scope scope = Scope::thorough);

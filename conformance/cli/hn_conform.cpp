@@ -1,4 +1,4 @@
-// hn-conform: does the library compute what it promises, on this driver, and at what cost?
+// hn-conform: does the library keep its promises on this driver, and at what cost?
 #include <fmt/format.h>
 #include <signal.h>
 #include <unistd.h>

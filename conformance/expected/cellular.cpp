@@ -168,7 +168,8 @@ Vector direction_of(Word h, std::size_t axes) {
 
 // --- Distances, section 16 ---
 
-// A point, seen from the place. Of fixed arithmetic the offset is in units of 2^-20, and the rank what it compares.
+// A point, seen from the place. In fixed arithmetic the offset has units of 2^-20, and the rank is the number that is
+// compared.
 struct VisiblePoint {
   Coordinates from_cell;
   Vector offset;  // of the place from the point; of fixed arithmetic, where points go round, rotated backwards

@@ -68,7 +68,7 @@ struct Evidence {
   std::string reference;
   std::string difference;
   double factor = 0.0;    // by which the difference is amplified
-  std::string note = {};  // what the pictures and the shader show, and what they do not
+  std::string note = {};  // a note on the pictures and the shader
 
   bool operator==(const Evidence&) const = default;
 };

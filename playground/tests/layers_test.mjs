@@ -1,4 +1,4 @@
-// Layers: what is chosen of them, their links, their range and their code, without a browser.
+// Layers: their choice, their links, their range and their code, without a browser.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { functions, numbers, shaderKey } from "../code.js";

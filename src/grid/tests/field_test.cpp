@@ -531,7 +531,7 @@ TEST(Errors, OfOctavesThatOverflow) {
   EXPECT_ERROR(error_of<2>(settings));
 }
 
-// Of the greatest that are allowed, everything is a number: positions at the end of the domain, of each sum.
+// With the greatest allowed settings everything is a number: positions at the end of the domain, in each sum.
 TEST(Values, AreFiniteAtTheEndsOfWhatIsAllowed) {
   for (const std::string& sum : twin::sums(2)) {
     for (const int octaves : {2, 5, 32}) {

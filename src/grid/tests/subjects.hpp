@@ -58,7 +58,7 @@ Grid<D> draw_grid(int most, float largest, Draw draw, Chance& chance);
 template <int D>
 CellGrid<D> draw_cell_grid(int most, Chance& chance);
 
-// Lists that own what they list.
+// Lists that own their items.
 template <int D>
 struct PointList {
   std::array<std::vector<float>, D> p;

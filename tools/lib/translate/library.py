@@ -60,7 +60,7 @@ class Library:
         return function
 
     def seeded(self, function: Function) -> Function | None:
-        """Of a public function without a seed the overload that has one."""
+        """The overload that has a seed, for a public function without one."""
         if not is_public(function.name) or any(one.at.text == "seed" for one in function.parameters):
             return None
         ins, outs = ([one.type for one in function.parameters if one.is_set == is_set] for is_set in (False, True))

@@ -1,4 +1,4 @@
-"""The table of what is made, and but for some of build/ committed: each part, what it is made of, and what makes it. A
+"""The table of generated files, which but for some of build/ are committed: each part, its inputs, and its maker. A
 part stands below those that it needs."""
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ PARTS = (
           "playground/catalog.js", "src/grid/catalog.inc", *LINES)),
     Part("umbrella", "files of glsl/ that only include others, and what other dimensions have of the plane's text",
          "a second", "translate.dimensions.command", (),
-         # config.glsl is by hand, and what is above this part is made of it.
+         # config.glsl is by hand, and the products above this part are made of it.
          ("glsl/hashnoise/[!c]*.glsl", "glsl/hashnoise/c[!o]*.glsl", "glsl/hashnoise/detail/*"), python=(3, 9)),
     Part("readme", "pictures, numbers and tables of pages", "half a minute", "ship.readme.command",
          (*PAGES, *LIBRARY, *RECORDS, "tools/lib/ship/readme/*.[ch]pp",

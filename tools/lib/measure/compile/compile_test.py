@@ -90,7 +90,7 @@ class CompileTimes(unittest.TestCase):
             command.page_table(rows[1:])
         self.assertIn(f"| {COMPILERS[[*COMPILERS][-1]].title} | missing |", found)
         rows = [{**row, "noise": "fBm 3D, 6 octaves"} for row in rows]
-        self.assertEqual(command.quote(rows), "takes 7996 ms, of a pick 7998 ms, and of FastNoiseLite's file 8.0 s")
+        self.assertEqual(command.quote(rows), "takes 7996 ms, as one function 7998 ms, and of FastNoiseLite's file 8.0 s")
 
     def test_a_refused_shader_is_named(self):
         refusing = self.program("case $5 in 2.frag) echo 'ERROR: 0:7: no such thing'; exit 2;; esac")

@@ -57,6 +57,19 @@ def chip_table(rows: Mapping[tuple[str, str], Row]) -> str:
     return table(("noise", *(_head(name) for name in chips)), lines)
 
 
+def arithmetics_quote(rows: Mapping[tuple[str, str], Row]) -> str:
+    """The costs of arithmetics in that of HN_FAST, least and largest of the chips."""
+    def beside_fast(id: str, arithmetic: str) -> str:
+        ratios = [float(rows[f"{id}+{arithmetic}", chip].cost) / float(rows[id, chip].cost)
+                  for chip in comparing.shown(rows)]
+        return f"{min(ratios):.1f} to {max(ratios):.1f} times"
+
+    ids = ("noise2d.perlin.lattice", "noise3d.perlin.lattice")
+    fixed, precise = ([beside_fast(id, arithmetic) for id in ids] for arithmetic in ("fixed", "precise"))
+    return (f"By the compilers of GPUs, Perlin noise with `HN_FIXED` costs {fixed[0]} as much as with `HN_FAST` on the "
+            f"plane and {fixed[1]} in space, and with `HN_PRECISE` {precise[0]} and {precise[1]}.\n")
+
+
 def titled_table(rows: Mapping[tuple[str, str], Row], titles: Mapping[str, str]) -> str:
     """The costs of some subjects, each with its title."""
     chips = comparing.shown(rows)

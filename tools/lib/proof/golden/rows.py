@@ -193,7 +193,7 @@ def place_rows(n: int, seeded: bool, generator: Generator) -> list[Row]:
 
 # --- Fixed arithmetic has edges of its own, and no end of its domain --------------------------------------------
 
-# Subnormal and other tiny numbers, the step of a fraction, whole numbers and what is next to them, where a float has no
+# Subnormal and other tiny numbers, the step of a fraction, whole numbers and their neighbours, where a float has no
 # fraction, where int ends, and the largest.
 FIXED_COORDINATES = tuple(to_f32(x) for x in (
     -0.0, 2.0**-149, -2.0**-149, 1e-40, -1e-40, -2.0**-126, 2.0**-33, -2.0**-33, -2.0**-32, 2.0**-21, -2.0**-21,
@@ -286,7 +286,7 @@ def with_infinities(function: Function, every: list[Row], of_fixed: list[Row]) -
 
 
 def with_phases(rows: list[Row], function: Function, waves: Sequence[float], generator: Generator) -> list[Row]:
-    """And with waves, if it has some, among them `waves`. Rows of cellular noise have a phase among what a caller
+    """And with waves, if it has some, among them `waves`. Rows of cellular noise have a phase among the things a caller
     chooses."""
     if not function.has_phase or function.family in cellular_rows.FAMILIES:
         return rows

@@ -13,8 +13,8 @@ from proof.oracle.jacobians import SUMS
 
 COUNT = 64
 
-# Of each setting that only some sums have: edges with any arithmetic, and more with fixed. The strengths of ping-pong
-# reach as far as 64, those of the weighted sum as far as 1, those of eroded sums as far as 16, and amplitudes as far as
+# For each setting that only some sums have: edges with any arithmetic, and more with fixed. The strengths of ping-pong
+# reach as far as 64, of the weighted sum as far as 1, of eroded sums as far as 16, and amplitudes as far as
 # 64. Numbers beyond count as the end.
 Edges = dict[str, tuple[tuple[float, ...], tuple[float, ...]]]
 EDGES: Edges = {

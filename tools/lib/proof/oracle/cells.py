@@ -57,7 +57,7 @@ def halves(values: Sequence[Value]) -> Iterator[tuple[Value, Value]]:
 
 def interpolated(cell: Sequence[int], fraction: Sequence[int],
                  value: Callable[[Sequence[int], Sequence[int]], int]) -> int:
-    """The same in fixed arithmetic: first along x, then y, z, w."""
+    """In fixed arithmetic: first along x, then y, z, w."""
     values = [value(corner, offset) for corner, offset in corners(cell, fraction)]
     for f in fraction:
         values = [lerp(a, b, fade(f)) for a, b in halves(values)]

@@ -1,6 +1,6 @@
 """Sections 4 and 5 of docs/reference/contract.md: from a hash to a float, and the gradient at a lattice point.
 
-Section 4 is exact in the library too. Of the sine gradient only the oracle is: a sine is irrational, so it is off by
+Section 4 is exact in the library too. For the sine gradient only the oracle is: a sine is irrational, so it is off by
 less than SINE_ERROR, far too little to change the double nearest to it.
 """
 

@@ -120,7 +120,7 @@ def fixed_in_range(unit: int, reach: Real, a: Real, b: Real, c: Real) -> tuple[i
 
 
 def product(a: int, b: int) -> int:
-    """As that of the weights of sums, but a may be negative, and both may be above 1."""
+    """As the weights of sums, but a may be negative, and both may be above 1."""
     if b < 0:
         raise OverflowError(f"{b} is negative")
     return signed(signed((a >> 9) * b) + (word((a & 511) * b) >> 9)) >> 9

@@ -1,9 +1,9 @@
-"""Makes what the pages show of the library: their pictures, the table of typical values, the tables of costs, which
+"""Makes the pages' parts from the library: their pictures, the table of typical values, the tables of costs, which
 file has which function, the size of all of them in one, what looks like the noise of other libraries, and what
 packages for other programs have.
 
     tools/make readme            writes them
-    tools/make readme --check    whether they are what they should be, and the README states the costs
+    tools/make readme --check    whether they are up to date, and the README states the costs
 
 A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of
 docs/guide/gallery. The typical values are those of 2^16 points. The costs are those of
@@ -43,6 +43,7 @@ from ship.unity import files as unity
 from ship.unreal import files as unreal
 
 README = "README.md"
+KNOBS = "docs/reference/knobs.md"
 MEASURING = "docs/measured/measuring.md"
 DEFAULT_HASH = "docs/measured/default-hash.md"
 OPERATIONS = "docs/measured/gpu-operations.md"
@@ -77,6 +78,7 @@ def tables() -> list[tuple[str, str, str]]:
                 (MEASURING, "costs on a GPU",
                  numbers.cost_table(numbers.costs(numbers.GPU), "nvidia", "of NVIDIA's assembly"), "h100/bench.csv"),
                 (MEASURING, "costs by compilers", of_gpus.chip_table(of_gpus.costs()), "gpu/costs.csv"),
+                (KNOBS, "costs of arithmetics", of_gpus.arithmetics_quote(of_gpus.costs()), "gpu/costs.csv"),
                 (DEFAULT_HASH, "costs of the hash", of_gpus.titled_table(of_gpus.costs(), of_gpus.HASHED),
                  "gpu/costs.csv"),
                 (OPERATIONS, "operations", of_gpus.operation_table(of_gpus.operation_costs()), "gpu/operations.csv"),

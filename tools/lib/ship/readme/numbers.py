@@ -74,7 +74,7 @@ def footprint_quote(errors: Mapping[str, float]) -> str:
 
 # --- Costs ------------------------------------------------------------------------------------------------------------
 
-NOISES = {  # what stands in the table, by the end of its ids
+NOISES = {  # in the table, by the end of its ids
     "table.float": "Perlin/Float (`table.float`)",
     "table.integer": "Perlin/Integer (`table.integer`)",
     "lattice": "`lattice`, the default",

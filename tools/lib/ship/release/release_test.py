@@ -1,4 +1,4 @@
-"""tools/pack release: what it makes is whole, the same each time, and of a tree that is what is committed."""
+"""tools/pack release: its files are whole, the same each time, and of a committed tree."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from catalog import copies
 from proof.vectors.files import vectors_folder
 from ship.release import files
 
-# Enough of the tree for what is tried here.
+# Enough of the tree for these tests.
 COPIED = ("CMakeLists.txt", "LICENSE", "catalog/asked.toml", "conformance/expected/golden/hash.word.golden",
           "conformance/web/address.js", "glsl", "include", "packages/npm/package.json", "packages/wesl/Cargo.toml",
           "tools", *(name for name in copies.LINES if not name.startswith("include/")))
 PLACE = "https://example.org/a-place"
-# Of the project, or of a page of a registry on it.
+# # The address of the project, or of a page of a registry on it.
 ADDRESS = re.compile(rb"https://[A-Za-z0-9_./-]+/hashnoise[A-Za-z0-9_-]*")
 REGISTRIES = ("https://pypi.org/", "https://www.npmjs.com/", "https://crates.io/")
 CHEAP = "single,parts,vectors,headers,source"
@@ -64,7 +64,7 @@ class Project(unittest.TestCase):
             for name in copies.LINES:
                 cls.change(cls.original / name, lambda text, name=name: copies.made(name, text))
         cls.change(cls.original / "conformance/web/address.js", lambda text: text.replace(address(), PLACE))
-        # Of one pack fewer files are copied than of a thousand objects.
+        # # Fewer files are copied of one pack than of a thousand objects.
         for arguments in (["init", "-q", "--template="], ["add", "-A"], ["commit", "-qm", "All of it"],
                           ["repack", "-adq"]):
             cls.git(cls.original, *arguments)

@@ -2,7 +2,7 @@
 
     website_test.py [CLASS...]     without a class as a module of unittest, all but Whole
 
-Whole installs Sphinx. Exit status: that of the tests; 77 PyPI cannot be reached, so there is no site.
+Whole installs Sphinx. Exit status: as of the tests; 77 PyPI cannot be reached, so there is no site.
 """
 
 from __future__ import annotations

@@ -22,7 +22,7 @@ LANGUAGE = Wgsl(splats=False, fills=False)
 
 @dataclass
 class Definition:
-    """A function, a struct or a constant of the module, and what it needs of the others."""
+    """A function, a struct or a constant of the module, and its needs among the others."""
     name: str
     comments: tuple[str, ...]
     lines: list[str]
@@ -98,7 +98,7 @@ class FunctionWriter(Typer):
 
     def definition(self) -> Definition:
         function = self.function
-        # Twice: what is changed is known behind the first.
+        # Twice: changes are known behind the first.
         for _ in range(2):
             self.scopes = [{parameter.at.text: Variable(parameter.type, parameter.at.text, is_parameter=True)
                             for parameter in function.parameters}]
