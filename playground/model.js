@@ -201,7 +201,6 @@ export function dimensionsOfLayer({ noise, sum }) {
   return kNoises[noise].dimensions.filter((dimension) => possible.includes(dimension));
 }
 
-// The dimensions that all layers have.
 export const dimensionsOf = ({ layers }) =>
   [1, 2, 3, 4].filter((dimension) => layers.every((layer) => dimensionsOfLayer(layer).includes(dimension)));
 

@@ -60,7 +60,6 @@ export class Png {
     return this.writer.write(filtered);
   }
 
-  // The parts of the file.
   async parts() {
     await this.writer.close();
     return [...this.head, chunk("IDAT", new Uint8Array(await this.compressed)), chunk("IEND", new Uint8Array())];

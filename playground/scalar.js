@@ -89,7 +89,6 @@ class ScalarWriter {
     return [String(octaves), this.float(lacunarity), this.float(gain)];
   }
 
-  // The place of a layer.
   placeOf(layer) {
     const { n, state } = this;
     const period = state.period ? [String(state.period * layer.scale)] : [];

@@ -107,7 +107,6 @@ enum class Scope { covered, thorough };
 // Every case, in the order in which they run.
 std::vector<Case> all_cases(Scope scope = Scope::thorough);
 std::vector<std::string> ids_of(const std::vector<Case>& cases);
-// The cases with these ids, in the order of the ids.
 Result<std::vector<Case>> cases_with(std::span<const std::string> ids);
 
 using Subjects = std::set<std::string_view>;  // ids of functions

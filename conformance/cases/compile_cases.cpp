@@ -347,7 +347,6 @@ struct Acceptance {
   std::string knobs;        // before the include
   std::string after = {};   // behind it
   bool everywhere = false;  // in every version, since it is GLSL of its own kind
-  // The included file.
   std::string_view file() const { return everywhere ? "hashnoise.glsl" : "config.glsl"; }
 };
 

@@ -162,7 +162,6 @@ class Examiner {
     return random_points(function(), 1, Random(session_.seed, id_));
   }
 
-  // The tolerances of a function, for each output.
   std::array<double, kOutputWords> allowed_at(std::size_t i, decltype(tolerance) allowed_by) const {
     std::array<double, kOutputWords> allowed{};
     for (std::size_t word = 0; word < function().outputs.size(); ++word) {

@@ -12,7 +12,7 @@
 namespace hn {
 namespace {
 
-// Null unless it is a function: a file as a whole, a setting, a known bug.
+// Null for a file as a whole, a setting or a known bug, which are no functions.
 const Function* known_function(std::string_view id) {
   const auto functions = all_functions();
   const auto found = std::find_if(functions.begin(), functions.end(), [&](const Function& f) { return f.id == id; });

@@ -11,7 +11,7 @@
 #include "base/interruption.hpp"
 #include "base/process.hpp"
 #include "base/temporary_folder.hpp"
-#include "bench/fragment_compiler.hpp"
+#include "bench/shader_statistics.hpp"
 #include "cli/child.hpp"
 #include "cli/command.hpp"
 #include "cli/data_folder.hpp"

@@ -346,7 +346,6 @@ double border_of(const std::vector<VisiblePoint>& all, const VisiblePoint& neare
   return border;
 }
 
-// 0 has no sign.
 double without_sign_of_zero(double value) { return value == 0.0 ? 0.0 : value; }
 
 Vector derivatives_of(const VisiblePoint& nearest, bool fixed) {

@@ -62,7 +62,6 @@ void run(const Executor& executor, std::size_t count, const Task& task) {
   for (std::size_t i = 0; i < count; ++i) task(i);
 }
 
-// The numbers of a result.
 enum class Numbers { kFloat32, kFloat16, kUint16 };
 
 inline Numbers numbers_of(const Memory& memory) {

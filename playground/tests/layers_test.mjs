@@ -55,7 +55,6 @@ test("a choice is that of its layer, and what goes with it follows", () => {
   assert.equal(next.map, "land");
   assert.equal(chosen(state, { view: "tiles" }).period, 4);
   assert.equal(settingsOf(chosen(state, { blend: "mix" }, 1), 1).weight, 0.5);
-  // Dimensions are those that all layers have.
   assert.deepEqual(dimensionsOf(state), [1, 2, 3, 4]);
   const plane = chosen(changed(state, { dimensions: 1 }), { sum: "none", noise: "simplex_smooth" }, 2);
   assert.deepEqual([plane.dimensions, dimensionsOf(plane)], [2, [2, 3]]);

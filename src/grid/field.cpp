@@ -219,7 +219,6 @@ struct Box {
     return at;
   }
 
-  // A part of a row.
   void run_row(std::int64_t number, int first, int count, Ranges& ranges) const {
     const std::array<std::size_t, 4> at = row_at(number);
     std::int32_t cell[4][kMostLanes];

@@ -55,7 +55,6 @@ std::string error_of(const Places& places, std::size_t numbers) {
   return {};
 }
 
-// Whether a text has each of these parts.
 testing::AssertionResult has_parts(const std::string& text, std::initializer_list<std::string_view> parts) {
   for (const std::string_view part : parts) {
     if (text.find(part) == std::string::npos) {

@@ -127,7 +127,6 @@ std::vector<float> planes_of(const Function<D>& function, const std::vector<Plac
   return planes;
 }
 
-// The range of the first plane.
 Range range_of(std::span<const float> planes, std::size_t points);
 
 }  // namespace hashnoise::twin

@@ -13,7 +13,6 @@
 
 namespace hashnoise::twin {
 
-// The options of a noise.
 bool has_jitter(const std::string& noise);
 bool has_metric(const std::string& noise);
 bool has_wave(const std::string& noise);

@@ -3,7 +3,6 @@
 #   setup conform [PURPOSE...]     what hn-conform needs, built into build/; with the packages of more purposes
 #   setup test                     all of it, with the tests and what they need
 #   setup bake                     what hn-bake needs, without the suite unless build/ has it already
-#   setup_bench_cpu COMPILER...    hn-bench-cpu by each, in a folder of its own
 #
 # packages.txt lists Debian's packages by purpose. Packages that are missing are installed; where that fails, the
 # command stops with status 4. On another system it names what is needed and tries to build. While a step runs, a line
@@ -213,22 +212,14 @@ share_objects() {
   export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER:-ccache} CXX=${CXX:-c++}
 }
 
-# The first line.
-#   announce PACKAGE...
-announce() {
-  local count what=
-  count=$(missing "$@" | wc -l)
-  ((!count)) || what="installs $count Debian packages, "
-  echo "tools/${called:-${0##*/}} ${what}builds and runs. All output of the setup is in $log." >&2
-}
-
 setup() {
   local -a purposes=("$@") wanted configuration=(-DHASHNOISE_CONFORMANCE=ON) targets=(hn-conform)
+  local count what=
   case $1 in
     test)
       purposes=(conform vulkan drivers npm bake test ${HN_THOROUGH:+thorough})
       # Warnings are errors here, where the compiler is known, and not for users, where it is not.
-      configuration+=(-DHASHNOISE_TESTS=ON -DHASHNOISE_BAKE=ON -DHASHNOISE_BENCH_CPU=ON
+      configuration+=(-DHASHNOISE_TESTS=ON -DHASHNOISE_BAKE=ON
         -DHASHNOISE_INSTRUCTION_SETS="${HASHNOISE_INSTRUCTION_SETS:-native}"
         -DHASHNOISE_QUICK_BUILD="${HASHNOISE_QUICK_BUILD:-ON}" -DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
       targets=()
@@ -245,45 +236,13 @@ setup() {
   fi
   mapfile -t wanted < <(packages "${purposes[@]}")
   begin_log
-  announce "${wanted[@]}"
+  count=$(missing "${wanted[@]}" | wc -l)
+  ((!count)) || what="installs $count Debian packages, "
+  echo "tools/${called:-${0##*/}} ${what}builds and runs. All output of the setup is in $log." >&2
   install_missing "${wanted[@]}"
   [[ $1 != test ]] || share_objects
-  configure_and_build "$build" '' "${configuration[@]}" -- "${targets[@]}"
+  logged "Configuring the build" "The build could not be configured" \
+    cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "${configuration[@]}"
+  logged "Building" "The build failed" cmake --build "$build" ${targets:+--target "${targets[@]}"}
   if [[ " $* " == *" drivers "* || ($1 == test && -n ${HN_THOROUGH-}) ]]; then find_vkd3d; fi
-}
-
-#   configure_and_build FOLDER BY_WHOM OPTION... -- [TARGET...]
-configure_and_build() {
-  local folder=$1 by=$2
-  local -a options=()
-  shift 2
-  while [[ $1 != -- ]]; do
-    options+=("$1")
-    shift
-  done
-  shift
-  logged "Configuring the build$by" "The build$by could not be configured" \
-    cmake -S "$root" -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release "${options[@]}"
-  logged "Building$by" "The build$by failed" cmake --build "$folder" ${1:+--target "$@"}
-}
-
-# Each compiler's output is measured, so each has a build without anything else.
-setup_bench_cpu() {
-  local -a wanted
-  local compiler
-  mapfile -t wanted < <(packages programs)
-  for compiler in "$@"; do
-    [[ $compiler != clang++ ]] || wanted+=(clang)
-  done
-  begin_log
-  announce "${wanted[@]}"
-  install_missing "${wanted[@]}"
-  for compiler in "$@"; do
-    if ! command -v "$compiler" >/dev/null; then
-      echo "There is no compiler $compiler; --compiler wants a program such as g++ or clang++." >&2
-      exit 2
-    fi
-    configure_and_build "$build/bench-cpu-$(basename "$compiler")" " by $compiler" -DCMAKE_CXX_COMPILER="$compiler" \
-      -DHASHNOISE_CONFORMANCE=OFF -DHASHNOISE_TESTS=OFF -DHASHNOISE_BENCH_CPU=ON -- hn-bench-cpu
-  done
 }

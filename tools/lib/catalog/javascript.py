@@ -27,7 +27,6 @@ NUMBERS = ("seed", "period", "jitter", "octaves", "lacunarity", "gain")
 
 
 def literal(value: Any) -> str:
-    """The value in JavaScript."""
     if isinstance(value, Mapping):
         return f"{{ {', '.join(f'{key}: {literal(one)}' for key, one in value.items())} }}"
     if isinstance(value, (list, tuple)):
@@ -66,7 +65,7 @@ class Twin:
 
     def __init__(self, catalog: Catalog) -> None:
         self.noises = [noise for noise in catalog.noises if noise.small and noise.first <= MOST_DIMENSIONS]
-        # # There would be kernels for its own noises.
+        # There would be kernels for its own noises.
         self.sums = [sum_ for sum_ in catalog.sums if sum_.first <= MOST_DIMENSIONS and sum_.takes_noise]
         self.absent = [function for function in (*catalog.noises, *catalog.sums)
                        if function not in (*self.noises, *self.sums)]
@@ -190,7 +189,7 @@ def sums(twin: Twin) -> str:
 
 
 def settings_of_page(twin: Twin) -> str:
-    """The table in docs/guide/javascript.md, and of the noises that the twin lacks."""
+    """The table in docs/guide/javascript.md, and the noises that the twin lacks."""
     def by_dimensions(functions: Sequence[Function]) -> str:
         line = code([function.name for function in functions if function.is_in(1)])
         return f"{line}; in 2D and 3D {code([function.name for function in functions if not function.is_in(1)])}"

@@ -21,7 +21,7 @@ OWN = "own"  # the noise of a sum that leaves no choice
 MEANS = ("", "density", "billows", "bounded")  # glsl/hashnoise/detail/octave.glsl
 
 
-# # Two steps of glsl/hashnoise/detail/octave.glsl: the one of hn_add, and one that is not public.
+# Two steps of glsl/hashnoise/detail/octave.glsl: the one of hn_add, and one that is not public.
 PLAIN, BOUNDED = "noise", "bounded_size"
 
 

@@ -10,4 +10,4 @@
 help_if_asked "$build/conformance/hn-conform" bench -- "$@"
 refuse_unknown_options "$called" "$root/conformance/cli/options.cpp" "$root/tools/lib/measure/clock.sh" -- "$@"
 setup conform vulkan
-exec "$root/tools/lib/base/scientific-python" --with jinja2 -m measure.clock.costs "$@"
+exec "$root/tools/lib/base/scientific-python" --with jinja2 -m measure.clock "$@"

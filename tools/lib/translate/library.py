@@ -30,7 +30,6 @@ class Library:
 
     @functools.cached_property
     def functions(self) -> dict[Key, Function]:
-        """All of them."""
         found: dict[Key, Function] = {}
         for item in self.tree:
             if isinstance(item, Function):
@@ -81,7 +80,6 @@ class Library:
 
     @functools.cached_property
     def forms(self) -> dict[str, Function]:
-        """The public functions."""
         return {name: function for name, function in self.named.items() if is_public(function.name)}
 
     def form(self, name: str) -> Function | None:

@@ -32,7 +32,6 @@ def imported_as(path: str) -> str:
 
 
 def function_name(text: str) -> str:
-    """The name of a function that the user has."""
     if not re.fullmatch(r"[A-Za-z_]\w*", text):
         raise argparse.ArgumentTypeError(f"a function has a name such as my_hash, not {text!r}")
     return text

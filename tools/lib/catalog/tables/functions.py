@@ -116,7 +116,6 @@ def of_words(type_: str, words: list[str]) -> str:
 
 @dataclass(frozen=True)
 class Function:
-    """A row."""
     id: str
     family: str  # functions whose values depend on the same knobs
     bound: str  # "exact", "sine", a noise or a sum

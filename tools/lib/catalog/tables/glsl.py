@@ -28,7 +28,6 @@ class Comment:
 
     @property
     def examples(self) -> list[str]:
-        """The code in it."""
         text = "\n".join(self.lines)
         return [*STATEMENTS.findall(text), *(re.sub(r"\s+", " ", found) for found in EXAMPLE.findall(text))]
 

@@ -39,11 +39,10 @@ CMAKE = "case \"$*\" in *--build*) echo '[1/2] first'; SLOW; echo '[2/2] second'
 CONFORM = "conformance/hn-conform"
 # The program behind each, in build/, and its arguments.
 COMMANDS = {"bake": ("src/bake/hn-bake", "--help"), "conform": (CONFORM, "run --help"),
-            "measure clock": (CONFORM, "bench --help"), "measure paper": (CONFORM, "paper --help"),
-            "measure cpu": ("bench-cpu-g++/src/bench_cpu/hn-bench-cpu", "--help")}
+            "measure clock": (CONFORM, "bench --help"), "measure paper": (CONFORM, "paper --help")}
 # By tools/lib/base/scientific-python.
 SCIENTIFIC = {f"measure {name}": f"measure/{name}" for name in ("hashes", "noise", "uniform")}
-TEXTS = ("conformance/cli/options.cpp", "src/bench_cpu/options.cpp",
+TEXTS = ("conformance/cli/options.cpp",
          *(f"src/bake/{path.name}" for path in (ROOT / "src/bake").glob("*.cpp")),
          *(f"tools/lib/{room}/command.py" for room in SCIENTIFIC.values()))
 FILES = ("base/setup.sh", "base/packages.txt", "base/scientific-python", "base/node", "base/usage.py")
@@ -158,13 +157,10 @@ class Setup(Machine):
                          "skipped: (there is no |apt-get cannot read the list of sid at .*\n.*no network)")
 
     def test_a_signal_ends_what_a_command_started(self) -> None:
-        self.program("python3", 'case "$*" in *command*) touch "$HN_STARTED"; sleep 100;; esac; exit 1')
         job = '[ "$1" = --help ] || { touch "$HN_STARTED"; sleep 100; echo it runs on; }'
-        for command, program, number in (("measure cpu", "python3", signal.SIGTERM), ("bake", "cmake", signal.SIGINT),
-                                         ("measure cpu", "cmake", signal.SIGHUP), ("test", "cmake", signal.SIGTERM)):
-            with self.subTest(command, program=program):
-                if program == "cmake":
-                    self.program("cmake", job)
+        self.program("cmake", job)
+        for command, number in (("bake", signal.SIGINT), ("measure paper", signal.SIGHUP), ("test", signal.SIGTERM)):
+            with self.subTest(command):
                 name, *part = command.split()
                 self.assert_ends([self.root / "tools" / name, *part], number)
 
@@ -244,7 +240,6 @@ class Usage(Machine):
         for name, arguments, option in (
                 ("bake", ("fbm", "--octvaes", "3"), "--octvaes (did you mean --octaves?)"),
                 ("measure clock", ("--baselien=x",), "--baselien (did you mean --baseline?)"),
-                ("measure cpu", ("--compilers", "g++"), "--compilers (did you mean --compiler?)"),
                 ("conform", ("--drivre", "all"), "--drivre (did you mean --driver?)"),
                 ("conform", ("--no-such-thing",), "--no-such-thing"),
                 # ctest takes any option, so that this would run the tests that are not thorough.
@@ -277,16 +272,16 @@ class Usage(Machine):
         cases = [("conform", arguments) for arguments in (("--filter", "*--x"), ("-x",), ("--", "--no-such-thing"),
                                                           ("--out=--no-such-thing",), ("--filter", "*help*"))]
         for name, (program, shown) in COMMANDS.items():
-            if (path := ROOT / "build" / program.replace("bench-cpu-g++/", "")).exists():
+            if (path := ROOT / "build" / program).exists():
                 text = subprocess.run([path, *shown.split()], capture_output=True, text=True, check=True).stdout
                 options = {*re.findall(r"^ +(?:-\w,)?(--[a-z-]+)", text, re.MULTILINE)} - {"--help"}
                 self.assertGreater(len(options), 3)
                 cases.append((name, sorted(options)))
-        (self.root / "src" / "bench_cpu" / "options.cpp").unlink()
-        cases.append(("measure cpu", ("--no-text-has-it",)))  # nobody can know
         for name, arguments in cases:
             with self.subTest(name=name, arguments=arguments):
                 self.assertEqual(self.call(name, *arguments).returncode, 4)
+        (self.root / "conformance" / "cli" / "options.cpp").unlink()
+        self.assertEqual(self.call("conform", "--no-text-has-it").returncode, 4)  # nobody can know
 
 
 class Node(Machine):

@@ -60,7 +60,6 @@ def own(part: Part, text: bytes) -> bytes:
 
 
 def products(part: Part) -> dict[str, str]:
-    """The checksums of the products."""
     return {path.relative_to(ROOT).as_posix(): hashlib.sha256(own(part, path.read_bytes())).hexdigest()
             for path in found(part.products)}
 

@@ -32,11 +32,11 @@ SUITE = (*(f"{room}/*.[ch]pp" for room in ("src/base", "conformance/library", "c
          "conformance/expected/*.inc", "catalog/*.toml")
 PAGES = ("README.md", "docs/guide/gallery/README.md",
          *(f"docs/{page}.md" for page in (
-             "guide/cellular", "guide/engines", "guide/languages", "guide/moving", "guide/uniform",
+             "guide/cellular", "guide/engines", "guide/languages", "guide/uniform",
              "measured/default-hash", "measured/gpu-operations", "measured/hashes", "measured/judge",
              "measured/measuring", "measured/results/README", "measured/silicon", "reference/fractals",
-             "reference/noises")))
-RECORDS = ("docs/measured/results/**/*.csv", "docs/measured/results/cpu/*.md", "src/grid/*.*")
+             "reference/knobs", "reference/noises")))
+RECORDS = ("docs/measured/results/**/*.csv", "src/grid/*.*")
 
 PARTS = (
     Part("catalog", "what the library, packages and pages have of catalog/, the version and the address", "a second",

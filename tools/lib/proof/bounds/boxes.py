@@ -122,7 +122,6 @@ Bound = Callable[[Boxes], tuple[np.ndarray, ...]]
 
 
 def in_chunks(bound: Bound, boxes: Boxes) -> list[np.ndarray]:
-    """The results of `bound` for all of the boxes."""
     count = boxes.index.shape[1]
     chunks = [bound(boxes.only(slice(start, start + CHUNK))) for start in range(0, count, CHUNK)]
     return [np.concatenate(column) for column in zip(*chunks)]

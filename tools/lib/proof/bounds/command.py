@@ -144,7 +144,6 @@ def refusals(name: str) -> list[str]:
 
 
 def differences(derived: Everything, root: Path = ROOT) -> list[str]:
-    """The differences from the derived numbers."""
     old = [f"{path}: not up to date; run tools/make bounds" for path, text in files(derived, root).items()
            if not path.is_file() or path.read_text(encoding="utf-8") != text]
     return old + missing_quotes(derived, root) + wrong_comments(derived, root / "glsl")

@@ -344,7 +344,6 @@ def wrong_numbers(function: glsl.Declaration, derived: Everything) -> dict[tuple
 
 
 def _significant(number: str) -> str:
-    """Its significant digits."""
     return number.partition("e")[0].replace(".", "").lstrip("0")
 
 

@@ -44,7 +44,7 @@ IN_SUM = {2: math.sqrt(2), 3: 2.0}  # |A| + |B|, by the number of dimensions
 OFF_IN_SUM = {2: 2.0, 3: 3.0}  # how far they are off, by the error of a cosine and a sine
 LARGEST_SHARE = {2: 1.0, 3: 2 / math.sqrt(3)}  # of A and of B
 PRODUCTS = {2: 1.0, 3: 2.0}  # |A n| + |B m|, by R
-# # Two parts, each in units of its whole.
+# Two parts, each in units of its whole.
 MIXED_ROUNDING = {dims: 511 * in_sum + 2 + 2 * 511 for dims, in_sum in IN_SUM.items()}
 FACTOR = 1.15470054
 

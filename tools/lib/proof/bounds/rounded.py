@@ -74,7 +74,6 @@ class Text:
         return [words.view(np.float32).astype(float) for words in self.words(id, rounding, **columns)]
 
     def words(self, id: str, rounding: Rounding, **columns: np.ndarray | float) -> list[np.ndarray]:
-        """The values as words."""
         function = self.bodies[id]
         words = packed(id, function.inputs, columns)
         head = struct.pack("iiiIdi", list(self.bodies).index(id), MODES.index(rounding.mode), rounding.lost_bits,

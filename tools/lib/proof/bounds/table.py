@@ -56,7 +56,6 @@ class Bounds:
     fixed_limit: float
 
     def rounded(self) -> Bounds:
-        """As the table has it."""
         numbers = {name: float(rounded_up(getattr(self, name), digits)) for name, digits in DIGITS.items()}
         return replace(self, **numbers)
 
@@ -84,7 +83,6 @@ class GulliesBounds:
     fixed_slope: float
 
     def rounded(self) -> GulliesBounds:
-        """As the table has it."""
         return GulliesBounds(*(float(rounded_up(number, 3)) for number in astuple(self)))
 
 

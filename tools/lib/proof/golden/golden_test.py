@@ -296,7 +296,7 @@ class GoldenContents(unittest.TestCase):
             for phase in (0.0, 0.25, 0.5, -0.25):
                 for at in (0.0, 0.5):
                     self.assertTrue(any(at in f for f in places[phase]), (n, phase))
-            # # Beside quarters the sines and the cosines are 1 and -1.
+            # Beside quarters the sines and the cosines are 1 and -1.
             found = [rotation.fixed_cosine_and_sine(phase) for phase in places]
             for numbers in zip(*found):
                 self.assertTrue({2**16, -2**16} <= set(numbers), n)
@@ -766,7 +766,7 @@ class GoldenCheck(unittest.TestCase):
         self.assertEqual(self.run_main("--check")[0], 0)
 
     def test_only_some_files(self) -> None:
-        # # Each command sees its own of one file that is missing, one that is wrong, and one that is extra.
+        # Each command sees its own of one file that is missing, one that is wrong, and one that is extra.
         (self.directory / "hash.old.golden").write_text("")
         (self.directory / "hash.unorm.golden").write_text("")
         (self.directory / "hash.snorm.golden").unlink()

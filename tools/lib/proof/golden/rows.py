@@ -28,7 +28,6 @@ from proof.oracle import gradients, words
 
 
 def word_rows(generator: Generator) -> list[Row]:
-    """128 single words."""
     edges = [0, 1, 2, 0x7F, 0x80, 0xFF, 0x100, 0xFFFF, 0x10000, INT_MAX, 0x80000000, 0xFFFFFFFE, 0xFFFFFFFF]
     single_bits = [1 << i for i in range(32)]
     byte_patterns = [byte << shift for byte in (0xFF, 0xA5) for shift in (0, 8, 16, 24)]

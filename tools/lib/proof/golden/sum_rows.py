@@ -175,7 +175,6 @@ def steep(function: Function) -> Row:
 
 
 def of_slopes_and_shifts(function: Function, generator: Generator) -> list[Row]:
-    """Rows of sums that have slopes or shifts."""
     rows = [steep(function)] if function.bound == "eroded" else []
     for _ in range(2 * (not function.has_cell)):
         # The second octave would be at a place that no float has.

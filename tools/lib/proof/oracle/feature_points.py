@@ -346,7 +346,6 @@ def fixed_field(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) 
 
 
 def whole_numbers(values: Sequence[Fraction], unit: int) -> tuple[int, ...]:
-    """The values as multiples of 1 / unit."""
     numbers = [value * unit for value in values]
     if wrong := [value for value, number in zip(values, numbers) if number.denominator != 1]:
         raise ValueError(f"{wrong[0]} is no multiple of 1 / {unit}, as section 16 of the contract requires")

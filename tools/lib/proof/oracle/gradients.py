@@ -172,7 +172,6 @@ OCTAHEDRAL: dict[int, Callable[..., tuple[float, ...]]] = {
 
 
 def gradient(knobs: Knobs, cell: Sequence[int], seed: int = 0) -> tuple[Real, ...]:
-    """hn_gradient."""
     if knobs.sine_in(len(cell)):
         return tuple(sine_of_word(word) for word in sine_arguments(knobs.hash, cell, seed))
     return OCTAHEDRAL[len(cell)](point_word(knobs.hash, cell, seed))

@@ -127,7 +127,6 @@ def sine_gradient(knobs: Knobs, point: Sequence[int], seed: int) -> tuple[int, .
 
 
 def gradient(knobs: Knobs, cell: Sequence[int], seed: int = 0) -> tuple[Real, ...]:
-    """hn_gradient."""
     if not knobs.sine_in(len(cell)):
         return gradients.gradient(knobs, cell, seed)
     return tuple(Fraction(g, SINE_UNIT) for g in sine_gradient(knobs, cell, seed))

@@ -237,6 +237,8 @@ class EveryNoise(unittest.TestCase):
                 scale = OTHER_SCALES.get((bounds.noise.split("_")[0], n), 1)
                 self.assertEqual(at(0), tuple(scale * x for x in plain.exact(knobs, p, seed, (3,) * n)))
 
-    def test_a_noise_that_is_not_there(self) -> None:
+    def test_a_noise_that_is_not_there_and_a_period_too_few(self) -> None:
         with self.assertRaisesRegex(LookupError, "write .*/noises/merlin.py from docs/reference/contract.md"):
             noises.find("merlin")
+        with self.assertRaises(ValueError):
+            noises.find("value").exact(Knobs("lattice"), (0.5, 0.5), 0, (48,))

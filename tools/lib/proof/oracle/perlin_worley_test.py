@@ -111,13 +111,13 @@ class Rows(unittest.TestCase):
     """Golden files without a row at which cells are clamped, or with too few octaves."""
 
     def test_they_see_the_ends(self) -> None:
-        found = [function for function in read_functions() if function.bound == perlin_worley_rows.BOUND]
-        for function, is_fixed in itertools.product(found, (False, True)):
+        some_functions = [function for function in read_functions() if function.bound == perlin_worley_rows.BOUND]
+        for function, is_fixed in itertools.product(some_functions, (False, True)):
             rows = perlin_worley_rows.plain(function, generator_of(function.id))
             evaluate = functions.evaluator(function, is_fixed)
-            for name, other, some in (("clamped_to" if is_fixed else "clamped", lambda v, *_: v, rows[-37:]),
+            for name, other, last in (("clamped_to" if is_fixed else "clamped", lambda v, *_: v, rows[-37:]),
                                       ("MOST", 4, rows[-3:])):
-                right = [evaluate(KNOBS, row)[0] for row in some]
+                right = [evaluate(KNOBS, row)[0] for row in last]
                 with mock.patch.object(perlin_worley, name, other):
-                    found = [evaluate(KNOBS, row)[0] for row in some]
+                    found = [evaluate(KNOBS, row)[0] for row in last]
                 self.assertGreater(max(abs(a - b) for a, b in zip(found, right)), 2**-9, name)

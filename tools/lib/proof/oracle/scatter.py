@@ -60,5 +60,4 @@ def stands(lattice: Lattice, cell: Sequence[int], radius: Real) -> bool:
 
 
 def scattered(lattice: Lattice, cell: Sequence[int], radius: Real) -> int:
-    """hn_scattered."""
     return rehash(candidate(lattice, tuple(cell)).word, 5) | 1 if stands(lattice, cell, radius) else 0

@@ -122,7 +122,6 @@ def octaves_of(q: Place, options: Options, seed: int, periods: Sequence[int] = (
 
 
 def weights(options: Options) -> list[Fraction]:
-    """The weights of the total."""
     count = count_of(options)
     found = [Fraction(options.gain)**i for i in range(count)]
     if count > 1:

@@ -45,7 +45,6 @@ def all_groups() -> Iterator[tuple[dict, dict]]:
 
 
 def checker() -> Callable:
-    """The checker of the page."""
     defined: dict = {}
     exec(compile(CHECKER, "docs/develop/porting.md", "exec"), defined)  # the page's own text
     return defined["faults"]

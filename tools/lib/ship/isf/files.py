@@ -87,7 +87,6 @@ void main() {{
 
 
 def look_table() -> str:
-    """The looks, for the page."""
     return table(("file", "what it is", "inputs of its own"),
                  [(f"`hn-{name}.fs`", look.said, ", ".join(f"`{one}`" for one in look.more))
                   for name, look in LOOKS.items()])

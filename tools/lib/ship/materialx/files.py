@@ -201,7 +201,6 @@ def implementations(target: str) -> str:
 
 
 def node_table() -> str:
-    """The nodes, for the page."""
     return table(("node", "inputs", "`out`"),
                  [(f"`{node(form)}`", ", ".join(f"`{one.name}`" for one in inputs(form)), TYPES[forms()[form].type])
                   for form in FORMS])

@@ -70,7 +70,6 @@ def glsl_modules() -> dict[str, str]:
 
 
 def comment(definition: Definition) -> str:
-    """The comment of a definition, for editors."""
     block: list[str] = []
     for line in reversed(definition.comments):
         if not line.startswith("//"):

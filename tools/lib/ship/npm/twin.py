@@ -46,7 +46,6 @@ def _run(*command: str) -> None:
 
 
 def compiled(source: Path = SOURCE, include: Path = ROOT / "include") -> bytes:
-    """The module."""
     clang = _program("clang++", "clang++-14")
     # The linker of the same LLVM, since it reads that compiler's output.
     major = re.search(r"version (\d+)", subprocess.run([clang, "--version"], capture_output=True, text=True,

@@ -126,7 +126,6 @@ def program_of(setting: Setting) -> Program:
 
 
 def pieces_of(setting: Setting) -> tuple[Setting, dict[str, list[Piece]]]:
-    """The pieces of each language."""
     program = program_of(setting)
     found = {}
     for language in setting.languages:

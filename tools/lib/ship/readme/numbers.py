@@ -13,7 +13,7 @@ from base.tree import GOLDEN
 from base.twin import SOON, compile_program
 from catalog.tables.markdown import table
 from measure import record, stamps
-from measure.peers.table import CALLS, PEERS, dimensions, subject
+from measure.peers import CALLS, PEERS, dimensions, subject
 from measure.stamps import RESULTS
 
 CPU, GPU = "llvmpipe", "h100"  # the renderers in RESULTS that pages name

@@ -242,7 +242,6 @@ class Parser:
         return found
 
     def expression(self) -> Expression:
-        """One that is all of the text."""
         found = self._expression()
         self.end("an expression")
         return found

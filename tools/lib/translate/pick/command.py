@@ -145,7 +145,6 @@ def settings(arithmetic: str, hash_: str, gradient: str = "octahedral") -> dict[
 
 
 def read_library(library: Path, choice: Choice) -> Module:
-    """The library as this choice has it."""
     language = LANGUAGES.get(choice.language) or (SYNTAXES[choice.language] if choice.language in SYNTAXES else None)
     macros = {**choice.knobs.macros(), **(language.library if language else {})}
     if choice.language == VERILOG:
@@ -223,7 +222,6 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
 
 
 def picked(names: Sequence[str], choice: Choice = Choice(), library: Path = GLSL) -> str:
-    """One text."""
     return picker(library)(names, choice)
 
 
@@ -276,7 +274,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--list", action="store_true", help="write the names of the functions, and what they take")
     parser.add_argument("--glsl", type=Path, default=GLSL, metavar="DIR", help="another copy of the library")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the file to write (default: standard output)")
-    given = parser.parse_args(arguments)
+    given = parser.parse_intermixed_args(arguments)
     given.language = ALIASES.get(given.language, given.language)
     given.arithmetic = given.arithmetic or ("fixed" if given.language == VERILOG else "fast")
     if bool(given.names) == given.list:

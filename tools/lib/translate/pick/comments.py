@@ -38,7 +38,6 @@ class Facts(NamedTuple):
 
 
 class Block(NamedTuple):
-    """A comment, as it is."""
     what: str
     entries: Mapping[str, str]
     notes: str  # taken from others

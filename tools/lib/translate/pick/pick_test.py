@@ -685,6 +685,11 @@ class Command(unittest.TestCase):
                 status = int(stop.code)
         return status, shown.getvalue()
 
+    def test_a_noise_for_sums_leaves_the_others_and_may_stand_anywhere(self) -> None:
+        status, shown = self.call("hn_fbm2", "--noise", "hn_simplex2", "hn_cellular2", "--language", "rust")
+        self.assertEqual(status, 0)
+        self.assertRegex(shown, r"(?s)pub fn fbm2\(.*pub fn cellular2\(")
+
     def test_it_says_what_it_wrote_and_how(self) -> None:
         status, shown = self.call("hn_value2", "--arithmetic", "fixed", "--language", "glsl-es")
         self.assertEqual((status, shown), self.call("hn_value2", "--arithmetic", "fixed"))

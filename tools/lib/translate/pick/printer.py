@@ -87,11 +87,9 @@ class Language:
         return self.named(name)
 
     def variable(self, name: str) -> str:
-        """A parameter or a variable of that name."""
         return name
 
     def field(self, name: str) -> str:
-        """The field of a struct."""
         return name
 
     def typed(self, type_: str) -> str:

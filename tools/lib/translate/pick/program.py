@@ -109,7 +109,6 @@ def listed(module: Module, library: Path) -> str:
 
 
 def chosen(module: Module, names: Sequence[str]) -> list[Function]:
-    """The functions of these names."""
     found = {name: module.form(name) for name in names}
     for name, function in found.items():
         if function is None and JOINED.fullmatch(name):
@@ -166,9 +165,9 @@ def _with(module: Module, summed: Summed) -> Module:
     return with_other
 
 
-def not_summed(module: Module, function: Function, summed: Summed) -> str:
+def not_summed(module: Module, function: Function, summed: Summed) -> tuple[str, bool]:
     """Why --noise cannot stand for this function's calls, and which noise it takes: a form of the same one if it has
-    one, else another noise."""
+    one, else another noise. And whether it is no sum at all."""
     types = _of_an_octave(function)
     for replaced in SUMMED:
         form = replaced.removeprefix("hn_perlin")
@@ -180,22 +179,25 @@ def not_summed(module: Module, function: Function, summed: Summed) -> str:
             root, = Program(_with(module, Summed(name, replaced, types)), [function]).roots
             if root.evaluation.sums_other_noise:
                 return (f"{wgsl_name(function)} sums {replaced}({', '.join(types)}), for which "
-                        f"--noise {name}{types[0][-1]} stands")
+                        f"--noise {name}{types[0][-1]} stands"), False
     why = (f"{function.name}({', '.join(function.types)}) is no sum that calls "
            f"{summed.replaced}({', '.join(summed.types)}), for which --noise could stand")
     if not function.name.startswith("hn_warp"):
-        return why
+        return why, True
     axes, noise = types[0][-1], summed.name.removesuffix("_d")
     add = f"hn_add_progressive{axes}" if function.name == "hn_warp_progressive" else f"hn_add{axes}_shifts"
     return (f"{why}. A warp by another noise is a loop (docs/reference/fractals.md#warps) over these functions: "
             f"tools/pick hn_octaves_of{axes} hn_shifts_of{axes} {add} hn_next{axes} hn_mean{axes}_shifts "
-            f"{noise}{axes}_place")
+            f"{noise}{axes}_place"), False
 
 
 def check_sums(program: Program, summed: Summed) -> None:
-    for root in program.roots:
-        if not root.evaluation.sums_other_noise:
-            raise Unknown(not_summed(program.module, root.function, summed))
+    """Functions that sum nothing stand beside sums: one text has the land and what masks it."""
+    others = [root for root in program.roots if not root.evaluation.sums_other_noise]
+    for root in others:
+        why, is_no_sum = not_summed(program.module, root.function, summed)
+        if not is_no_sum or len(others) == len(program.roots):
+            raise Unknown(why)
 
 
 @dataclass
@@ -330,7 +332,6 @@ class Program:
         return path[0][1:] if path else AXES[0]
 
     def _all_passed(self, function: Function) -> Kept:
-        """The function with all of its arguments."""
         count = sum(len(self.module.passed(parameter)) for parameter in function.parameters)
         return Kept(function.name, function.types, (None,) * count)
 

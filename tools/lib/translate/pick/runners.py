@@ -102,7 +102,6 @@ class Runner:
         return self.syntax().declare(type_, name, value, changes)
 
     def result(self, results: Sequence[Part], number: int) -> str:
-        """One of the results."""
         raise NotImplementedError
 
     def passed(self, name: str, is_set: bool) -> str:

@@ -380,7 +380,6 @@ class Syntax:
     # Functions.
 
     def function(self, name: str, parameters: Sequence[Taken], results: Sequence[Part], is_public: bool) -> str:
-        """The head."""
         raise NotImplementedError
 
     def beginning(self, parameters: Sequence[Taken], is_public: bool) -> list[str]:

@@ -95,7 +95,6 @@ class Typer:
         return value
 
     def _assigned(self, statement: syntax.Assign, target: Typed, *scope: object) -> Typed:
-        """The value that is assigned."""
         at, sign = statement.at, statement.at.text
         if statement.value is None:
             if target.type != "int":
@@ -161,7 +160,6 @@ class Typer:
         return self._called(call, arguments, *scope)
 
     def _each(self, of: Callable[..., Node], *values: Typed) -> Typed:
-        """A function of values."""
         return plain(of(*(value.node for value in values)))
 
     def _construct(self, at: Token, arguments: Sequence[Typed]) -> Typed:

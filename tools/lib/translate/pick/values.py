@@ -22,7 +22,6 @@ WORD = 0xFFFFFFFF
 
 
 def scalar_of(type_: str) -> str:
-    """The type of a component."""
     if "vec" not in type_:  # a scalar, or a struct
         return type_
     return {"i": "int", "u": "uint"}.get(type_[0], "float")

@@ -59,7 +59,6 @@ class Expressions(WgslExpressions):
         return self._text(value.node)
 
     def right(self, value: Typed) -> str:
-        """The right operand."""
         return self._text(self._operands(value.node)[1])
 
     def _constant(self, constant: Constant) -> str:
@@ -76,8 +75,6 @@ class Expressions(WgslExpressions):
 
 
 class FunctionWriter(Typer):
-    """Writes one function."""
-
     make = UNCHANGED
     chosen = tuple(name for name, size in SIZES.items() if size == 1)  # hn_i_select chooses other values
 
