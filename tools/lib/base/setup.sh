@@ -4,7 +4,6 @@
 #   setup drivers   the same, with every driver that a machine without a GPU and a display can have
 #   setup clock     as conform, with the Vulkan driver that counts AMD's instructions, and what makes the page
 #   setup paper     the same, with what draws
-#   setup bake      what hn-bake needs, without the suite unless build/ has it already
 #   setup test      all of it, with the tests and what they need
 #
 # It installs the packages that are missing; where it cannot, it stops with status 4. On another system it names what is
@@ -36,10 +35,9 @@ readonly paper_packages=(libvulkan1 mesa-vulkan-drivers)
 readonly page_packages=(python3-jinja2 python3-matplotlib python3-numpy python3-scipy)
 # GLFW loads the libraries of OpenGL by their names.
 readonly driver_packages=("${paper_packages[@]}" chromium-headless-shell clang libgl1 libgles2 libglfw3 libglx-mesa0 xvfb)
-# Of the programs of src/, which have no need of drivers.
+# Of hn-bench-cpu, which has no need of drivers.
 readonly program_packages=(cmake g++ ninja-build
   libcli11-dev libexpected-dev libfmt-dev libkainjow-mustache-dev libpng-dev nlohmann-json3-dev pkg-config zlib1g-dev)
-readonly bake_packages=("${program_packages[@]}" libopenexr-dev)
 # Of tools/pack npm, which compiles to WebAssembly, and the bounds of vectors.
 readonly npm_packages=(clang g++ libc++-dev-wasm32 libfmt-dev lld python3 wasi-libc)
 # Of the tests of examples/, which build raylib.
@@ -47,7 +45,7 @@ readonly example_packages=(git libxcursor-dev libxi-dev libxinerama-dev libxrand
 # The packages behind python3-venv compile for ARM, and run the results; abigail-tools compare binary interfaces; Clang
 # compiles hashnoise::grid with libc++, too. The last are compilers of the languages that tools/pick writes. Node.js is
 # not among them: tools/lib/base/node gets one that is new enough.
-readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" "${example_packages[@]}" ccache libopenexr-dev
+readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" "${example_packages[@]}" ccache
   libc++-dev libclang-rt-dev libgtest-dev python3 python3-dev python3-jinja2 python3-numpy python3-pip python3-scipy
   python3-venv g++-aarch64-linux-gnu qemu-user abigail-tools spirv-cross
   cargo default-jdk-headless golang-go iverilog mono-mcs mono-runtime rust-clippy rustc rustfmt)
@@ -242,17 +240,11 @@ setup() {
     packages+=("${test_packages[@]}")
     [[ -z ${HN_THOROUGH-} ]] || packages+=("${thorough_packages[@]}")
     # Warnings are errors here, where the compiler is known, and not for users, where it is not.
-    configuration+=(-DHASHNOISE_TESTS=ON -DHASHNOISE_BAKE=ON -DHASHNOISE_BENCH_CPU=ON
+    configuration+=(-DHASHNOISE_TESTS=ON -DHASHNOISE_BENCH_CPU=ON
                      -DHASHNOISE_INSTRUCTION_SETS="${HASHNOISE_INSTRUCTION_SETS:-native}"
                      -DHASHNOISE_QUICK_BUILD="${HASHNOISE_QUICK_BUILD:-ON}"
                      -DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
     targets=()
-  elif [[ $1 == bake ]]; then
-    name=bake
-    packages=("${bake_packages[@]}")
-    configuration=(-DHASHNOISE_BAKE=ON)
-    [[ -e $build/CMakeCache.txt ]] || configuration+=(-DHASHNOISE_CONFORMANCE=OFF)
-    targets=(hn-bake)
   elif [[ $1 == drivers ]]; then
     packages+=("${driver_packages[@]}")
   elif [[ $1 == paper ]]; then

@@ -15,7 +15,7 @@ from base.tree import ROOT, TOOLS
 
 CONFORM = "conformance/hn-conform"
 # The program behind each, in build/, and its arguments.
-COMMANDS = {"bake": ("src/bake/hn-bake", "--help"), "conform": (CONFORM, "run --help"),
+COMMANDS = {"bake": ("bake/bin/python", "-m hashnoise bake --help"), "conform": (CONFORM, "run --help"),
             "measure clock": (CONFORM, "bench --help"), "measure paper": (CONFORM, "paper --help"),
             "measure cpu": ("bench-cpu-g++/src/bench_cpu/hn-bench-cpu", "--help")}
 # By tools/lib/base/scientific-python, which finds no Python here that has what they import.
@@ -100,8 +100,7 @@ class Help(Machine):
 class WrongOptions(Machine):
     def setUp(self):
         super().setUp()
-        for file in ("conformance/cli/options.cpp", "src/bench_cpu/options.cpp",
-                     *(f"src/bake/{path.name}" for path in (ROOT / "src/bake").glob("*.cpp")),
+        for file in ("conformance/cli/options.cpp", "src/bench_cpu/options.cpp", "packages/python/hashnoise/_bake.py",
                      *(f"tools/lib/{room}/command.py" for room in SCIENTIFIC.values())):
             self.copy(file)
         for name in ("python3", "g++", "ninja", "ctest"):

@@ -30,14 +30,12 @@ STEPS = 6  # the list of packages, their download and installation, the configur
 # A step ends when the test has read so many lines of it, or after a while: a second, unless HN_PATIENCE has more.
 SLOW = ('n=0; until [ -e "$HN_READ" ] || [ $n -ge "${HN_PATIENCE:-20}" ]; do sleep 0.05; n=$((n + 1)); done; '
         'rm -f "$HN_READ"')
-COMMANDS = ("conform", "bake", "measure clock", "measure cpu", "measure paper", "test")
+COMMANDS = ("conform", "measure clock", "measure cpu", "measure paper", "test")
 TABLE = """kind,name,value,before
 speed,loop,0.1,
 packages,each,2,
 build,conform,100,
 steps,conform,50,
-build,bake,100,
-steps,bake,50,
 build,test,100,
 steps,test,50,
 build,bench-cpu,100,
@@ -83,7 +81,7 @@ class Machine:
         for name in ("clang++", "g++", "ctest"):
             self.program(name, "exit 0")
         self.program("python3", 'case "$*" in *measure*) echo it runs;; esac')
-        for path in ("conformance/hn-conform", "src/bake/hn-bake", "bench-cpu-g++/src/bench_cpu/hn-bench-cpu"):
+        for path in ("conformance/hn-conform", "bench-cpu-g++/src/bench_cpu/hn-bench-cpu"):
             self.program(root / "build" / path, "echo it runs")
         self.environment = {**os.environ, "HOME": "/nowhere", "PATH": f"{self.programs}:{os.environ['PATH']}",
                             "HN_PROGRESS_SECONDS": str(TICK)}
@@ -251,7 +249,7 @@ class Setup(unittest.TestCase):
 
     def test_a_signal_ends_what_a_command_started(self) -> None:
         job = '[ "$1" = --help ] || { echo "[1/2] first"; touch "$HN_STARTED"; sleep 100; echo it runs on; }'
-        for command, program, number in (("bake", "cmake", signal.SIGTERM), ("bake", "cmake", signal.SIGINT),
+        for command, program, number in (("conform", "cmake", signal.SIGTERM), ("conform", "cmake", signal.SIGINT),
                                          ("measure cpu", "cmake", signal.SIGHUP), ("measure cpu", "python3", signal.SIGTERM),
                                          ("test", "cmake", signal.SIGTERM), ("test", "ctest", signal.SIGTERM)):
             with self.subTest(command, program=program):
