@@ -49,7 +49,6 @@ inline std::string digits_of(double number) {
   return text;
 }
 
-// The rule of a setting, in words.
 inline std::string words_of(const Rule& rule) {
   if (rule.most < kMostFloat) return "from " + digits_of(rule.least) + " to " + digits_of(rule.most);
   return rule.least > -kMostFloat ? "a finite number of " + digits_of(rule.least) + " or more" : "a finite number";

@@ -22,7 +22,7 @@ from measure.hashes import gate
 from measure.hashes.judgement import Finding
 from measure.hashes.library import Twin
 from measure.hashes.report import HashResult, describe
-from measure.likeness.ports import source
+from measure.likeness import source
 
 SIDE = 1024  # of what is rendered at once
 PARITY = 1 << 21  # below the ten bits
