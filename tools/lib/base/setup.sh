@@ -2,7 +2,6 @@
 #
 #   setup conform [PURPOSE...]     what hn-conform needs, built into build/; with the packages of more purposes
 #   setup test                     all of it, with the tests and what they need
-#   setup bake                     what hn-bake needs, without the suite unless build/ has it already
 #
 # packages.txt lists Debian's packages by purpose. Packages that are missing are installed; where that fails, the
 # command stops with status 4. On another system it names what is needed and tries to build. While a step runs, a line
@@ -217,18 +216,12 @@ setup() {
   local count what=
   case $1 in
     test)
-      purposes=(conform vulkan drivers npm bake test ${HN_THOROUGH:+thorough})
+      purposes=(conform vulkan drivers npm test ${HN_THOROUGH:+thorough})
       # Warnings are errors here, where the compiler is known, and not for users, where it is not.
-      configuration+=(-DHASHNOISE_TESTS=ON -DHASHNOISE_BAKE=ON
+      configuration+=(-DHASHNOISE_TESTS=ON
         -DHASHNOISE_INSTRUCTION_SETS="${HASHNOISE_INSTRUCTION_SETS:-native}"
         -DHASHNOISE_QUICK_BUILD="${HASHNOISE_QUICK_BUILD:-ON}" -DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
       targets=()
-      ;;
-    bake)
-      purposes=(programs bake)
-      configuration=(-DHASHNOISE_BAKE=ON)
-      [[ -e $build/CMakeCache.txt ]] || configuration+=(-DHASHNOISE_CONFORMANCE=OFF)
-      targets=(hn-bake)
       ;;
   esac
   if [[ $1 != test && ! -e $build/CMakeCache.txt ]]; then

@@ -38,12 +38,12 @@ esac"""
 CMAKE = "case \"$*\" in *--build*) echo '[1/2] first'; SLOW; echo '[2/2] second'; SLOW;; *) SLOW;; esac"
 CONFORM = "conformance/hn-conform"
 # The program behind each, in build/, and its arguments.
-COMMANDS = {"bake": ("src/bake/hn-bake", "--help"), "conform": (CONFORM, "run --help"),
+COMMANDS = {"bake": ("bake/bin/python", "-m hashnoise bake --help"), "conform": (CONFORM, "run --help"),
             "measure clock": (CONFORM, "bench --help"), "measure paper": (CONFORM, "paper --help")}
 # By tools/lib/base/scientific-python.
 SCIENTIFIC = {f"measure {name}": f"measure/{name}" for name in ("hashes", "noise", "uniform")}
 TEXTS = ("conformance/cli/options.cpp",
-         *(f"src/bake/{path.name}" for path in (ROOT / "src/bake").glob("*.cpp")),
+         "packages/python/hashnoise/_bake.py",
          *(f"tools/lib/{room}/command.py" for room in SCIENTIFIC.values()))
 FILES = ("base/setup.sh", "base/packages.txt", "base/scientific-python", "base/node", "base/usage.py")
 
@@ -159,7 +159,7 @@ class Setup(Machine):
     def test_a_signal_ends_what_a_command_started(self) -> None:
         job = '[ "$1" = --help ] || { touch "$HN_STARTED"; sleep 100; echo it runs on; }'
         self.program("cmake", job)
-        for command, number in (("bake", signal.SIGINT), ("measure paper", signal.SIGHUP), ("test", signal.SIGTERM)):
+        for command, number in (("conform", signal.SIGINT), ("measure paper", signal.SIGHUP), ("test", signal.SIGTERM)):
             with self.subTest(command):
                 name, *part = command.split()
                 self.assert_ends([self.root / "tools" / name, *part], number)
