@@ -49,7 +49,7 @@ readonly example_packages=(git libxcursor-dev libxi-dev libxinerama-dev libxrand
 # not among them: tools/lib/base/node gets one that is new enough.
 readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" "${example_packages[@]}" ccache libopenexr-dev
   libc++-dev libclang-rt-dev libgtest-dev python3 python3-dev python3-jinja2 python3-numpy python3-pip python3-scipy
-  python3-venv g++-aarch64-linux-gnu qemu-user abigail-tools spirv-cross
+  python3-venv g++-aarch64-linux-gnu qemu-user abigail-tools dieharder spirv-cross
   cargo default-jdk-headless golang-go iverilog mono-mcs mono-runtime rust-clippy rustc rustfmt)
 # Of thorough tests: Microsoft's FXC, a program for Windows, and the compiler of what starts it; the compilers for
 # RISC-V and WebAssembly, and what libc++ links; a Debian that has nothing; what sees connections; what simulates

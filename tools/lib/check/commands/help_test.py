@@ -153,7 +153,7 @@ class WrongOptions(Machine):
 
     def test_of_what_needs_scientific_python_beginnings_will_do(self):
         self.lose_pythons()
-        done = self.call("measure hashes", "--dim", "2", "--seeds=5")
+        done = self.call("measure hashes", "--dim", "2", "--jobs=5")
         self.assertEqual(done.returncode, 4, done.stderr)
         self.assertIn("dpkg-query.called", [path.name for path in self.called()])
 

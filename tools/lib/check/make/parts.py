@@ -34,8 +34,8 @@ PAGES = ("README.md", "docs/guide/gallery/README.md",
          *(f"docs/{page}.md" for page in (
              "guide/cellular", "guide/conformance", "guide/engines", "guide/languages", "guide/moving", "guide/uniform",
              "measured/default-hash", "measured/gpu-operations", "measured/hashes", "measured/judge",
-             "measured/measuring", "measured/results/README", "measured/silicon", "reference/fractals",
-             "reference/noises")))
+             "measured/measuring", "measured/quality", "measured/results/README", "measured/silicon",
+             "reference/fractals", "reference/noises")))
 RECORDS = ("docs/measured/results/**/*.csv", "docs/measured/results/cpu/*.md", "src/grid/*.*")
 
 PARTS = (
