@@ -34,8 +34,8 @@ PAGES = ("README.md", "docs/guide/gallery/README.md",
          *(f"docs/{page}.md" for page in (
              "guide/cellular", "guide/engines", "guide/languages", "guide/uniform",
              "measured/default-hash", "measured/gpu-operations", "measured/hashes", "measured/judge",
-             "measured/measuring", "measured/results/README", "measured/silicon", "reference/fractals",
-             "reference/knobs", "reference/noises")))
+             "measured/measuring", "measured/quality", "measured/results/README", "measured/silicon",
+             "reference/fractals", "reference/knobs", "reference/noises")))
 RECORDS = ("docs/measured/results/**/*.csv", "src/grid/*.*")
 
 PARTS = (

@@ -8,9 +8,9 @@ A picture is drawn from the code below it, which the C++ twin evaluates at each 
 docs/guide/gallery. The typical values are those of 2^16 points. The costs are those of
 docs/measured/results/llvmpipe/bench.csv, which hn-conform bench writes, and of peers.csv beside it, which tools/measure
 peers writes. Costs on GPUs by their compilers are of docs/measured/results/gpu, by tools/measure gpu, and compile.csv
-is by tools/measure compile. How hashes of others fare is in docs/measured/results/hashes.csv, by tools/measure hashes
---against, how noises are in judged.csv beside it, by tools/measure noise, and how uniform values are in uniform.csv, by
-tools/measure uniform. Circuits are in silicon.csv, by tools/measure silicon.
+is by tools/measure compile. How random hashes are is in docs/measured/results/quality.csv, directions.csv and
+hashes.csv, by tools/measure hashes, how noises are in judged.csv beside them, by tools/measure noise, and how uniform
+values are in uniform.csv, by tools/measure uniform. Circuits are in silicon.csv, by tools/measure silicon.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
 compile, or a page cannot be read.
@@ -49,6 +49,7 @@ SUMS = "docs/reference/fractals.md"
 LANGUAGES = "docs/guide/languages.md"
 ENGINES = "docs/guide/engines.md"
 HASHES = "docs/measured/hashes.md"
+QUALITY = "docs/measured/quality.md"
 JUDGE = "docs/measured/judge.md"
 UNIFORM = "docs/guide/uniform.md"
 SILICON = "docs/measured/silicon.md"
@@ -91,7 +92,12 @@ def tables() -> list[tuple[str, str, str]]:
                   for title, name in (("GCC", "gcc.csv"), ("Clang", "clang.csv"))),
                 (MEASURING, "NEON", neon.page_table(record.read(fills.RESULTS / "neon.csv").rows), "cpu/neon.csv"),
                 (MEASURING, "peers on a GPU", numbers.peer_table(numbers.peer_costs(numbers.GPU)), "h100/peers.csv"),
-                (HASHES, "hashes", hashes.hash_table(hashes.record()), "hashes.csv"),
+                (HASHES, "hashes", hashes.pasted_table(hashes.record("hashes.csv")), "hashes.csv"),
+                *((QUALITY, name, make(hashes.record(of)), of) for name, make, of in (
+                    ("hashes of the library", hashes.hash_table, "quality.csv"),
+                    ("controls", hashes.control_table, "quality.csv"),
+                    ("looks", hashes.look_table, "directions.csv"),
+                    ("traces", hashes.trace_table, "directions.csv"))),
                 (JUDGE, "judged", of_noises.judge_table(of_noises.read()), "judged.csv"),
                 (SILICON, "circuits", of_circuits.table(circuits), "silicon.csv"))),
             (RECORDS, "tools/make readme: records", stamps.records_table()),
