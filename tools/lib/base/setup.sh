@@ -54,16 +54,17 @@ print(near(sys.argv[1], sys.argv[2:]), end="")' "$@" 2>/dev/null || true
 # are never older than it. Only words such as --out are judged; the program reports wrong values, and a wrong -o.
 # With abbreviated=1 before it the beginning of an option will do, as it does for Python.
 refuse_unknown_options() {
-  local command=$1 argument word text
-  local -a texts=() known
+  local command=$1 argument word text texts=
+  local -a known
   shift
   while [[ $1 != -- ]]; do
-    texts+=("$1")
+    text=$(cat "$1" 2>/dev/null) || true
+    [[ -n $text ]] || return 0  # it is not here, so nobody can know
+    texts+=$text
     shift
   done
   shift
-  text=$(cat "${texts[@]}" 2>/dev/null) && [[ -n $text ]] || return 0  # it is not here, so nobody can know
-  mapfile -t known < <(grep -oE -e '--[a-z][a-z0-9.-]*[a-z0-9]' <<<"$text" | sort -u)
+  mapfile -t known < <(grep -oE -e '--[a-z][a-z0-9.-]*[a-z0-9]' <<<"$texts" | sort -u)
   known+=(--help --version)
   for argument in "$@"; do
     [[ $argument != -- ]] || break  # no option stands behind it

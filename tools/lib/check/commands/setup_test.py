@@ -281,7 +281,9 @@ class Usage(Machine):
             with self.subTest(name=name, arguments=arguments):
                 self.assertEqual(self.call(name, *arguments).returncode, 4)
         (self.root / "conformance" / "cli" / "options.cpp").unlink()
-        self.assertEqual(self.call("conform", "--no-text-has-it").returncode, 4)  # nobody can know
+        self.program("ctest", "exit 1")
+        for name in ("conform", "test"):  # nobody can know
+            self.assertEqual(self.call(name, "--no-text-has-it").returncode, 4)
 
 
 class Node(Machine):
