@@ -52,10 +52,10 @@ def block(given, rows, columns):
     """The places of some points along each axis, as arrays that broadcast to (rows, columns); of a line to (columns,).
     Rows are numbered along y, then z and w."""
     if len(given.size) == 1:
-        indexes = [np.arange(*columns)]
+        indexes = [np.arange(*columns, dtype=np.int64)]
     else:
-        row = np.arange(*rows)[:, np.newaxis]
-        indexes = [np.arange(*columns)[np.newaxis]]
+        row = np.arange(*rows, dtype=np.int64)[:, np.newaxis]
+        indexes = [np.arange(*columns, dtype=np.int64)[np.newaxis]]
         for points in given.size[1:]:
             indexes.append(row % points)
             row = row // points
