@@ -27,7 +27,6 @@ EXCEPTIONS: dict[str, str] = {
     "*/record*": "told",
     "tools/lib/measure/c[lp]*": "told",
     "tools/lib/measure/paper/*": "told",
-    "tools/lib/measure/hashes/texts.py": "What",  # headings that pages link to
     "*/asked.*": "asked"}              # the name of files
 LONGEST_CELL = 250  # letters
 PATTERNS = {
