@@ -198,6 +198,12 @@ def of_names(row: Row, library: Path) -> str:
     return of_calls(re.sub(r"^pcg", "hn_hash_pcg", names), library, axes=row["dimensions"])
 
 
+def of_hash(row: Row, library: Path) -> str:
+    """Of a choice of HN_HASH what hashes a lattice point; the controls are hashes of numpy."""
+    name = row["hash"].lower()
+    return of_calls("hn_gradient", library, name, row["dimensions"]) if name in configurations() else NONE
+
+
 def of_integers(row: Row, library: Path) -> str:
     return of_calls(f"{row['function']} {row.get('noise', '')}", library, "lattice+fixed")
 
@@ -224,6 +230,7 @@ KINDS = {"bench.csv": Kind("clock", of_subject), "peers.csv": Kind("peers", of_s
          "compile.csv": Kind("compile", of_shader), "uniform.csv": Kind("uniform", of_distribution),
          **{f"{name}.csv": Kind("paper", of_paper) for name in ("table", "statistics", "period", "bandwidth")},
          "judged.csv": Kind("noise", of_names), "hashes.csv": Kind("hashes", of_names),
+         "quality.csv": Kind("hashes", of_hash), "directions.csv": Kind("hashes", of_names),
          "likeness.csv": Kind("likeness", None), "python.csv": Kind("python", of_package),
          "rust.csv": Kind("rust", of_crate),
          "silicon.csv": Kind("silicon", of_integers), "languages.csv": Kind("languages", of_integers),
@@ -283,7 +290,7 @@ def stale(path: Path, library: Path = GLSL) -> list[Row]:
 
 
 def paths(folder: Path = RESULTS) -> list[Path]:
-    """Of all records. ValueError for a file that is none."""
+    """All records. ValueError for a file that is none."""
     found = sorted(path for path in folder.rglob("*.*") if path.name != "README.md")
     for path in found:
         if path.name not in KINDS:

@@ -42,6 +42,7 @@ OF_JAVASCRIPT = re.compile(r"^export (?:interface|declare class) (\w+) \{(.*?)^\
 OPTIONAL = re.compile(r"(?:; |(?<=[({]))(\w+\?: [^;,(){}]+)(?=[;)}])")  # a member, or the last parameter
 BOUNDS_OF = re.compile(r'^(\w+)_BOUNDS\((?:"(\w+)", (\d, \w+), )?(.+)\)$', re.M)
 TABLES_OF_BOUNDS = re.compile(r"<!-- tools/make bounds: (?:sums|Jacobians) -->(?:\n[^\n]*){2}\n(.*?)<!-- end -->", re.S)
+PACKAGE = ("packages", "python", "hashnoise")
 WITH_VALUE = "value", "slopes", "value_and_quadrature"  # shapes with a component of that name
 # In the row of hn_uniform, the numbers that belong to hn_distribution_fbm.
 OF_DISTRIBUTIONS = (2, 3, 6, 7)
@@ -107,7 +108,7 @@ def catalog() -> Iterator[Row]:
     yield from (("default", "wave", f"{found} along x")
                 for found in re.findall(r"\boptions\.wave\[0\] = ([\d.]+)f;", text_at("src", "grid", "plan.cpp")))
     yield from (("default", "arithmetic of tools/bake", found)
-                for found in re.findall(r'\barithmetic = "(\w+)";', text_at("src", "bake", "arguments.hpp")))
+                for found in re.findall(r'"arithmetic": "(\w+)"', text_at(*PACKAGE, "_bake.py")))
 
 
 def cpp() -> Iterator[Row]:
@@ -127,7 +128,7 @@ def python() -> Iterator[Row]:
     """Parameters: their place, unless they are passed by name alone, and their default, of the first overload."""
     for module in ("__init__", "dask"):
         prefix = "" if module == "__init__" else f"{module}."
-        for function in ast.parse(text_at("packages", "python", "hashnoise", f"{module}.pyi")).body:
+        for function in ast.parse(text_at(*PACKAGE, f"{module}.pyi")).body:
             if isinstance(function, ast.FunctionDef):
                 of = function.args
                 ordered = [*of.posonlyargs, *of.args]
