@@ -1,4 +1,4 @@
-// The texts to copy: the functions of code.js with the colours, with what they call, and as a whole shader.
+// The texts to copy: the functions of code.js with the colours, with their helpers, and as a whole shader.
 import { decimal, declaration, functions, kLanguages, kTypes, knobs, numbers } from "./code.js";
 import { bakeLines, isOneLine, pythonLines } from "./lines.js";
 import { isLeaning, mapsOf, numbersOfTinted, rangeOf, shownLayers } from "./model.js";
@@ -84,7 +84,6 @@ const kPlaces = {
   bake: "In the library, on Linux.",
 };
 
-// Of the library's own files.
 export const kLicense = "// Copyright (c) 2026 The hashnoise authors; MIT License.";
 
 // As what the code is copied, and of whole shaders what stands around the functions: the first lines, how it is used,
@@ -194,7 +193,7 @@ function mainOf(language, state, { main, pixel, below, result }) {
   const leans = isLeaning(state);
   const place = far ? inSpace(state) : middleOf(state);
   const numbers = place.map((parts) => decimal((far ? placeOf(parts) : Number(parts)) / kPartsOfCell));
-  const flat = leans ? n : Math.min(n, 2); // The pixel has so many coordinates; the others are those of the slice.
+  const flat = leans ? n : Math.min(n, 2); // The pixel has so many coordinates; the others are the slice's.
   const onPlane = `${n === 1 ? "pixel.x" : "pixel"} * ${decimal(cellsAcross(state))}`;
   const scaled = leans ? `slice(${vector(float(n), [onPlane, "0.0", "0.0"].slice(0, n - 1))})` : onPlane;
   const slice = `${scaled} + ${vector(float(flat), numbers.slice(0, flat))}`;

@@ -19,7 +19,7 @@ namespace hn {
 // record, 60 s on two cores.
 inline constexpr double kBudget = 120.0;
 
-// How many cases of a check and a function a run had, and what they took together.
+// How many cases of a check and a function a run had, and the time that they took together.
 struct Cost {
   std::string check;
   std::string function;
@@ -43,7 +43,7 @@ class Costs {
   double seconds_of(std::string_view id) const;
   double seconds_of(std::span<const std::string> ids) const;
 
-  // Where cases are not those that were recorded: what there is now in place of what was, the largest growth first.
+  // Where cases are not those that were recorded: the new and the old ones, the largest growth first.
   struct Change {
     Cost was;
     Cost now;
@@ -66,7 +66,8 @@ class Costs {
 // Seconds of the loop on this machine.
 double calibration_here();
 
-// Why the default run, of these cases, is not within the budget or not as recorded, with what has grown; or nothing.
+// Why the default run, of these cases, is not within the budget or not as recorded, with the cases that have grown; or
+// nothing.
 std::string complaint_about(const Costs& recorded, std::span<const std::string> ids, double budget = kBudget);
 
 // The cases of the default run: those of osmesa and of glslang.

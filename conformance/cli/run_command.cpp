@@ -333,7 +333,6 @@ bool note_what_was_not_run(const RunPlan& plan, const std::vector<Run>& runs, co
   return true;
 }
 
-// The same for times.
 bool note_what_was_not_timed(const std::vector<Run>& runs, const std::string& why, std::vector<std::string>& problems) {
   bool any = false;
   for (const Run& run : runs) {
@@ -399,7 +398,7 @@ std::string reason_to_end(const Journal& journal, int signal) {
   return journal.problem().empty() ? "" : journal.problem() + "; ";
 }
 
-// The cases, what is made of their results, and the exit status.
+// The cases, their results, and the exit status.
 int run_to_the_end(const RunPlan& plan, const RunOutput& output, const RunInputs& inputs, const DriverChoice& choice,
                    Journal& journal, const Interruption& interruption) {
   announce(plan);

@@ -160,7 +160,7 @@ export async function init(module) {
 // ---------------------------------------------------------------------------------------------------------------------
 // Values that users pass.
 
-/** Of a value of the wrong type, or of the right one and beyond its range. */
+/** The error of a value of the wrong type, or of the right one and beyond its range. */
 const errorOf = (value, type) => (typeof value === type ? RangeError : TypeError);
 
 function whole(name, value, least, most) {
@@ -175,7 +175,8 @@ const isFloat = (value) => typeof value === "number" && Number.isFinite(Math.fro
 
 function real(name, value, least = -Infinity, most = Infinity) {
   if (!isFloat(value)) {
-    throw new (errorOf(value, "number"))(`${name} has to be a finite number, not ${shown(value)}`);
+    const right = Number.isFinite(value) ? "number up to 3.4e38" : "finite number";
+    throw new (errorOf(value, "number"))(`${name} has to be a ${right}, not ${shown(value)}`);
   }
   if (value < least || value > most) {
     throw new RangeError(`${name} has to be ${most === Infinity ? `${least} or more` : `from ${least} to ${most}`}, not ${value}`);
@@ -579,7 +580,7 @@ function positions(axis, count, origin, step, number) {
   return { cells, places };
 }
 
-// The same in units of 2^-32 of a cell; a place keeps 24 bits of them.
+// In units of 2^-32 of a cell; a place keeps 24 bits of them.
 function exactly(count, cell, origin, step, number) {
   const cells = new Int32Array(count);
   const places = new Float32Array(count);

@@ -1,4 +1,4 @@
-// A bundler keeps the used parts of the package, and each text once. Also: what a node and wgsl take.
+// A bundler keeps the used parts of the package, and each text once. Also: the arguments of a node and of wgsl.
 //
 //   node bundles.mjs
 import assert from "node:assert/strict";
@@ -93,7 +93,7 @@ test("what a node cannot take is named in a line", async () => {
     [[p, 6, 2, 0.5, 2 ** 32], "RangeError", "hn_fbm2: seed has to be a whole number from 0 to 4294967295, not 4294967296"],
     [[p, 6.5, 2, 0.5], "RangeError", "hn_fbm2: octaves has to be a whole number from -2147483648 to 2147483647, not 6.5"],
     [[p, 6, NaN, 0.5], "RangeError", "hn_fbm2: lacunarity has to be a finite number, not NaN"],
-    [[p, 6, 2, 1e39], "RangeError", "hn_fbm2: gain has to be a finite number, not 1e+39"],
+    [[p, 6, 2, 1e39], "RangeError", "hn_fbm2: gain has to be a number up to 3.4e38, not 1e+39"],
     [[p, "6", 2, 0.5], "TypeError", "hn_fbm2: octaves has to be a number or a node of three.js, and is of the type string"],
     [[p, 6, undefined, 0.5], "TypeError", "hn_fbm2: lacunarity has to be a number or a node of three.js, and is of the type undefined"],
     [[p, 6, 2, 0.5, null], "TypeError", "hn_fbm2: seed has to be a number or a node of three.js, and is of the type object"],
@@ -110,7 +110,7 @@ test("a node lacks its seed at most, and that where GLSL lets it", async () => {
   hn_fbm2(vec2(1, 2), 6, 2, 0.5);
   hn_warp2(vec2(1, 2), 6, 2, 0.5, 1, 7);
   assert.throws(() => hn_fbm2(vec2(1, 2), 6, 2), /^TypeError: hn_fbm2 wants .* got 3 values$/);
-  // Each has forgotten what stands before the seed.
+  // Each lacks an argument before the seed.
   assert.throws(() => hn_warp2(vec2(1, 2), 6, 2, 0.5, 7), /^TypeError: hn_warp2 wants .* got 5 values$/);
   assert.throws(() => hn_phasor2(vec2(1, 2), vec2(3, 0), 7), /^TypeError: hn_phasor2 wants .* got 3 values$/);
   assert.throws(() => hn_perlin2_phase(vec2(1, 2), 7), /^TypeError: hn_perlin2_phase wants .* got 2 values$/);

@@ -273,6 +273,7 @@ test("wrong settings are reported", () => {
   for (const [call, said] of [
     [() => field.at(1), /a position has 2 coordinates here, not 1/],
     [() => field.at(1, "2"), /y has to be a finite number, not "2"/],
+    [() => field.at(1e39, 2), /^RangeError: x has to be a number up to 3.4e38, not 1e\+39$/],
     [() => field.at(Object.create(null), 2), /^TypeError: x has to be a finite number, not an object$/],
     [() => field.at(() => 1, 2), /^TypeError: x has to be a finite number, not a function$/],
     [() => field.inCell([[1], Object.create(null), 2], [0.5, 0.5]), /cell has to be a number, or an array of 2, not \[\[1\],an object,2\]$/],

@@ -16,8 +16,6 @@
 # and so is an option that there is not:
 #
 #   refuse_unknown_options COMMAND TEXT... -- "$@"  the texts name the options of the command
-#
-#   setup_bench_cpu COMPILER...                     hn-bench-cpu by each, in a folder of its own
 
 readonly root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)
 readonly build=$root/build
@@ -48,7 +46,7 @@ readonly example_packages=(git libxcursor-dev libxi-dev libxinerama-dev libxrand
 # compiles hashnoise::grid with libc++, too. The last are compilers of the languages that tools/pick writes. Node.js is
 # not among them: tools/lib/base/node gets one that is new enough.
 readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" "${example_packages[@]}" ccache libopenexr-dev
-  libc++-dev libclang-rt-dev libgtest-dev python3 python3-dev python3-jinja2 python3-numpy python3-pip python3-scipy
+  libbenchmark-dev libc++-dev libclang-rt-dev libgtest-dev python3 python3-dev python3-jinja2 python3-numpy python3-pip python3-scipy
   python3-venv g++-aarch64-linux-gnu qemu-user abigail-tools dieharder spirv-cross
   cargo default-jdk-headless golang-go iverilog mono-mcs mono-runtime rust-clippy rustc rustfmt)
 # Of thorough tests: Microsoft's FXC, a program for Windows, and the compiler of what starts it; the compilers for
@@ -242,7 +240,7 @@ setup() {
     packages+=("${test_packages[@]}")
     [[ -z ${HN_THOROUGH-} ]] || packages+=("${thorough_packages[@]}")
     # Warnings are errors here, where the compiler is known, and not for users, where it is not.
-    configuration+=(-DHASHNOISE_TESTS=ON -DHASHNOISE_BAKE=ON -DHASHNOISE_BENCH_CPU=ON
+    configuration+=(-DHASHNOISE_TESTS=ON -DHASHNOISE_BAKE=ON
                      -DHASHNOISE_INSTRUCTION_SETS="${HASHNOISE_INSTRUCTION_SETS:-native}"
                      -DHASHNOISE_QUICK_BUILD="${HASHNOISE_QUICK_BUILD:-ON}"
                      -DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
@@ -310,28 +308,4 @@ configure_and_build() {
       "$(calibration_since "$speed" "$(nproc 2>/dev/null || echo 1)")"
     keep_measured steps "$name" "$steps"
   fi
-}
-
-# Each compiler's output is measured, so each has a build without anything else.
-setup_bench_cpu() {
-  local -a packages=("${program_packages[@]}") missing
-  local compiler folder run
-  for compiler in "$@"; do
-    [[ $compiler != clang++ ]] || packages+=(clang)
-  done
-  mkdir -p "$build"
-  : >"$log"
-  find_missing "${packages[@]}"
-  run=$(cost run bench-cpu)
-  announce bench-cpu "${run:+$((${run%.*} * $#))}" "${#missing[@]}" ''
-  install_missing "${packages[@]}"
-  for compiler in "$@"; do
-    if ! command -v "$compiler" >/dev/null; then
-      echo "There is no compiler $compiler; --compiler wants a program such as g++ or clang++." >&2
-      exit 2
-    fi
-    folder=$build/bench-cpu-$(basename "$compiler")
-    configure_and_build bench-cpu "$folder" " by $compiler" -DCMAKE_CXX_COMPILER="$compiler" \
-      -DHASHNOISE_CONFORMANCE=OFF -DHASHNOISE_TESTS=OFF -DHASHNOISE_BENCH_CPU=ON -- hn-bench-cpu
-  done
 }

@@ -12,4 +12,4 @@ refuse_unknown_options "$called" "$root/conformance/cli/options.cpp" "$root/tool
 runs=$(cost run bench)
 (($# == 0)) || [[ $# == 2 && $1 == --out ]] || runs=
 setup clock "$runs"
-exec "$root/tools/lib/base/scientific-python" --with jinja2 -m measure.clock.costs "$@"
+exec "$root/tools/lib/base/scientific-python" --with jinja2 -m measure.clock "$@"

@@ -16,7 +16,8 @@ function checked(what, type, value) {
   }
   const [least, most] = range;
   if (type === "float" ? !Number.isFinite(Math.fround(value)) : !Number.isInteger(value) || value < least || value > most) {
-    const right = type === "float" ? "finite number" : `whole number from ${least} to ${most}`;
+    const float = Number.isFinite(value) ? "number up to 3.4e38" : "finite number";
+    const right = type === "float" ? float : `whole number from ${least} to ${most}`;
     throw new RangeError(`${what} has to be a ${right}, not ${value}`);
   }
 }

@@ -1,4 +1,4 @@
-"""Tests of what the commands that build answer before anything is installed or built: --help, and wrong options."""
+"""Tests of the answers of commands that build, before they install or build anything: --help, and wrong options."""
 
 from __future__ import annotations
 
@@ -16,9 +16,8 @@ from base.tree import ROOT, TOOLS
 CONFORM = "conformance/hn-conform"
 # The program behind each, in build/, and its arguments.
 COMMANDS = {"bake": ("src/bake/hn-bake", "--help"), "conform": (CONFORM, "run --help"),
-            "measure clock": (CONFORM, "bench --help"), "measure paper": (CONFORM, "paper --help"),
-            "measure cpu": ("bench-cpu-g++/src/bench_cpu/hn-bench-cpu", "--help")}
-# By tools/lib/base/scientific-python, which finds no Python here that has what they import.
+            "measure clock": (CONFORM, "bench --help"), "measure paper": (CONFORM, "paper --help")}
+# By tools/lib/base/scientific-python, which finds no Python here that has their imports.
 SCIENTIFIC = {"make bounds": "proof/bounds", "measure hashes": "measure/hashes", "measure noise": "measure/noise",
               "measure uniform": "measure/uniform"}
 OF_MAKE = ("base/ending.py", "base/needs.py", "base/modules.py", "base/tree.py", "base/usage.py",
@@ -100,7 +99,7 @@ class Help(Machine):
 class WrongOptions(Machine):
     def setUp(self):
         super().setUp()
-        for file in ("conformance/cli/options.cpp", "src/bench_cpu/options.cpp",
+        for file in ("conformance/cli/options.cpp",
                      *(f"src/bake/{path.name}" for path in (ROOT / "src/bake").glob("*.cpp")),
                      *(f"tools/lib/{room}/command.py" for room in SCIENTIFIC.values())):
             self.copy(file)
@@ -122,9 +121,6 @@ class WrongOptions(Machine):
         for name, arguments, said in (
                 ("bake", ("fbm", "--octvaes", "3"), "no option --octvaes (did you mean --octaves?)"),
                 ("measure clock", ("--baselien=x",), "no option --baselien (did you mean --baseline?)"),
-                ("measure cpu", ("--compiler", "g++", "--agianst", "x"),
-                 "no option --agianst (did you mean --against?)"),
-                ("measure cpu", ("--compilers", "g++"), "no option --compilers (did you mean --compiler?)"),
                 ("conform", ("--drivre", "all"), "no option --drivre (did you mean --driver?)"),
                 ("conform", ("--no-such-thing",), "no option --no-such-thing; see tools/conform --help"),
                 ("conform", ("--Driver", "all"), "no option --Driver (did you mean --driver?)"),
@@ -161,7 +157,7 @@ class WrongOptions(Machine):
         """Options in --help of a program are among those in its sources, wherever they are."""
         tried = 0
         for name, (program, shown) in COMMANDS.items():
-            path = ROOT / "build" / program.replace("bench-cpu-g++/", "")
+            path = ROOT / "build" / program
             if not path.exists():
                 continue
             shown = subprocess.run([path, *shown.split()], capture_output=True, text=True, check=True).stdout
@@ -181,8 +177,8 @@ class WrongOptions(Machine):
                 self.assertEqual(self.call("conform", *arguments).returncode, 4)
 
     def test_where_the_sources_are_not(self):
-        (self.root / "src" / "bench_cpu" / "options.cpp").unlink()
-        self.assertEqual(self.call("measure cpu", "--agianst", "x").returncode, 4)
+        (self.root / "conformance" / "cli" / "options.cpp").unlink()
+        self.assertEqual(self.call("measure paper", "--agianst", "x").returncode, 4)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Tests of tools/pack npm: what it prints before it makes anything. The test npm.package makes a package."""
+"""Tests of tools/pack npm: its output before it makes anything. The test npm.package makes a package."""
 
 from __future__ import annotations
 

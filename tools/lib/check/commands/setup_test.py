@@ -1,4 +1,4 @@
-"""Tests of tools/lib/base/setup.sh: what a command shows before it runs.
+"""Tests of tools/lib/base/setup.sh: the output of a command before it runs.
 
 Scripts stand in for cmake, ninja, apt-get and dpkg-query, so that nothing is installed or built. A line is due every
 fifth of a second here, in place of every ten seconds, and a step lasts until it has shown some, however busy the
@@ -30,7 +30,7 @@ STEPS = 6  # the list of packages, their download and installation, the configur
 # A step ends when the test has read so many lines of it, or after a while: a second, unless HN_PATIENCE has more.
 SLOW = ('n=0; until [ -e "$HN_READ" ] || [ $n -ge "${HN_PATIENCE:-20}" ]; do sleep 0.05; n=$((n + 1)); done; '
         'rm -f "$HN_READ"')
-COMMANDS = ("conform", "bake", "measure clock", "measure cpu", "measure paper", "test")
+COMMANDS = ("conform", "bake", "measure clock", "measure paper", "test")
 TABLE = """kind,name,value,before
 speed,loop,0.1,
 packages,each,2,
@@ -40,8 +40,6 @@ build,bake,100,
 steps,bake,50,
 build,test,100,
 steps,test,50,
-build,bench-cpu,100,
-steps,bench-cpu,50,
 run,conform,60,
 """
 # As apt-get does, it closes the file of its progress for dpkg.
@@ -83,7 +81,7 @@ class Machine:
         for name in ("clang++", "g++", "ctest"):
             self.program(name, "exit 0")
         self.program("python3", 'case "$*" in *measure*) echo it runs;; esac')
-        for path in ("conformance/hn-conform", "src/bake/hn-bake", "bench-cpu-g++/src/bench_cpu/hn-bench-cpu"):
+        for path in ("conformance/hn-conform", "src/bake/hn-bake"):
             self.program(root / "build" / path, "echo it runs")
         self.environment = {**os.environ, "HOME": "/nowhere", "PATH": f"{self.programs}:{os.environ['PATH']}",
                             "HN_PROGRESS_SECONDS": str(TICK)}
@@ -98,7 +96,7 @@ class Machine:
         path.chmod(0o755)
 
     def run(self, command: str) -> tuple[int, str, int]:
-        """The status of a command, what it shows through a pipe, and how many of its steps showed that they go on."""
+        """The status of a command, its output through a pipe, and how many of its steps showed that they go on."""
         program, *name = command.split()
         lines, step, times, steps = [], "", 0, 0
         with subprocess.Popen([self.tools / program, *name], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -129,7 +127,7 @@ class Setup(unittest.TestCase):
         return Machine(Path(scratch.name))
 
     def at_once(self) -> None:
-        """Of what does not concern times, the steps are short."""
+        """Steps that do not concern times are short."""
         for name, text in (("apt-get", APT_GET), ("cmake", CMAKE)):
             self.machine.program(name, text.replace(SLOW, "true"))
 
@@ -252,7 +250,7 @@ class Setup(unittest.TestCase):
     def test_a_signal_ends_what_a_command_started(self) -> None:
         job = '[ "$1" = --help ] || { echo "[1/2] first"; touch "$HN_STARTED"; sleep 100; echo it runs on; }'
         for command, program, number in (("bake", "cmake", signal.SIGTERM), ("bake", "cmake", signal.SIGINT),
-                                         ("measure cpu", "cmake", signal.SIGHUP), ("measure cpu", "python3", signal.SIGTERM),
+                                         ("measure paper", "cmake", signal.SIGHUP),
                                          ("test", "cmake", signal.SIGTERM), ("test", "ctest", signal.SIGTERM)):
             with self.subTest(command, program=program):
                 self.machine = self.new_machine()
@@ -301,7 +299,7 @@ class Setup(unittest.TestCase):
         os.close(terminal)
         self.assertEqual(process.wait(), 0)
         text = shown.decode()
-        self.assertEqual(text.count("\n"), 2, text)  # the first line, and what the program prints
+        self.assertEqual(text.count("\n"), 2, text)  # the first line, and the program's output
         self.assertRegex(text, r"\rBuilding 25 steps \[\d/2\] \d+:\d\d of about 0:\d\d\x1b\[K")
         self.assertTrue(text.endswith("\r\x1b[Kit runs\r\n"), text)
 

@@ -1,4 +1,4 @@
-"""tools/conform shards: it deals the parts to this machine or to hosts, and joins what they leave.
+"""tools/conform shards: it deals the parts to this machine or to hosts, and joins the results.
 
 Scripts stand in for tools/conform, for the program that joins, and for ssh: a host is a folder here, which its HOME is.
 """
@@ -57,7 +57,7 @@ class Shards(unittest.TestCase):
         path.chmod(0o755)
 
     def copy(self, folder: Path) -> None:
-        """Of the repository, as a host has it."""
+        """A copy of the repository, as a host has it."""
         (folder / "tools" / "lib" / "base").mkdir(parents=True)
         for name in ("lib/base/shards.sh", "lib/base/setup.sh", "lib/base/progress.sh"):
             shutil.copy(TOOLS / name, folder / "tools" / name)

@@ -54,7 +54,7 @@ class Test(unittest.TestCase):
         path.chmod(0o755)
 
     def call(self, *arguments: str) -> tuple[int, str, list[str]]:
-        """The status, what is printed, and which tests ran."""
+        """The status, the output, and which tests ran."""
         self.ran.write_text("")
         done = subprocess.run([self.root / "tools" / "test", *arguments], stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, check=False, env=self.environment)
@@ -143,8 +143,8 @@ add_test(google "printf" "/a/b.cpp:20: Skipped\\nno device is here\\n[  SKIPPED 
         (self.root / "well").unlink()
         status, text, ran = self.call("--thorough")
         self.assertEqual((status, ran), (8, ["long", "quick", "signs", "sometimes"]), text)
-        # The tree has not changed; what failed and what was skipped is run again. The failed test passes by something
-        # outside of the tree: build/ is not a part of it, and neither is what it reads now.
+        # The tree has not changed; failed and skipped tests are run again. The failed test passes by something
+        # outside of the tree: build/ is not a part of it, and neither is the file that it reads now.
         tests = self.root / "build" / "CTestTestfile.cmake"
         tests.write_text(tests.read_text().replace(f"test -e {self.root}/well", "true"))
         status, text, ran = self.call("--thorough", "--resume")

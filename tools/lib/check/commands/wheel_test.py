@@ -1,4 +1,4 @@
-"""Tests of tools/pack python: what it prints before it builds anything. The test python.wheel builds a wheel."""
+"""Tests of tools/pack python: its output before it builds anything. The test python.wheel builds a wheel."""
 
 from __future__ import annotations
 

@@ -85,7 +85,6 @@ class Clock:
         self.passed = 0.0
 
     def scaled(self, seconds: float) -> float:
-        """Of what was measured just now."""
         before, after = self.here, self.here
         self.passed += seconds
         if self.passed > STEADY:

@@ -1,10 +1,9 @@
-"""Tests of the table of costs: that it can fail, and that what is recorded is what was measured."""
+"""Tests of the table of costs: that it can fail, and records hold the measured costs."""
 
 from __future__ import annotations
 
 import contextlib
 import io
-import re
 import signal
 import sys
 import tempfile
@@ -13,7 +12,6 @@ from pathlib import Path
 from unittest import mock
 
 from base import costs
-from base.tree import ROOT
 from check.costs import command
 
 WITHIN = """kind,name,value,before
@@ -79,20 +77,6 @@ BURN = "import time; end = time.process_time() + {}\nwhile time.process_time() <
 def burning(name: str, seconds: float, status: int = 0, **properties: object) -> dict:
     return {"name": name, "command": [sys.executable, "-c", f"{BURN.format(seconds)}raise SystemExit({status})"],
             "properties": [{"name": key, "value": value} for key, value in properties.items()]}
-
-
-class Page(unittest.TestCase):
-    def test_what_cpu_md_says_of_an_instruction_set_is_what_was_measured(self) -> None:
-        """A build of hn-bench-cpu is almost nothing but the kernels of three sets."""
-        text = (ROOT / "docs" / "guide" / "cpu.md").read_text(encoding="utf-8")
-        said = re.search(r"takes about (\d+) seconds of processor time to compile each set", text)
-        self.assertIsNotNone(said, "docs/guide/cpu.md no longer states the time of an instruction set")
-        measured = costs.read_file(command.TABLE)[("build", "bench-cpu")].value / 3
-        self.assertTrue(self.is_about(float(said[1]), measured), f"docs/guide/cpu.md states {said[1]} s; it is {measured:.0f} s")
-        self.assertFalse(self.is_about(float(said[1]), measured * 2))
-
-    def is_about(self, said: float, measured: float) -> bool:
-        return abs(said - measured) <= measured / 4
 
 
 class Recording(unittest.TestCase):

@@ -1,5 +1,5 @@
 """The table of the interface, conformance/expected/interface.csv: names, parameters, defaults, nodes and bounds, which
-stay from 1.0 on. They are read from the texts that have them. docs/reference/frozen.md describes what is promised."""
+stay from 1.0 on. They are read from the texts that have them. docs/reference/frozen.md describes the promise."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ def catalog() -> Iterator[Row]:
 
 
 def cpp() -> Iterator[Row]:
-    """Members in their order, with what they are if nobody sets them."""
+    """Members in their order, with their defaults."""
     for file in ("points.hpp", "field.hpp", "hashnoise.hpp"):
         text = re.sub("//.*", "", text_at("include", "hashnoise", file))
         yield from (("c++", macro, "") for macro in re.findall(r"^#define (HN_ONLY\w+)", text, re.M))
@@ -157,7 +157,7 @@ def javascript() -> Iterator[Row]:
 
 
 def nodes() -> Iterator[Row]:
-    """Of packages for engines; those of Blender are in shaders()."""
+    """The nodes of packages for engines; Blender's are in shaders()."""
     for form in materialx.FORMS:
         for one in materialx.inputs(form):
             usual = re.search(r'(?:value|defaultgeomprop)="([^"]*)"', one.said)

@@ -18,7 +18,7 @@ from translate.pick import program
 TEXT_OF = Path.read_text
 STAYS = "It stays from 1.0 on"
 REMEDY = ": restore it, or give what is new another name"
-CHANGES = (  # of a file; what is reported
+CHANGES = (  # of a file; the report
     ("catalog/settings.toml", "default = 6", "default = 5",
      f"default octaves: it was 6, and is 5. {STAYS}{REMEDY}"),
     ("catalog/settings.toml", "default = 6", "default = 5", "blender billow2.octaves: it was int 6, and is int 5."),

@@ -13,7 +13,7 @@ from measure.gpu import comparing, stripes
 from measure.gpu.chips import chip_named
 from measure.gpu.operations import OPERATIONS
 from measure.gpu.record import COSTS, OPERATION_COSTS, Row, read_costs
-from measure.peers.table import CALLS, dimensions, subject
+from measure.peers import CALLS, dimensions, subject
 
 RECORD = ROOT / "docs" / "measured" / "results" / "gpu"
 # Functions that show the cost of a hash: the hash alone, and noises that are little more than hashes.
@@ -55,6 +55,19 @@ def chip_table(rows: Mapping[tuple[str, str], Row]) -> str:
             cells.append(f"{' / '.join(ours)}; {', '.join(theirs)}")
         lines.append([noise, *cells])
     return table(("noise", *(_head(name) for name in chips)), lines)
+
+
+def arithmetics_quote(rows: Mapping[tuple[str, str], Row]) -> str:
+    """The costs of arithmetics in that of HN_FAST, least and largest of the chips."""
+    def beside_fast(id: str, arithmetic: str) -> str:
+        ratios = [float(rows[f"{id}+{arithmetic}", chip].cost) / float(rows[id, chip].cost)
+                  for chip in comparing.shown(rows)]
+        return f"{min(ratios):.1f} to {max(ratios):.1f} times"
+
+    ids = ("noise2d.perlin.lattice", "noise3d.perlin.lattice")
+    fixed, precise = ([beside_fast(id, arithmetic) for id in ids] for arithmetic in ("fixed", "precise"))
+    return (f"By the compilers of GPUs, Perlin noise with `HN_FIXED` costs {fixed[0]} as much as with `HN_FAST` on the "
+            f"plane and {fixed[1]} in space, and with `HN_PRECISE` {precise[0]} and {precise[1]}.\n")
 
 
 def titled_table(rows: Mapping[tuple[str, str], Row], titles: Mapping[str, str]) -> str:

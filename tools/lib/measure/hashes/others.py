@@ -16,7 +16,7 @@ import numpy as np
 from base.renderer import NotCompiled, Renderer
 from measure.hashes import gate, windows
 from measure.hashes.judgement import Finding
-from measure.likeness.ports import source
+from measure.likeness import source
 
 SIDE = 1024  # of what is rendered at once
 # Around the origin; as far as scenes go; where a float has an eighth of a cell left; and far out.

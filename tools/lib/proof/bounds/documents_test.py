@@ -1,5 +1,5 @@
 """Tests of documents.py, table.py and command.py: what quotes a bound follows the derivation, and another number is an
-error with its place. The derivation itself is not run: RAW is what it gave of a noise and of the one with its
+error with its place. The derivation itself is not run: RAW is its result for a noise and of the one with its
 derivatives, and others are left out."""
 
 import contextlib
@@ -64,7 +64,7 @@ class Rounding(unittest.TestCase):
     def test_a_row(self):
         self.assertEqual(table.noise_row(RAW["perlin", 3, SINE].bounds("perlin", 3, SINE)),
                          'NOISE_BOUNDS("perlin", 3, sine, 7.70e-6, 8.12e-6, 6.94, 1.50001, 1.40e-4, 1.50002)\n')
-        # Within what the contract promises, the limit is that.
+        # Within the contract's promise, the limit is that.
         self.assertEqual(table.noise_row(RAW["perlin", 2, OCTAHEDRAL].bounds("perlin", 2, None)),
                          'NOISE_BOUNDS("perlin", 2, none, 2.44e-6, 2.67e-6, 3.77, 1.0, 4.30e-5, 1.0)\n')
         # A derivative has no promise.
@@ -188,7 +188,8 @@ class Tree(unittest.TestCase):
 
 
 class Phases(unittest.TestCase):
-    """The forms of a noise with a phase have bounds of their own, and those of a cell share a comment with the rest."""
+    """The forms of a noise with a phase have bounds of their own, and the forms of a cell share a comment with the
+    rest."""
 
     def test_names(self):
         def named(*types, name="hn_perlin"):

@@ -1,19 +1,18 @@
-"""Makes what the pages show of the library: their pictures, the table of typical values, the tables of costs, which
-file has which function, the size of all of them in one, how long the commands take, what looks like the noise of
-other libraries, and what packages for other programs have.
+"""Makes the pages' parts from the library: their pictures, the table of typical values, the tables of costs, which
+file has which function, the size of all of them in one, how long the commands take, and what packages for other
+programs have.
 
     tools/make readme            writes them
-    tools/make readme --check    whether they are what they should be, and the README states the costs and the times
+    tools/make readme --check    whether they are up to date, and the README states the costs and the times
 
 A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of
 docs/guide/gallery. The typical values are those of 2^16 points. The costs are those of
 docs/measured/results/llvmpipe/bench.csv, which hn-conform bench writes, and of peers.csv beside it, which tools/measure
-peers writes; so it does likeness.csv, of and the tables of docs/guide/moving.md are made of them. Costs on GPUs by
-their compilers are of docs/measured/results/gpu, by tools/measure gpu, and compile.csv is by tools/measure compile. How
-random hashes are is in docs/measured/results/quality.csv, directions.csv and hashes.csv, by tools/measure hashes, how
-noises are in judged.csv beside them, by tools/measure noise, and how uniform values are in uniform.csv, by
-tools/measure uniform. What circuits take is in silicon.csv, by tools/measure silicon. The times of commands are those
-of tools/costs.csv, which tools/test --record writes.
+peers writes. Costs on GPUs by their compilers are of docs/measured/results/gpu, by tools/measure gpu, and compile.csv
+is by tools/measure compile. How random hashes are is in docs/measured/results/quality.csv, directions.csv and
+hashes.csv, by tools/measure hashes, how noises are in judged.csv beside them, by tools/measure noise, and how uniform
+values are in uniform.csv, by tools/measure uniform. Circuits are in silicon.csv, by tools/measure silicon. The times of
+commands are those of tools/costs.csv, which tools/test --record writes.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
 compile, or a page cannot be read.
@@ -28,12 +27,11 @@ from collections.abc import Sequence
 from base.tree import ROOT
 from base.usage import Parser
 from catalog.tables.markdown import with_section
-from measure import stamps
+from measure import cpu, fills, neon, record, stamps
 from measure.compile import command as of_compilers
 from measure.gpu import pages as of_gpus
-from measure.likeness import ports
 from measure.noise import record as of_noises
-from measure.rust.command import TARGETS
+from measure.rust import TARGETS
 from measure.silicon import command as of_circuits
 from measure.uniform import command as of_uniform
 from ship.blender import files as blender
@@ -45,13 +43,13 @@ from ship.unity import files as unity
 from ship.unreal import files as unreal
 
 README = "README.md"
+KNOBS = "docs/reference/knobs.md"
 MEASURING = "docs/measured/measuring.md"
 DEFAULT_HASH = "docs/measured/default-hash.md"
 OPERATIONS = "docs/measured/gpu-operations.md"
 NOISES = "docs/reference/noises.md"
 SUMS = "docs/reference/fractals.md"
 CONFORMANCE = "docs/guide/conformance.md"
-MOVING = "docs/guide/moving.md"
 LANGUAGES = "docs/guide/languages.md"
 ENGINES = "docs/guide/engines.md"
 HASHES = "docs/measured/hashes.md"
@@ -82,6 +80,7 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
                 (MEASURING, "costs on a GPU",
                  numbers.cost_table(numbers.costs(numbers.GPU), "nvidia", "of NVIDIA's assembly"), "h100/bench.csv"),
                 (MEASURING, "costs by compilers", of_gpus.chip_table(of_gpus.costs()), "gpu/costs.csv"),
+                (KNOBS, "costs of arithmetics", of_gpus.arithmetics_quote(of_gpus.costs()), "gpu/costs.csv"),
                 (DEFAULT_HASH, "costs of the hash", of_gpus.titled_table(of_gpus.costs(), of_gpus.HASHED),
                  "gpu/costs.csv"),
                 (OPERATIONS, "operations", of_gpus.operation_table(of_gpus.operation_costs()), "gpu/operations.csv"),
@@ -94,6 +93,9 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
                 *((MEASURING, f"crates on {target}",
                    numbers.package_table([row for row in numbers.package_costs("rust") if row["target"] == target]),
                    "cpu/rust.csv") for target in TARGETS),
+                *((MEASURING, f"grids by {title}", cpu.page_table(record.read(fills.RESULTS / name).rows), f"cpu/{name}")
+                  for title, name in (("GCC", "gcc.csv"), ("Clang", "clang.csv"))),
+                (MEASURING, "NEON", neon.page_table(record.read(fills.RESULTS / "neon.csv").rows), "cpu/neon.csv"),
                 (MEASURING, "peers on a GPU", numbers.peer_table(numbers.peer_costs(numbers.GPU)), "h100/peers.csv"),
                 (HASHES, "hashes", hashes.pasted_table(hashes.record("hashes.csv")), "hashes.csv"),
                 *((QUALITY, name, make(hashes.record(of)), of) for name, make, of in (
@@ -109,9 +111,7 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             ("packages/materialx/README.md", "tools/make readme: nodes", materialx.node_table()),
             ("packages/unity/README.md", "tools/make readme: nodes", unity.node_table()),
             ("packages/unreal/README.md", "tools/make readme: nodes", unreal.node_table()),
-            ("packages/isf/README.md", "tools/make readme: looks", isf.look_table()),
-            (MOVING, "tools/make readme: likeness", stamps.note("llvmpipe/likeness.csv")),
-            *((MOVING, *named) for named in ports.page_tables(ports.read()))]
+            ("packages/isf/README.md", "tools/make readme: looks", isf.look_table())]
 
 
 def problems(check: bool) -> list[str]:

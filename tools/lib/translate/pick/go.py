@@ -6,7 +6,6 @@ import re
 from collections.abc import Sequence
 
 from translate.pick import comments
-from translate.pick.gofmt import formatted
 from translate.pick.printer import PRIMARY, STRENGTH
 from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, camel, paragraph_lines, pascal
 from translate.pick.values import AXES, SIZES, scalar_of
@@ -191,11 +190,11 @@ func toWord(x float32) uint32 {
         return [f"// {line}".rstrip() for line in paragraphs]
 
     def joined(self, lines: Sequence[str], space: str) -> list[str]:
-        """Long lines are broken when they are formatted."""
+        """Long lines stay, because Go ends a statement where a line ends."""
         return self._with_components(lines)
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
         imports = '\nimport "math"\n' if any("math." in part for part in parts) else ""
         about = f"// Package {self.name} computes procedural noise.\n"
         text = GENERATED + super().file(heading, names, [f"{about}package {self.name}\n{imports}", *parts])
-        return formatted(re.sub(r"^( {4})+", lambda found: "\t" * (len(found[0]) // 4), text, flags=re.MULTILINE))
+        return re.sub(r"^( {4})+", lambda found: "\t" * (len(found[0]) // 4), text, flags=re.MULTILINE)
