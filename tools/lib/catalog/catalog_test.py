@@ -121,8 +121,9 @@ HN_FN hn_float hn_i_ping_pong(hn_octaves2 o, hn_float strength) {
 
     def test_a_step_that_the_library_does_not_have(self):
         for step in ("cubes", "part"):
-            with self.assertRaisesRegex(CatalogError, rf"^catalog/sums\.toml: fbm: step is '{step}', and has to be one of bent, "
-                                        r"bounded_size, .*, wave, or a new hn_i_add_.* in glsl/hashnoise/detail/octave\.glsl$"):
+            message = (rf"^catalog/sums\.toml: fbm: step is '{step}', and has to be one of bent, bounded_size, .*, wave, "
+                       r"or a new hn_i_add_.* in glsl/hashnoise/detail/octave\.glsl$")
+            with self.assertRaisesRegex(CatalogError, message):
                 shaders.check_steps([dataclasses.replace(read().sums[0], step=step)])
 
     def test_made_code_is_code(self):
