@@ -43,7 +43,6 @@ OPTIONAL = re.compile(r"(?:; |(?<=[({]))(\w+\?: [^;,(){}]+)(?=[;)}])")  # a memb
 BOUNDS_OF = re.compile(r'^(\w+)_BOUNDS\((?:"(\w+)", (\d, \w+), )?(.+)\)$', re.M)
 TABLES_OF_BOUNDS = re.compile(r"<!-- tools/make bounds: (?:sums|Jacobians) -->(?:\n[^\n]*){2}\n(.*?)<!-- end -->", re.S)
 PACKAGE = ("packages", "python", "hashnoise")
-WITH_VALUE = "value", "slopes", "value_and_quadrature"  # shapes with a component of that name
 # In the row of hn_uniform, the numbers that belong to hn_distribution_fbm.
 OF_DISTRIBUTIONS = (2, 3, 6, 7)
 
@@ -90,10 +89,8 @@ def catalog() -> Iterator[Row]:
         kind = "fractal" if isinstance(function, model.Sum) else "noise"
         yield from ((kind, f"{function.name} {n}D", function.shape) for n in range(function.first, function.last + 1))
     for noise in of.noises:
-        # src/grid/ranges.hpp takes a value without a range as one in [-1, 1], so a range of its own would be another.
-        value = {"value": [(-1, 1)] * (noise.last - noise.first + 1)} if noise.shape in WITH_VALUE else {}
         yield from ((RANGE, f"{noise.name} {n}D, {component}", f"{pair[0]} {pair[1]}")
-                    for component, pairs in {**value, **noise.ranges}.items()
+                    for component, pairs in noise.all_ranges.items()
                     for n, pair in enumerate(pairs, noise.first) if pair)
     for sum_ in of.sums:
         yield RANGE, sum_.name, sum_.range if isinstance(sum_.range, str) else f"{sum_.range[0]} {sum_.range[1]}"

@@ -58,7 +58,7 @@ PARTS = (
          "half a minute", "proof.bounds.command",
          (*LIBRARY, "docs/measured/accuracy.md", "docs/reference/knobs.md", "docs/reference/fractals.md",
           "tools/lib/proof/bounds/noises/*.py",
-          "tools/lib/proof/bounds/*.cpp", "tools/lib/proof/sums/*.[ch]pp", "catalog/sums.toml"),
+          "tools/lib/proof/bounds/*.cpp", "tools/lib/proof/sums/*.[ch]pp", "catalog/*.toml"),
          ("conformance/expected/bounds.inc", "docs/measured/accuracy.md"), scientific=True),
     Part("golden", "golden files, by the oracle", "five minutes", "proof.golden.command",
          ("catalog/*.toml", "tools/lib/proof/oracle/noises/*.py"), ("conformance/expected/golden/*.golden",),
