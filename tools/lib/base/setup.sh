@@ -110,8 +110,9 @@ show_progress() {
 }
 
 with_progress() {
-  local status=0 shown
-  show_progress "$1" "$(wc -c <"$log")" &
+  local status=0 shown from
+  from=$(wc -c <"$log")  # not in the background, where the command could have written already
+  show_progress "$1" "$from" &
   shown=$!
   "${@:2}" >>"$log" 2>&1 || status=$?
   kill "$shown"
