@@ -32,7 +32,8 @@ void main() {{
 
 
 class Picture:
-    """Of a golden file whose function is called like call, where x, seed and so on stand for the columns."""
+    """The picture of a golden file whose function is called like call, where x, seed and so on stand for the
+    columns."""
 
     def __init__(self, name: str, call: str):
         self.golden = Golden(name)

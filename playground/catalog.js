@@ -1,11 +1,11 @@
-// Made by tools/make catalog. Of a steep noise there are slopes, and a steep sum needs them.
+// Made by tools/make catalog. A steep noise has slopes, and a steep sum needs them.
 export const kCatalog = {
   noises: {
     perlin: { dimensions: [1, 2, 3, 4], phase: true, steep: true, about: "Perlin noise: gradient noise on the square lattice, with hashed gradients." },
     value: { dimensions: [1, 2, 3, 4], steep: true, about: "Value noise on the square lattice: cheaper than perlin, and coarser." },
     value_cubic: { dimensions: [1, 2, 3], about: "Cubic value noise: a uniform cubic B-spline over hashed numbers." },
     simplex: { dimensions: [2, 3, 4], phase: true, steep: true, about: "Simplex noise: gradient noise on a lattice of triangles, or of simplices." },
-    simplex_smooth: { dimensions: [2, 3], about: "Smooth simplex noise: its kernel is larger than that of simplex, so the field is calmer." },
+    simplex_smooth: { dimensions: [2, 3], about: "Smooth simplex noise: its kernel is larger than simplex's, so the field is calmer." },
     cellular: { dimensions: [2, 3], jitter: true, metric: true, about: "Cellular noise: distances to the two nearest of points that are scattered, one in each cell." },
     cellular_three: { dimensions: [2, 3], jitter: true, metric: true, about: "Cellular noise: distances to the three nearest points, Worley's F1, F2 and F3." },
     cellular_smooth: { dimensions: [2, 3], jitter: true, range: [-0.1937, 0.875], about: "Cellular noise with rounded valleys: it has no creases between cells." },

@@ -1,4 +1,4 @@
-// The functions of what is shown, in each language. The page draws with the same functions: the text that is copied has
+// The functions of the picture, in each language. The page draws with the same functions: the text that is copied has
 // numbers where that of the page has uniforms, so that no shader is compiled again when a number changes.
 import { isLeaning, isSolid, remapOf, settingsOf, shownLayers, tintedLayers, uses } from "./model.js";
 import { kMetrics, kNoises, kSums } from "./tables.js";
@@ -107,7 +107,7 @@ class Writer {
     this.types = kTypes[language];
     this.noise = kNoises[state.noise];
     this.files = new Set();
-    this.needs = new Set(); // what the functions call, by the names in WGSL
+    this.needs = new Set(); // the functions' calls, by the names in WGSL
     this.summed = state.sum !== "none";
     // Where a noise is computed: at a position, in a cell, or at a place that is given.
     this.position = { position: "p" };
@@ -221,7 +221,7 @@ class Writer {
     const { mean: made, steep, strength } = kSums[state.sum];
     this.files.add(`${steep ? "fbm_d" : "fbm"}${n}d.glsl`);
     this.sum = `hn_${state.sum}`;
-    // Of sums of values at positions in floats, and of those in a tile, the page has functions whose text is shorter.
+    // For sums of values at positions in floats, and in a tile, the page has functions with shorter text.
     const isPlain = this.short && !this.ofCell && state.arithmetic !== "fixed" && !steep;
     const isLoop = this.short && (state.tiled ? !isPlain || n === 1 || n === 4 : this.ofCell);
     if (state.noise === "perlin" && !isLoop) return [];
@@ -392,7 +392,7 @@ class Mixer {
     return `layer_slope(${["v", ...passed].join(", ")})`;
   }
 
-  // The functions of what is below a layer. From a cell both summands of a place have few digits, so that it is exact.
+  // The functions below a layer. From a cell both summands of a place have few digits, so that it is exact.
   below(form, at) {
     const [writer] = this.writers;
     const { n, types } = writer;

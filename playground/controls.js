@@ -1,4 +1,4 @@
-// The panel: what is chosen there, and how it shows the state.
+// The panel: its choices, and how it shows the state.
 import { kLanguages } from "./code.js";
 import { copied, copiedText, kKinds } from "./copied.js";
 import { countsOf } from "./cost.js";
@@ -199,7 +199,7 @@ export class Controls {
     input.addEventListener("input", () => (this.typed = name));
     input.addEventListener("change", entered);
     // The arrows count up and down, as in a field of numbers. (Such a field has no room for BigInt.) They count from
-    // what is typed, whether or not it is entered.
+    // the typed text, whether or not it is entered.
     input.addEventListener("keydown", (event) => {
       const steps = event.key === "ArrowLeft" || event.key === "ArrowRight" ? 0 : kArrows[event.key];
       if (!steps) return;
@@ -409,7 +409,7 @@ export class Controls {
     byId("note-file").textContent = note;
     byId("save").textContent = `Save ${label.split(/\W/)[0]}`;
     byId("save").title = `Save ${label}`;
-    // Relief is beside what it is for.
+    // Relief is beside its view.
     const before = byId(state.view === "terrain" ? "row-tilt" : "row-file");
     if (before.nextElementSibling.id !== "row-steep") before.after(byId("row-steep"));
     this.showCounts();

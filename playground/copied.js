@@ -1,6 +1,6 @@
-// The texts to copy: the functions of code.js with the colours, with what they call, and as a whole shader.
+// The texts to copy: the functions of code.js with the colours, with their helpers, and as a whole shader.
 import { decimal, declaration, functions, kLanguages, kTypes, knobs, numbers } from "./code.js";
-import { bakeLines, isOneLine, pythonLines } from "./lines.js";
+import { bakeLines, pythonLines } from "./lines.js";
 import { isLeaning, mapsOf, numbersOfTinted, rangeOf, shownLayers } from "./model.js";
 import { partsOfColour, rampOf } from "./palette.js";
 import { isScalar, scalarCode } from "./scalar.js";
@@ -84,7 +84,6 @@ const kPlaces = {
   bake: "In the library, on Linux.",
 };
 
-// Of the library's own files.
 export const kLicense = "// Copyright (c) 2026 The hashnoise authors; MIT License.";
 
 // As what the code is copied, and of whole shaders what stands around the functions: the first lines, how it is used,
@@ -194,7 +193,7 @@ function mainOf(language, state, { main, pixel, below, result }) {
   const leans = isLeaning(state);
   const place = far ? inSpace(state) : middleOf(state);
   const numbers = place.map((parts) => decimal((far ? placeOf(parts) : Number(parts)) / kPartsOfCell));
-  const flat = leans ? n : Math.min(n, 2); // The pixel has so many coordinates; the others are those of the slice.
+  const flat = leans ? n : Math.min(n, 2); // The pixel has so many coordinates; the others are the slice's.
   const onPlane = `${n === 1 ? "pixel.x" : "pixel"} * ${decimal(cellsAcross(state))}`;
   const scaled = leans ? `slice(${vector(float(n), [onPlane, "0.0", "0.0"].slice(0, n - 1))})` : onPlane;
   const slice = `${scaled} + ${vector(float(flat), numbers.slice(0, flat))}`;
@@ -247,7 +246,10 @@ export function copied(library, language, state, kind = "function", withLibrary 
   const waits = isScalar(language) ? !library.pieces.cpu : !["cpp", "python", "bake"].includes(language) && !library.pieces.shading;
   if (waits) return { head: [], library: () => [], code: ["…"], waits };
   if (language === "python") return { head: [`# ${first}`], library: () => [], code: pythonLines(state) };
-  if (language === "bake") return bakeText(library, state, first);
+  if (language === "bake") {
+    const hash = state.hash === "lattice" ? [] : ["# tools/bake has the default hash."];
+    return { head: [`# ${first}`, ...hash], library: () => [], code: bakeLines(state) };
+  }
   if (isScalar(language)) {
     const { head, ...rest } = scalarCode(library, language, state);
     const hash = state.hash === "lattice" ? [] : ["// With the default hash: the page has no other in this language."];
@@ -313,19 +315,6 @@ function tslText(library, state, first) {
       ...(isLeaning(state) ? [node("slice", p.slice(0, 4), p)] : []),
       node("colour", "vec3", mapsOf(state).length > 1 ? p : "float value"),
     ],
-  };
-}
-
-// A command; and the file that it reads where no option is enough.
-function bakeText(library, state, first) {
-  const lines = bakeLines(state);
-  if (isOneLine(state)) return { head: [`# ${first}`], library: () => [], code: lines };
-  const { lines: code, at } = functions(library, "glsl", state, numbers("glsl", state), ["position"]);
-  const hash = state.hash === "lattice" ? [] : ["# tools/bake has the default hash."];
-  return {
-    head: [`# ${first}`, ...hash, "cat > pattern.glsl << END"],
-    library: () => [],
-    code: [...sliceLines("glsl", state), ...code, ...masks(state, at), "END", ...lines],
   };
 }
 

@@ -1,6 +1,6 @@
-// The costs of the copied functions on this GPU, pattern(p) and pattern(cell, f), as ratios to hn_perlin(p) on the plane.
-// All are drawn in turns, so that what else the machine does concerns all; what a shader costs that computes nothing
-// is taken off all.
+// The costs of the copied functions on this GPU, pattern(p) and pattern(cell, f), as ratios to hn_perlin(p) on the
+// plane. All are drawn in turns, so that what else the machine does concerns all; what a shader costs that computes
+// nothing is taken off all.
 import { emptyShader, frameOf, kColours, kTimes, plainOf, timedShader } from "./shaders.js";
 import { kNoises } from "./tables.js";
 
@@ -23,15 +23,15 @@ const kEnough = 8; // milliseconds that the plain noise should take, since brows
 const kMostSide = 2048;
 const kMostDraws = 64;
 
-// Of rounds, each a list of milliseconds: of the empty shader, of hn_perlin, of what is shown at a position and from a
-// cell. Other work of the machine only adds time, so the least counts.
+// The ratios of rounds, each a list of milliseconds: of the empty shader, of hn_perlin, of the picture at a position
+// and from a cell. Other work of the machine only adds time, so the least counts.
 function ratiosOf(rounds) {
   const [empty, plain, ...shown] = rounds[0].map((_, number) => Math.min(...rounds.map((round) => round[number])));
   return shown.map((least) => (plain > empty ? Math.max(least - empty, 0) / (plain - empty) : NaN));
 }
 
-// {ratio, low, high, cell, million}: at a position, of all rounds and between which the ratios of three parts of them lie;
-// from a cell; and milliseconds of a million values at a position.
+// {ratio, low, high, cell, million}: at a position, of all rounds and between which the ratios of three parts of them
+// lie; from a cell; and milliseconds of a million values at a position.
 export async function costOf(backend, library, state) {
   const { language } = backend;
   // Far out, where floats have no fractions, a position would be the same for all pixels.

@@ -145,7 +145,6 @@ function fewColours(picture) {
   return { palette: Uint8Array.from(colours.flatMap((colour) => [...colour, 255])), numbersOf };
 }
 
-// The whole picture of a frame.
 async function pictureOf(read, mode, frame) {
   const picture = new Uint8Array(4 * frame.width * frame.height);
   let done = 0;

@@ -17,7 +17,7 @@ export class Library {
     await this.loading[name];
   }
 
-  // The texts of these functions in a shading language, and of what they call.
+  // The texts of these functions in a shading language, and of their helpers.
   texts(names, language, { arithmetic, hash, dimensions }) {
     return this.pieces.shading.texts(names, language, arithmetic, hash, dimensions);
   }

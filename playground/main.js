@@ -90,7 +90,7 @@ class Playground extends Picture {
     this.linkTimer = setTimeout(() => this.writeLink(), kLinkDelay);
   }
 
-  // A change of more than a setting can be undone: the browser's Back brings back what was shown.
+  // A change of more than a setting can be undone: the browser's Back brings back the picture.
   replace(next, said) {
     const other = linkOf(next) !== this.link;
     this.writeLink();
@@ -134,7 +134,7 @@ class Playground extends Picture {
   writeLink(how = "replaceState") {
     clearTimeout(this.linkTimer);
     try {
-      // With the whole state, since the link leaves out what the picture does not use.
+      // With the whole state, since the link leaves out unused settings.
       history[how]({ ...this.state }, "", this.link || location.pathname + location.search);
     } catch {
       // A page in a frame without an address of its own has no link. Copying one still works.
@@ -259,7 +259,7 @@ class Playground extends Picture {
   }
 
   // ------------------------------------------------------------------------------------------------------------------
-  // Cost, and what is copied.
+  // Cost, and the copied text.
 
   get costKey() {
     const { layers, period, renderer } = this.state;
@@ -350,7 +350,7 @@ class Playground extends Picture {
     try {
       await navigator.clipboard.writeText(text);
     } catch {
-      // Browsers that give no clipboard copy what is selected.
+      // Browsers that give no clipboard copy the selection.
       const area = Object.assign(document.createElement("textarea"), { value: text });
       document.body.append(area);
       area.select();

@@ -1,4 +1,4 @@
-// The state: what is shown, as a list of layers and the settings of the whole picture.
+// The state of the picture, as a list of layers and the settings of the whole picture.
 
 import { scaleWithin, wrapped } from "./numbers.js";
 import { possibleStops, stopsOfMap } from "./palette.js";
@@ -85,7 +85,7 @@ export const shownLayers = ({ layers }) => layers.filter(({ on }) => on);
 // Whether colours of its own can show where a layer counts, and whether they do.
 const canTint = ({ blend }) => ["mix", "mask", "height", "slope"].includes(blend);
 const isTinted = (layer, at) => at > 0 && layer.tint !== "none" && canTint(layer);
-// The layers that are shown, and which of them have colours of their own. Of the lowest nothing is below.
+// The layers that are shown and have colours of their own. Nothing is below the lowest one.
 export const tintedLayers = (state) => shownLayers(state).filter(isTinted);
 // Their numbers among those that are shown, from 1 on, as code has them.
 export const numbersOfTinted = (state) => tintedLayers(state).map((layer) => shownLayers(state).indexOf(layer) + 1);
@@ -130,7 +130,7 @@ export const goingWith = (state, isGiven = () => false) => ({
   ...(isSolid({ ...state, dimensions: 3 }) && state.dimensions < 3 && !isGiven("dimensions") ? { dimensions: 3 } : {}),
 });
 
-// The same for what somebody chose, with what goes with it: a strength is that of its sum, half of a mixture is seen of
+// The state after a choice, with what goes with it: a strength as its sum has it, half of a mixture is seen of
 // each, tiles have a period, solids have three dimensions, and a map of one's own begins with the one that was shown.
 export function chosen(state, changes, at = 0) {
   const next = changed(state, changes, at);
@@ -176,7 +176,7 @@ function possibleLayer(given, period) {
   return layer;
 }
 
-// The state with every setting possible: what a noise or a sum does not have becomes what it has.
+// The state with every setting possible: a setting that a noise or a sum lacks becomes one that it has.
 export function possible(state) {
   const next = possibleSettings(usualsOf(false), state);
   next.layers = state.layers.slice(0, kMostLayers).map((layer) => possibleLayer(layer, next.period));
@@ -201,7 +201,6 @@ export function dimensionsOfLayer({ noise, sum }) {
   return kNoises[noise].dimensions.filter((dimension) => possible.includes(dimension));
 }
 
-// The dimensions that all layers have.
 export const dimensionsOf = ({ layers }) =>
   [1, 2, 3, 4].filter((dimension) => layers.every((layer) => dimensionsOfLayer(layer).includes(dimension)));
 
@@ -275,8 +274,8 @@ function rangeOfLayer(layer, dimensions) {
   return [low, high];
 }
 
-// Of two layers that do not depend on each other: ends are seldom met together, so their distances from the middles add
-// as those of deviations do.
+// For two layers that do not depend on each other: ends are seldom met together, so their distances from the middles
+// add as those of deviations do.
 function sumOfRanges([low, high], [lower, higher]) {
   const middle = (low + high + lower + higher) / 2;
   const half = Math.hypot(high - low, higher - lower) / 2;

@@ -18,7 +18,7 @@ export function positionText(parts) {
 const kMostPower = 1000000000;  // beyond it a power of ten is as good as this one
 
 // The parts of a number as people and programs write it, such as -12.5, 1,25, .5, 3e-4 or Infinity: its sign, its
-// digits, and the power of ten that they are multiplied by. Nothing for what is no number.
+// digits, and the power of ten that they are multiplied by. Nothing if it is no number.
 function partsOfNumber(text) {
   const match = /^\s*([-+−]?)(?:(Infinity)|(?=[.,]?\d)(\d*)(?:[.,](\d*))?(?:e([-+−]?\d+))?)\s*$/i.exec(text);
   if (!match) return undefined;
@@ -31,7 +31,7 @@ function partsOfNumber(text) {
   };
 }
 
-// Of a number that is too large for a float it is an infinity, and possible() makes of that the largest that can be.
+// A number that is too large for a float becomes an infinity, and possible() makes the largest allowed number of that.
 export function parsedNumber(text) {
   const parts = partsOfNumber(text);
   if (!parts) return undefined;

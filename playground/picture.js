@@ -284,7 +284,6 @@ export class Picture {
     return backend.read(program, frameOf(state, width, height, mode), width, height);
   }
 
-  // The file of the state.
   async file(tell) {
     const state = fileState(this.state);
     const backend = await this.backend();

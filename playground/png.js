@@ -29,7 +29,7 @@ function chunk(type, bytes) {
 }
 
 export class Png {
-  // Of one channel of 16 bits, or of three of 8. The comment is of ASCII.
+  // The picture has one channel of 16 bits, or three of 8. The comment is in ASCII.
   constructor(width, height, deep, comment) {
     this.rowBytes = width * (deep ? 2 : 3);
     this.pixelBytes = deep ? 2 : 3;
@@ -60,7 +60,6 @@ export class Png {
     return this.writer.write(filtered);
   }
 
-  // The parts of the file.
   async parts() {
     await this.writer.close();
     return [...this.head, chunk("IDAT", new Uint8Array(await this.compressed)), chunk("IEND", new Uint8Array())];

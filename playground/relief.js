@@ -10,7 +10,7 @@ const kRound = 2 * Math.PI;
 
 // The heights of values, from 0 for the lowest colour to 1 for the highest, and the colour of each with its light.
 // `side` is the number of values on a side, the first in the lower left corner; `steep` is the height of the highest
-// colour in sides of the block. Colours are those of the palette, or of `pixels` if there are some.
+// colour in sides of the block. Colours are the palette's, or of `pixels` if there are some.
 export function surfaceOf(values, side, [low, high], palette, steep, pixels) {
   const heights = Float32Array.from(values, (value) => Math.min(Math.max((value - low) / (high - low), 0), 1));
   const colours = new Uint8Array(3 * side * side);
@@ -39,7 +39,7 @@ function crossed(start, direction, [enters, leaves]) {
 
 // The bytes of a picture, from the upper row on; where there is no block they are 0. `turn` is how far the block is
 // turned, and `tilt` how far one looks down, in turns: 0.25 is from above. The block is in the middle of the first
-// `free` columns. Of the columns from `begin` to `end` alone it sets the bytes.
+// `free` columns. It sets the bytes of the columns from `begin` to `end` alone.
 export function reliefOf({ heights, colours, side, steep }, { turn, tilt }, width, height, free = width,
   bytes = new Uint8ClampedArray(4 * width * height), [begin, end] = [0, width]) {
   const [sine, cosine] = [Math.sin(turn * kRound), Math.cos(turn * kRound)];

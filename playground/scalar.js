@@ -5,7 +5,7 @@ import { remapOf } from "./model.js";
 import { named } from "./pieces.js";
 import { kMetrics, kNoises, kSums } from "./tables.js";
 
-const kAxes = ["x", "y", "z", "w"];
+export const kAxes = ["x", "y", "z", "w"];
 const kPlain = ["perlin", "value", "simplex"]; // these have functions of a position
 const signed = (seed) => String(seed | 0); // where words are numbers with a sign
 
@@ -15,7 +15,7 @@ const doWhile = (lines, next, indent = "  ") =>
 const typesInC = (uint) => ({ float: "float", uint, place: (n) => `hn_place${n}`, octaves: (n) => `hn_octaves${n}` });
 const typesByName = (float, uint) => ({ float, uint, place: (n) => `Place${n}`, octaves: (n) => `Octaves${n}` });
 
-// How a language writes what the functions need. `o` is how a sum is passed to what changes it.
+// How a language writes the functions' helpers. `o` is how a sum is passed to what changes it.
 const kC = {
   float: (value) => `${decimal(value)}f`, uint: (value) => `${value}u`, o: "&o", s: "&s", place: "o.place", seed: "o.seed",
   head: (name, parameters) => `static inline float ${name}(${typed(parameters)}) {`, types: typesInC("uint32_t"),
@@ -89,7 +89,6 @@ class ScalarWriter {
     return [String(octaves), this.float(lacunarity), this.float(gain)];
   }
 
-  // The place of a layer.
   placeOf(layer) {
     const { n, state } = this;
     const period = state.period ? [String(state.period * layer.scale)] : [];

@@ -64,7 +64,7 @@ const kPoints = {
   if ((near + 1) * (near + 1) <= rest) near += 1;
   ivec3 point = (beside + near * towards) >> uvec3(${kBitsOfOne}u);
   vec3 normal = vec3(ivec3(s, near)) / ${kRadius}.0;`),
-  // Of the cube's faces that look here the nearest one. Languages round quotients below 0 in different ways, so what is
+  // The nearest of the cube's faces that look here. Languages round quotients below 0 in different ways, so what is
   // divided is made larger first.
   cube: pointOf(`  int near = ${kNowhere};
   int face = 0;

@@ -1,11 +1,11 @@
-// "Surprise me": any setting of what is not locked, from ranges in which pictures are good.
+// "Surprise me": any value of the unlocked settings, from ranges in which pictures are good.
 import { chosen, changed, dimensionsOf, noisesOf, possible, usualOf } from "./model.js";
 import { kBlends, kMaps, kMetrics, kNoises, kSums } from "./tables.js";
 
 const between = (random, low, high, step = 0.01) => Math.round((low + (high - low) * random()) / step) * step;
 const oneOf = (random, list) => list[Math.floor(random() * list.length)];
 
-// Of a layer, in an order in which later ones may depend on earlier ones.
+// The settings of a layer, in an order in which later ones may depend on earlier ones.
 const kOfLayer = {
   sum: (random) => oneOf(random, Object.keys(kSums)),
   noise: (random, { sum }) => oneOf(random, noisesOf(sum).filter((name) => kNoises[name].dimensions.includes(2))),

@@ -1,8 +1,8 @@
-// The choices: noises, sums and the others, each with what the page has to know of it.
+// The choices: noises, sums and the others, each with its properties.
 
 import { kCatalog } from "./catalog.js";
 
-// Rows, each with what the catalog has of the function that it shows, and a row for each function that none shows.
+// Rows, each with the catalog's entry of the function that it shows, and a row for each function that none shows.
 function completed(rows, functions) {
   const shown = Object.entries(rows).map(([name, row]) => row.shows ?? name);
   const others = Object.keys(functions).filter((name) => !shown.includes(name));
@@ -97,7 +97,7 @@ export const kFiles = {
   json: { label: "JSON, the setting", ending: "json", part: "setting", note: "Drop it onto the picture to open it again, or a PNG of this page." },
 };
 export const kViews = { plane: "Plane", tiles: "3 × 3 tiles", terrain: "Terrain", sphere: "Sphere", cube: "Cube" };
-// How a layer is combined with what is below it.
+// How a layer is combined with the layers below it.
 export const kBlends = {
   add: { label: "Add", sign: "+" },
   multiply: { label: "Multiply", sign: "×" },

@@ -23,7 +23,6 @@ export function summaryOf(values, [low, high]) {
 const shown = (value) => String(Number(value.toFixed(3)) || 0).replace("-", "−");
 const percent = (share) => `${share > 0 && share < 0.01 ? "less than 1" : Math.round(share * 100)} %`;
 
-// The summary in words.
 export function wordsOf({ least, greatest, mean, below, above }, [low, high]) {
   const beyond = below + above > 0 ? `; ${percent(below)} of the values are below, and ${percent(above)} above` : "";
   return (

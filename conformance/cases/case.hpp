@@ -102,12 +102,11 @@ struct Case {
 CaseResult run_case(Session& session, const Case& test);
 CaseResult run_case(const Suite& suite, const Case& test);  // of one that needs no driver
 
-// How much of the product of functions, settings, versions and stages: what a run has without --thorough, or all.
+// How much of the product of functions, settings, versions and stages: the part of a run without --thorough, or all.
 enum class Scope { covered, thorough };
 // Every case, in the order in which they run.
 std::vector<Case> all_cases(Scope scope = Scope::thorough);
 std::vector<std::string> ids_of(const std::vector<Case>& cases);
-// The cases with these ids, in the order of the ids.
 Result<std::vector<Case>> cases_with(std::span<const std::string> ids);
 
 using Subjects = std::set<std::string_view>;  // ids of functions

@@ -54,7 +54,7 @@ Places at(const Places& places, const std::array<double, 3>& from_corner) {
   return there;
 }
 
-// Walls, middles and what is one unit beside them.
+// Walls, middles and places one unit beside them.
 Places at_edges(Places places, Random& random) {
   for (Place& place : places) {
     const double edge = random.below(2) == 0 ? 0.0 : 0.5;
@@ -91,7 +91,7 @@ Words points_to_search(Session& session, const Function& function, const Configu
 }
 
 // Places beside walls whose third distance is that of a cell two steps away. A block of cells that is too small has
-// wrong values there. Of borders the golden files have such places: they are too rare to be found at random.
+// wrong values there. The golden files have such places of borders: they are too rare to be found at random.
 void add_far_points(Words& inputs, Session& session, const Function& function, const Configuration& configuration) {
   if (function.bound != "cellular_three") return;
   Random random(session.seed, "far");
@@ -189,7 +189,7 @@ Outcome check_search(Session& session, const Evaluation& evaluation) {
 
 namespace {
 
-// The same point for another form: at a position, or from a cell.
+// The point for another form: at a position, or from a cell.
 void put_for(const Function& form, const Function& function, std::span<std::uint32_t> words,
              std::span<const std::uint32_t> inputs, const Places& places) {
   for (std::size_t column = 0; column < form.inputs.size(); ++column) {
@@ -221,7 +221,7 @@ const Function& returned_beside(const Function& setting) {
   return beside;
 }
 
-// One way to the nearest point and to what is known of it.
+// One way to the nearest point and to its properties.
 struct Route {
   const Function* names;
   const Function* offsets;

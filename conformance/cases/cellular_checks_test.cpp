@@ -119,7 +119,7 @@ TEST_F(CellularChecks, FieldsThatAreAlikeAreCaught) {
   expect_all_caught(kFaults);
 }
 
-// With rounded floats every output but those that jump is compared, and what is undecided is no excuse elsewhere.
+// With rounded floats every output but those that jump is compared, and an undecided point is no excuse elsewhere.
 TEST_F(CellularChecks, ANearestPointThatIsWrongIsNotLeftOut) {
   expect_replaced_caught({"noise2d.cellular_nearest.lattice.fast.fragment.gl330.twin", "detail/feature_points.glsl",
                           "hn_i_select(rank < best.x, hn_i_rank_of_code(code), best.w)",

@@ -1,4 +1,4 @@
-// Describes what each check demands: docs/reference/checks.md is made of that.
+// Describes the demand of each check, for docs/reference/checks.md.
 #pragma once
 
 #include <span>

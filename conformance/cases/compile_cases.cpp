@@ -88,7 +88,7 @@ std::span<const Stage> stages_of(const Profile& profile) {
 }
 
 // A file by itself is compiled as SPIR-V, which shows more than that it compiles, once in each arithmetic: the cases
-// highp and uncontracted. So what is left to compile are the versions and the stages, with the whole library: each
+// highp and uncontracted. So the rest to compile are the versions and the stages, with the whole library: each
 // version in one stage and one arithmetic, in turn; and each hash and the sine gradient, with the file that has them.
 bool is_chosen(std::string_view file, const Configuration& configuration, const Profile& profile, Stage stage) {
   if (file != "hashnoise.glsl") {
@@ -347,7 +347,6 @@ struct Acceptance {
   std::string knobs;        // before the include
   std::string after = {};   // behind it
   bool everywhere = false;  // in every version, since it is GLSL of its own kind
-  // The included file.
   std::string_view file() const { return everywhere ? "hashnoise.glsl" : "config.glsl"; }
 };
 
@@ -449,7 +448,7 @@ Outcome check_compilation(Session& session, const CompilationKind& compilation) 
 void add_compile_cases(std::vector<Case>& cases, Scope scope) {
   std::vector<Case> all;
   for (const auto& [file, text] : kLibraryFiles) {
-    if (!file.ends_with(".glsl")) continue;  // what other languages need besides
+    if (!file.ends_with(".glsl")) continue;  // needed by other languages besides
     for (const Configuration& configuration : all_configurations()) {
       if (!selects_code(file, configuration)) continue;
       for (const Profile& profile : all_profiles()) {

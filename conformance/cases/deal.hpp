@@ -1,5 +1,5 @@
-// Deals cases to the drivers of a run: what every driver must show goes to each of those that draw by themselves, every
-// other case to one.
+// Deals cases to the drivers of a run: cases that every driver must show go to each of those that draw by themselves,
+// every other case to one.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ using CanRun = std::function<bool(const Case&)>;
 struct DealtDriver {
   CanRun can_run;
   // The renderer. Windows, surfaces and buffers of one renderer lead to the same compiler, so the first of them runs
-  // what every driver must run; the others share the rest.
+  // for every driver; the others share the rest.
   std::string renderer;
   int turns = 1;  // of the cases for one driver, how many it gets in a round
 };

@@ -119,7 +119,7 @@ Words nodes_of(const Function& function, const Function& plain, const Words& inp
 
 }  // namespace
 
-// Both the derivative and the values may be off by what the arithmetic allows.
+// Both the derivative and the values may be off by the arithmetic's bound.
 Outcome check_derivative(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   const Function& plain = find_function(function.plain);

@@ -63,7 +63,7 @@ Drawn drawn(const Session& session, const Profile& profile, std::string shader) 
 
 // The shader as tools/pick writes it, where that is at hand.
 Result<std::string> picked(const Session& session, const ShaderFacts& facts, const std::string& shader) {
-  // Of a known bug the shader is the expression that fails, and tools/pick may write another one.
+  // For a known bug the shader is the expression that fails, and tools/pick may write another one.
   if (session.pick.empty() || facts.id.starts_with("bugs.")) return fail("there is nothing to shorten it by");
   const TemporaryFolder folder;
   folder.write("shader", shader);
@@ -162,7 +162,6 @@ class Examiner {
     return random_points(function(), 1, Random(session_.seed, id_));
   }
 
-  // The tolerances of a function, for each output.
   std::array<double, kOutputWords> allowed_at(std::size_t i, decltype(tolerance) allowed_by) const {
     std::array<double, kOutputWords> allowed{};
     for (std::size_t word = 0; word < function().outputs.size(); ++word) {
@@ -245,8 +244,9 @@ class Examiner {
     const Reference right = right_at(i);
     if (!differs(i, right)) {
       evidence.note +=
-          "At this point and around it the driver agrees with the C++ twin: the fault is between values, or in another "
-          "stage or shape of the shader, and no shader of one point shows it.";
+          "At this point and around it the driver agrees with the C++ twin: the fault is between values, in another "
+          "value that the case compares, or in another stage or shape of the shader, and no shader of one point shows "
+          "it.";
       return;
     }
     keep_shader(evidence, session_, evaluation_, facts_of(i, right));
@@ -274,7 +274,7 @@ class Examiner {
   Words reference_;
 };
 
-// Of a known bug: at its first point that is wrong.
+// The evidence of a known bug, at its first point that is wrong.
 std::optional<Evidence> evidence_of(Session& session, const Case& test, const BugKind& kind, const Outcome& outcome) {
   if (!session.evaluator->context() || outcome.examples.empty()) return std::nullopt;
   const Bug& bug = *kind.bug;
@@ -342,7 +342,7 @@ Result<std::array<std::uint8_t, 4>> draw_pixel(const Context& context, const Pro
 
 bool EvidenceBudget::take(const CaseName& name) {
   auto& of_function = by_function_[name.function];
-  // Known bugs come last, have no pictures, and explain what comes before them.
+  // Known bugs come last, have no pictures, and explain the cases before them.
   const bool is_bug = name.function.starts_with("bugs.");
   if ((all_ >= kMostPerDriver && !is_bug) || of_function.size() >= kMostPerFunction) return false;
   // A fault in one version of the language is mostly in the others, too.

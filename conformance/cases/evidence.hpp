@@ -1,4 +1,4 @@
-// Makes what a developer needs to see a fault: a shader that stands alone, and pictures.
+// Makes evidence of a fault for developers: a shader that stands alone, and pictures.
 #pragma once
 
 #include <array>

@@ -12,9 +12,9 @@ inline constexpr std::size_t kPictureSide = 96;
 inline constexpr std::size_t kMiddle = kPictureSide / 2;
 
 // The points of a picture, from top to bottom: the first two coordinates go through a window with the point in the
-// middle, the other words are those of the point.
+// middle, the other words are the point's.
 Words window_around(const Function& function, std::span<const std::uint32_t> words);
-// A sentence or two for people: what the window is, and what its greys are.
+// A sentence or two for people: the window, and its greys.
 std::string describe_window(const Function& function, const Words& window);
 
 // PNG files in base64, and the factor that multiplies the difference, so that the largest is white.

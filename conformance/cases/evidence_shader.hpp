@@ -24,7 +24,7 @@ struct ShaderFacts {
 
 // A fragment shader, complete, without textures or attributes: green where the function has the expected value,
 // else red. The point is hidden from the compiler behind a uniform that nobody needs to set, so that it
-// evaluates the function on the device. Comments state what it is. With a compiler it is brief: macros are expanded,
+// evaluates the function on the device. Comments describe it. With a compiler it is brief: macros are expanded,
 // and what main does not call is left out.
 Result<std::string> stand_alone_shader(const SourceSet& sources, const Evaluation& evaluation, const ShaderFacts& facts,
                                        const ReferenceCompiler* compiler = nullptr);
@@ -32,7 +32,7 @@ Result<std::string> stand_alone_shader(const SourceSet& sources, const Evaluatio
 // A shader that stands alone, made green where the function has the wrong value that the suite got.
 std::string expecting_got(std::string shader, const ShaderFacts& facts);
 
-// Lines without comments, #line directives and what is left empty.
+// Lines without comments, #line directives and lines left empty.
 std::string without_comments(std::string_view glsl);
 
 }  // namespace hn

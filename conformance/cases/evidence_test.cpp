@@ -45,7 +45,7 @@ class EvidenceOf : public OnOsmesa<> {
     return make_evidence(session, test, outcome_);
   }
 
-  // "red", "green", or what is wrong.
+  // "red", "green", or the fault.
   std::string colour(const std::string& shader, const std::string& profile) {
     const SourceSet none;
     const auto vertex = expand(none, profile_named(profile), vertex_shader());
@@ -105,7 +105,7 @@ TEST_F(EvidenceOf, TheShaderIsAsShortAsToolsPickWritesIt) {
   EXPECT_NE(nan->shader.find("sqrt(-1.0 - abs("), std::string::npos) << "the library has -1.0f: " << nan->shader;
 }
 
-// In place of tools/pick a script: what it makes of the shader, and whether that still shows the fault.
+// A script in place of tools/pick: its text for the shader, and whether that still shows the fault.
 TEST_F(EvidenceOf, AShortShaderThatFailsOtherwiseIsNotShown) {
   struct Row {
     std::string_view what, by, script;
@@ -248,7 +248,7 @@ TEST(Window, HasThePointInTheMiddle) {
   ASSERT_EQ(window.size(), kPictureSide * kPictureSide * kInputWords);
   const std::size_t middle = kMiddle * kPictureSide + kMiddle;
   EXPECT_TRUE(std::equal(words.begin(), words.end(), point(window, middle).begin()));
-  // Far out, by what a float can distinguish; near 0 by a part of a cell. Upwards is towards the first row.
+  // Far out, by a float's steps; near 0 by a part of a cell. Upwards is towards the first row.
   EXPECT_EQ(std::bit_cast<float>(point(window, middle + 1)[0]), 0x1p30f + 128.0f);
   EXPECT_EQ(std::bit_cast<float>(point(window, middle - kPictureSide)[1]), -0.5f + 0.03125f);
   EXPECT_EQ(point(window, 0)[2], 7u);

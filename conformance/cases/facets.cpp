@@ -12,7 +12,7 @@
 namespace hn {
 namespace {
 
-// Null for what is not a function: a file as a whole, a setting, a known bug.
+// Null for a file as a whole, a setting or a known bug, which are no functions.
 const Function* known_function(std::string_view id) {
   const auto functions = all_functions();
   const auto found = std::find_if(functions.begin(), functions.end(), [&](const Function& f) { return f.id == id; });
@@ -38,7 +38,7 @@ std::string dimensions_of(std::string_view id, const Function* function) {
   return has_dimension ? fmt::format("in {}D", file[digit]) : "";
 }
 
-// "lattice+sine": the hash, and what is other than the defaults.
+// "lattice+sine": the hash, and settings other than the defaults.
 struct Knobs {
   std::string hash;
   std::string gradient;
@@ -92,7 +92,7 @@ Facets facets_of(std::string_view id) {
   facets[6] = fmt::format("in the {} stage", parts[4]);
   facets[7] = language_of(parts[5]);
   facets[8] = fmt::format("in {}", parts[5]);
-  // These two hold values against what is right. The others look for something special, and name what they found.
+  // These two compare with right values. The others look for something special, and name it.
   if (parts[6] != "golden" && parts[6] != "twin") facets[10] = fmt::format("of the check {}", parts[6]);
   return facets;
 }

@@ -11,7 +11,7 @@
 
 namespace hn {
 
-// A text of the library, in all places of a file, and what it becomes.
+// A text of the library, in all places of a file, and its replacement.
 struct Replacement {
   std::string_view id;
   std::string_view file;

@@ -81,7 +81,7 @@ constexpr std::array kVariants = {
     Variant{"folded", {}, folded_pairing},
 };
 
-// The same points in another way.
+// Other ways to compute these points.
 std::vector<Relation> variants_of(const Evaluation& evaluation, const Target& target) {
   const auto& [function, configuration, profile, none, stage] = evaluation;
   const bool of_vulkan = profile.platform() == Platform::vulkan && profile.in_glsl();

@@ -45,7 +45,7 @@ TEST(Relations, HoldInTheTwin) {
 class Metamorphic : public FaultyLibrary {};
 
 struct Detour {
-  std::string_view name;   // what the shader calls itself
+  std::string_view name;   // the shader's name for itself
   std::string_view check;  // stage.profile.check
 };
 
@@ -220,7 +220,7 @@ TEST_F(Periods, ASmallFootprintThatFadesOctavesIsCaught) {
   for (const Replacement& fault : kFaults) expect_replaced_caught(fault);
 }
 
-// The form without periods is under test as well, so that only what the other calls may be wrong.
+// The form without periods is under test as well, so only the other's calls may be wrong.
 TEST_F(Periods, AFormThatIsNotTheOneWithoutPeriodsIsCaught) {
   constexpr Replacement kFaults[] = {
       // A period of 0 that is one of 2^20, and a large one that counts as none.

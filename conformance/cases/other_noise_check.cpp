@@ -1,4 +1,4 @@
-// Octave sums over a noise that is constant: so what comes out follows from a few lines. Sums that cut off the noise
+// Octave sums over a noise that is constant: so the result follows from a few lines. Sums that cut off the noise
 // of an octave at 1 and -1, or its slopes at 128 and -128, meet one beyond each of them, too.
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ struct Constant {
   Vector slopes;
 };
 constexpr Vector kConstantSlopes = {0.5, -0.25, 0.125};
-// Of a sum of slopes: all noises of the library that fit its loop are flatter. In HN_FIXED 64 times as much just fits.
+// Slopes for a sum: all noises of the library that fit its loop are flatter. In HN_FIXED 64 times as much just fits.
 constexpr Vector kSteepSlopes = {-50.5, 30.25, 16.125};
 // HN_FIXED cuts these off, and then 18 times as much just fits.
 constexpr Vector kCutSlopes = {-200.5, 150.25, 129.125};
@@ -236,7 +236,6 @@ void flatten(const Function& function, Words& inputs) {
   }
 }
 
-// Of a point.
 void compare(Comparison& comparison, const Evaluation& evaluation, const Constant& constant,
              std::span<const std::uint32_t> inputs, std::span<const std::uint32_t> outputs) {
   const Function& function = evaluation.function;

@@ -1,4 +1,4 @@
-// The positions of places: what a place was made of comes back from the first octave of a sum.
+// The positions of places: a place's source comes back from the first octave of a sum.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t kPointsOfEach = 64;
 constexpr std::uint32_t kMostAxes = 4;
 // A place is made in one of five ways: of a cell and a fraction, of a cell alone, of a position, of a cell and a
-// fraction of 1, or of a position that is a whole number of units, which stands where a cell does. Of the fourth it is
-// the cell that comes back: the first octave must not go on to the next one.
+// fraction of 1, or of a position that is a whole number of units, which stands where a cell does. With the fourth it
+// is the cell that comes back: the first octave must not go on to the next one.
 constexpr std::uint32_t kWays = 5;
 constexpr std::uint32_t kCellAlone = 1;
 constexpr std::uint32_t kAtTheEnd = 3;

@@ -30,7 +30,7 @@ std::string form_of(const Function& function) {
   return form.empty() ? "a position" : form;
 }
 
-// A row may have a part of what a function computes, by code of its own: in four dimensions the value that comes with
+// A row may have a part of a function's result, by code of its own: in four dimensions the value that comes with
 // derivatives, and of cellular noise the cell that is nearest and where its point lies. A distribution is computed by
 // code of its own, too.
 std::string_view part_of(const Function& function) {
@@ -275,8 +275,8 @@ std::vector<bool> cover_of(std::span<const Candidate> candidates, std::size_t th
     chosen[i] = true;
     for (const std::size_t thing : candidates[i].shows) shown[thing] = true;
   };
-  // One of each round, if the round has anything new: the first pass is over what stands in the table, in its order, so
-  // that what is added at the end changes nothing before it.
+  // One of each round, if the round has anything new: the first pass is over the table, in its order, so
+  // that additions at the end change nothing before them.
   std::map<std::size_t, std::vector<std::size_t>> rounds;
   for (std::size_t i = 0; i < candidates.size(); ++i) rounds[candidates[i].round].push_back(i);
   const auto best_of = [&](const std::vector<std::size_t>& members) -> std::optional<std::size_t> {
@@ -295,7 +295,7 @@ std::vector<bool> cover_of(std::span<const Candidate> candidates, std::size_t th
   for (const auto& [round, members] : rounds) {
     if (const auto best = best_of(members)) choose(*best);
   }
-  // Then what is left, by the round that has it.
+  // Then the rest, by its round.
   for (const auto& [round, members] : rounds) {
     while (const auto best = best_of(members)) choose(*best);
   }

@@ -35,7 +35,7 @@ std::vector<std::string> shown_by(const PlannedProgram& program);
 // The words that the product shows, and the programs of `extents` (one for each of all_programs()) do not.
 std::vector<std::string> not_shown(std::span<const Extent> extents);
 
-// The extent of each of all_programs(): what every driver runs, what some driver runs, and what --thorough adds.
+// The extent of each of all_programs(): for every driver, for some driver, and for --thorough.
 const std::vector<Extent>& program_extents();
 
 // Whether each of all_programs() is in the cover of GLSL ES 3.00 alone: for browsers and phones, which could run few of

@@ -38,7 +38,7 @@ TEST(Programs, ARunShowsAllThatTheProductShows) {
   EXPECT_EQ(fmt::format("{}", fmt::join(not_shown(program_extents()), "; ")), "");
 }
 
-// The list reports what is missing: so it must change.
+// The list reports missing pairs: so it must change.
 TEST(Programs, WhatIsLeftOutIsListed) {
   std::vector<Extent> extents = program_extents();
   const std::vector<PlannedProgram>& programs = all_programs();

@@ -1,4 +1,4 @@
-// Checks for properties: what every right implementation has, whatever its values.
+// Checks for properties: of every right implementation, whatever its values.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct Range {
 // The largest value of an output that there can be, but for clouds.
 double largest_of(const Function& function, const Configuration& configuration, std::size_t output) {
   if (function.family == Family::sine_gradient) return 1.0;
-  // Octave sums take over the range of the noise. Roundings may take what is not scaled beyond
+  // Octave sums take over the range of the noise. Roundings may take unscaled values beyond
   // (docs/measured/accuracy.md).
   const NoiseBounds& bounds = bounds_of(function, configuration, output);
   return configuration.arithmetic == Arithmetic::fixed ? bounds.fixed_limit : bounds.limit;
@@ -190,7 +190,7 @@ bool is_far_from_fractions(const Function& function, std::span<const std::uint32
                      [](std::uint32_t word) { return std::fabs(std::bit_cast<float>(word)) >= 8388608.0f; });
 }
 
-// Of every fourth point half of the floats become a NaN, an infinity, or more than floats of many octaves can hold, and
+// At every fourth point half of the floats become a NaN, an infinity, or more than floats of many octaves can hold, and
 // now and then an int of octaves is absurd. A phase stays: only it has no value for what is no number.
 Words with_absurd_numbers(const Function& function, Words inputs, Random random) {
   constexpr std::uint32_t kNumbers[] = {0x7FC00000u, 0x7F800000u, 0xFF800000u, 0x447A0000u, 0x7149F2CAu};  // 1000, 1e30
@@ -206,7 +206,7 @@ Words with_absurd_numbers(const Function& function, Words inputs, Random random)
   return inputs;
 }
 
-// Whether a point has one: GLSL leaves open what a driver computes with it.
+// Whether a point has one: GLSL leaves its result open.
 bool has_nan(const Function& function, std::span<const std::uint32_t> inputs) {
   for (std::size_t word = 0; word < function.inputs.size(); ++word) {
     const bool is_float = function.inputs[word].type == WordType::f32;
@@ -215,7 +215,7 @@ bool has_nan(const Function& function, std::span<const std::uint32_t> inputs) {
   return false;
 }
 
-// The same with what counts as equal with `fixed`: of a NaN the least float, and the nearest of an infinity.
+// The inputs that count as equal with `fixed`: the least float for a NaN, and the nearest one for an infinity.
 Words with_ends(const Function& function, Words inputs) {
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const std::size_t word = i % kInputWords;
@@ -309,7 +309,7 @@ Outcome check_range(Session& session, const Evaluation& evaluation) {
 }
 
 // Wherever a float can point, values are numbers, keep to their range, and are 0 where no axis has a fraction: from
-// 2^23 on. So do those of fixed arithmetic, and those of octave sums, for what is no number.
+// 2^23 on. So do those of fixed arithmetic, and those of octave sums, for NaN.
 Outcome check_finite(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
   const bool fixed = evaluation.configuration.arithmetic == Arithmetic::fixed;

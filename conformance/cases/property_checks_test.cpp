@@ -91,7 +91,7 @@ TEST_F(Extreme, RangesThatDependOnSettingsAreHeld) {
                 "hn_perlin_worley(q, o, l, args) (0.5 + hn_perlin_worley(q, o, l, args))");
 }
 
-// Not the noise, the octaves' weights, or what a sum makes of each octave.
+// Not the noise, the octaves' weights, or a sum's step of each octave.
 TEST_F(Extreme, ASumOverAnotherNoiseThatIsNotThatSumIsCaught) {
   constexpr Replacement kFaults[] = {
       {"fbm.fbm2.lattice.fast.fragment.gl330.other_noise", "detail/octave.glsl", "hn_i_summed(s.value, n, weight)",
@@ -163,7 +163,7 @@ class Batches : public FaultyLibrary {
     session_.emplace(Suite{sources_, reference_, HN_GOLDEN_DIRECTORY, 1, 2500}, *context_, 1000);
   }
 
-  // Makes the value wrong, by difference, where x is that of a point.
+  // Makes the value wrong, by difference, where x is a point's.
   void break_at(const Words& inputs, std::size_t point, double difference) {
     faults_ += fmt::format("+ (floatBitsToUint(p.x) == {}u ? {:.9f} : 0.0) ", inputs[point * kInputWords], difference);
     append("perlin2d.glsl", fmt::format("#define hn_perlin(args) (hn_perlin(args) {})", faults_));

@@ -1,4 +1,4 @@
-// A session has what a case may use while it runs.
+// A session has the things that a case may use while it runs.
 #pragma once
 
 #include <cstdint>

@@ -50,7 +50,7 @@ TEST_F(SimplexChecks, WrongDerivativesAreCaught) {
   expect_all_caught(kTerms);
 }
 
-// Of points that are no corners of cells as well.
+// Also at points that are no corners of cells.
 TEST_F(SimplexChecks, NoiseThatIsNotZeroAtLatticePointsIsCaught) {
   constexpr Fault kFaults[] = {
       {"noise2d.simplex.lattice.fast.fragment.gl330.zero", "simplex2d.glsl",

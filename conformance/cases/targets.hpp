@@ -10,7 +10,7 @@ namespace hn {
 
 // Where a case belongs.
 enum class Extent {
-  every_driver,  // what each driver must show
+  every_driver,  // for each driver
   one_driver,    // run --deal runs it on one of the drivers that can
   thorough,      // run --thorough alone runs it
 };

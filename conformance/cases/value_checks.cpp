@@ -33,7 +33,7 @@ tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evalua
 
 namespace {
 
-// By what they cost: with the default knobs 2^16, and thoroughly a quarter of a million, in each arithmetic; of octave
+// By their cost: with the default knobs 2^16, and thoroughly a quarter of a million, in each arithmetic; of octave
 // sums, which are several noises, of derivatives and in 4D a quarter of that; with other knobs, which are many, a
 // quarter, too; in the versions beside the main one of desktop OpenGL, a quarter, and thoroughly, where they are many,
 // a sixteenth.

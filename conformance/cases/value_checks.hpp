@@ -1,4 +1,4 @@
-// The checks of the cases that evaluate functions on the driver, and what they share.
+// The checks of the cases that evaluate functions on the driver, and their common parts.
 #pragma once
 
 #include <array>
@@ -63,7 +63,7 @@ Outcome check_compilation(Session& session, const CompilationKind& compilation);
 
 // metamorphic_checks.cpp: the same values, computed in another way.
 Outcome check_pairing(Session& session, const Pairing& pairing);
-// The same of what each of the two ways gave: kOutputWords per point.
+// Judges the results of both ways: kOutputWords per point.
 Outcome judge_pairing(const Pairing& pairing, std::span<const std::uint32_t> got,
                       std::span<const std::uint32_t> expected);
 

@@ -1,4 +1,4 @@
-// The cases on a device of Vulkan: that they notice a wrong library in each language, and what is not for them.
+// The cases on a device of Vulkan: that they notice a wrong library in each language, and which are not for them.
 #include <fmt/format.h>
 
 #include "cases/case_named.hpp"
@@ -33,7 +33,7 @@ class CasesOnVulkan : public OnVulkan<> {
   SourceSet sources_ = SourceSet::embedded();
 };
 
-// Of every language and arithmetic, and what a shape of the shader shows.
+// Cases in every language and arithmetic, and some that show a shape of the shader.
 constexpr std::array kIds = {
     "noise2d.perlin.lattice.fast.compute.vulkan.golden",    "noise2d.perlin.lattice.fixed.compute.vulkan.golden",
     "noise2d.perlin.lattice.precise.compute.vulkan.golden", "noise2d.perlin.lattice.fixed.compute.vulkan.twin",

@@ -45,7 +45,7 @@ std::set<std::string> subjects_of(const std::vector<Case>& cases) {
 void end_if(bool lost) {
   if (!lost) return;
   report({{"lost", true}});
-  _exit(EXIT_SUCCESS);  // to destroy what is lost could hang
+  _exit(EXIT_SUCCESS);  // to destroy a lost one could hang
 }
 
 // After the result, so that the verdict is known whatever comes of this.

@@ -1,4 +1,4 @@
-// Here is what the subcommands of hn-conform share.
+// Common parts of the subcommands of hn-conform.
 #pragma once
 
 #include <fmt/format.h>

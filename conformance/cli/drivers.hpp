@@ -43,7 +43,7 @@ struct Driver {
 // Sets the environment of the process, and creates the context. Call it once in a process: Mesa reads the environment
 // only once.
 Result<std::unique_ptr<Context>> create_context(const Driver& driver);
-// The same for what evaluates, on a context or without one. The compiler must live longer.
+// Creates an evaluator, on a context or without one. The compiler must live longer.
 Result<std::unique_ptr<Evaluator>> create_evaluator(const Driver& driver, const ReferenceCompiler& compiler);
 
 // How many devices this machine has of the kinds that are numbered.

@@ -22,7 +22,7 @@ import unittest
 
 PROGRAM = ""
 ONE = ("--filter", "bugs.abs_of_int.any.exact.fragment.gl330.defined")  # the cheapest that draws
-# Some seconds, and more than 100,000 bytes of journal. Of one noise, so that it stays what it is as noises come.
+# Some seconds, and more than 100,000 bytes of journal. The cases are of one noise, so new noises do not change them.
 MANY = ("--filter", "noise?d.perlin.*.fragment.gl*.golden", "--filter", "noise?d.perlin_cell.*.fragment.gl*.golden",
         "--filter", "noise?d.perlin*.fragment.gl*.twin", "--filter", "noise?d.perlin.*.gl*.range")
 

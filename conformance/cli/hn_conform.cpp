@@ -1,4 +1,4 @@
-// hn-conform: does the library compute what it promises, on this driver, and at what cost?
+// hn-conform: does the library keep its promises on this driver, and at what cost?
 #include <fmt/format.h>
 #include <signal.h>
 #include <unistd.h>
@@ -11,7 +11,7 @@
 #include "base/interruption.hpp"
 #include "base/process.hpp"
 #include "base/temporary_folder.hpp"
-#include "bench/fragment_compiler.hpp"
+#include "bench/shader_statistics.hpp"
 #include "cli/child.hpp"
 #include "cli/command.hpp"
 #include "cli/data_folder.hpp"

@@ -50,8 +50,7 @@ struct RunOutput {
   std::string out = "out";
   bool resume = false;  // what is there
   bool timings = false;
-  std::string costs;  // where to write what the cases took
-  std::string line;   // the command line
+  std::string line;  // the command line
 };
 
 struct RunCommand {

@@ -22,7 +22,8 @@ SOME = ("--thorough", "--filter", "hash.*.fragment.gl330.golden")  # many that a
 
 
 def runs(pid):
-    """Not what has ended and waits for whoever adopted it to ask, which an init of a container may never do."""
+    """Not a process that has ended and waits for whoever adopted it to ask, which an init of a container may never
+    do."""
     try:
         status = pathlib.Path(f"/proc/{pid}/stat").read_text()
     except (FileNotFoundError, ProcessLookupError):

@@ -59,7 +59,7 @@ LOOK = """<script>{
 
 
 class Listener(http.server.BaseHTTPRequestHandler):
-    """Serves one page, and keeps what it posts."""
+    """Serves one page, and keeps its posts."""
 
     def do_GET(self):
         if self.path != "/":
@@ -82,7 +82,7 @@ class Listener(http.server.BaseHTTPRequestHandler):
         pass
 
 
-# Of each kind of case a few, of all that a page may have. Every case of a page is run in Chromium by the test
+# A few of each kind of case that a page may have. Every case of a page is run in Chromium by the test
 # conform.all.
 GLOBS = ("bugs.*", "hash.lattice2.lattice.*", "noise2d.perlin.lattice.*", "fbm.fbm2.lattice.fixed.*", "fbm.all.lattice.*",
          "config.hash*")

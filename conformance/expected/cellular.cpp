@@ -168,7 +168,8 @@ Vector direction_of(Word h, std::size_t axes) {
 
 // --- Distances, section 16 ---
 
-// A point, seen from the place. Of fixed arithmetic the offset is in units of 2^-20, and the rank what it compares.
+// A point, seen from the place. In fixed arithmetic the offset has units of 2^-20, and the rank is the number that is
+// compared.
 struct VisiblePoint {
   Coordinates from_cell;
   Vector offset;  // of the place from the point; of fixed arithmetic, where points go round, rotated backwards
@@ -345,7 +346,6 @@ double border_of(const std::vector<VisiblePoint>& all, const VisiblePoint& neare
   return border;
 }
 
-// 0 has no sign.
 double without_sign_of_zero(double value) { return value == 0.0 ? 0.0 : value; }
 
 Vector derivatives_of(const VisiblePoint& nearest, bool fixed) {

@@ -24,7 +24,7 @@ struct FeaturePoint {
 struct CellularValue {
   // For each output the exact value, or with fixed arithmetic the value that the contract defines.
   std::array<double, kOutputWords> values;
-  // In the metric of the row. Of rows that name the nearest point or lead to it this is how clear it is which one that
+  // In the metric of the row. For rows that name the nearest point or lead to it this is how clear it is which one that
   // is.
   double first;
   double second;

@@ -110,7 +110,7 @@ class Parser {
     return true;
   }
 
-  // The next line is there, and is right: what it should be.
+  // The next line is there, and is right.
   template <typename Predicate>
   Result<void> expect(std::string_view what, Predicate is_right) {
     if (!next_line()) return error(fmt::format("the file ends where {} should be", what));

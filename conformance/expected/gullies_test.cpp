@@ -39,7 +39,7 @@ TEST(GulliesTolerance, GrowsFromOctaveToOctaveUpToTheEnds) {
   EXPECT_LT(of(30, 1.0, 8.0).height, 32.001);
 }
 
-// Of one octave at an exact place: depth times |u| = 8/9 times the error of the waves, and some roundings.
+// One octave at an exact place: depth times |u| = 8/9 times the error of the waves, and some roundings.
 TEST(GulliesTolerance, OfOneOctaveIsThatOfItsWaves) {
   const auto [height, slope] = of(1, 1.0, 0.1);
   EXPECT_GT(height, 0.1 * 8.0 / 9.0 * 5e-6);

@@ -22,7 +22,7 @@ using Words = std::vector<std::uint32_t>;
 // Each constant point has the noise in the shader once more, which takes long to compile: so they are few.
 constexpr std::size_t kConstantPoints = 4;
 
-// The same, evaluated as most cases do, so that its program need not be built for this.
+// Evaluates as most cases do, so that its program need not be built for this.
 Evaluation plain(const Evaluation& evaluation) {
   if (evaluation.profile.platform() != Platform::opengl) {
     return {evaluation.function, evaluation.configuration, evaluation.profile, {}, evaluation.stage};
@@ -458,7 +458,7 @@ Pairing small_footprint_pairing(const Evaluation& evaluation, std::uint64_t seed
                     has_exact_values(function, evaluation.configuration));
 }
 
-// Every octave is divided by 1 then, and what is below 0 counts as 0. With floats a division by 1 may round.
+// Every octave is divided by 1 then, and a number below 0 counts as 0. With floats a division by 1 may round.
 Pairing zero_strength_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
   const Evaluation other{find_function(function.plain), evaluation.configuration, evaluation.profile};

@@ -72,7 +72,7 @@ float random_magnitude(int low, int high, Random& random) {
   return std::bit_cast<float>((exponent << 23) | (random.word() & 0x807FFFFFu));
 }
 
-// The smallest that HN_PRECISE sees of a position and of what an octave sum starts from, and what is next below.
+// The smallest that HN_PRECISE sees of a position and of an octave sum's start, and the next ones below.
 float random_threshold(Random& random) {
   constexpr std::array kThresholds = {0x1p-32f, 0x1.fffffep-33f, 0x1p-126f, 0x1.fffffcp-127f};
   const float threshold = kThresholds[random.below(kThresholds.size())];

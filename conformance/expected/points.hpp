@@ -41,7 +41,7 @@ Extremes defined_extremes(const Configuration& configuration);
 // or nearly so, footprints from none to more than a cell, and strengths, amplitudes and depths in their range, at its
 // ends and beyond. Slopes: flat, of hills, at an end and beyond. Phases: none, quarters, tiny, negative, large and any.
 // Periods: none, small, large and odd ones, and then half of the cells and positions lie beside a multiple of theirs.
-// Of cellular noise coordinates are also in the middle of a cell, and beside it. Jitters: 0, 1, between, and rarely
+// Coordinates of cellular noise are also in the middle of a cell, and beside it. Jitters: 0, 1, between, and rarely
 // beyond; metrics: all, and rarely none. Numbers of items: none, few, powers of two and those beside them, and any up
 // to 2^31; half of the items are among them.
 std::vector<std::uint32_t> random_points(const Function& function, std::size_t count, Random random,

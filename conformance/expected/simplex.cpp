@@ -11,8 +11,9 @@ namespace {
 
 using Place = std::array<double, 4>;
 
-// Of docs/reference/contract.md, section 13: the noise is scale * sum of w(t) (g . d) with t = r - m |d|^2, d in steps,
-// and w = cubic * t^3 + quartic * t^4 + quintic * t^5. `longest` is the length of the longest gradient, rounded up.
+// See docs/reference/contract.md, section 13: the noise is scale * sum of w(t) (g . d) with t = r - m |d|^2, d in
+// steps, and w = cubic * t^3 + quartic * t^4 + quintic * t^5. `longest` is the length of the longest gradient, rounded
+// up.
 struct Kernel {
   double r;
   double m;
@@ -30,7 +31,7 @@ Kernel kernel_of(int axes) {
   return {1.0, 2.0, 1.0, 0.0, 0.0, 4298.0 / 1024.0, 1.0, 1.4143};
 }
 
-// Of phasor noise, which has no gradients: its weight is t^3 (1 + 15 (1 - t)^2).
+// Phasor noise has no gradients: its weight is t^3 (1 + 15 (1 - t)^2).
 Kernel waves_of(int axes) {
   if (axes == 2) return {819.0 / 1024.0, 1.0, 16.0, -30.0, 15.0, 762.0 / 1024.0, 2.0, 1.0};
   return {1.0, 2.0, 16.0, -30.0, 15.0, 674.0 / 1024.0, 1.0, 1.0};
@@ -78,7 +79,7 @@ double third(const Kernel& kernel, double u, double distance) {
 }
 
 // The sum over the points. One that is a little beyond the radius counts as if it were there: the third derivative
-// jumps at the radius, and the places are those of a grid.
+// jumps at the radius, and the places are a grid's.
 template <typename OfPoint>
 double sum_at(const Kernel& kernel, const std::vector<Place>& points, const Place& place, std::size_t axis,
               double reach, const OfPoint& of_point) {
@@ -121,7 +122,7 @@ double found_third(int axes) {
   return searched(kernel, axes, third) * std::pow(kernel.steps, 3.0);
 }
 
-// Of the sum of the weights, per cell, each order.
+// The derivatives of the sum of the weights, per cell, of each order.
 Derivatives found_waves(int axes) {
   const Kernel kernel = waves_of(axes);
   Derivatives found{};

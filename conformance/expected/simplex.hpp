@@ -1,5 +1,5 @@
-// How fast the second derivatives of simplex and of phasor noise change: what a difference in place of a derivative may
-// be off by.
+// How fast the second derivatives of simplex and of phasor noise change: how much a difference in place of a derivative
+// may be off by.
 #pragma once
 
 namespace hn {
@@ -9,7 +9,7 @@ namespace hn {
 // the second as well.
 double simplex_third_derivative(int axes);
 
-// The same of hn_phasor, along an axis along which so many waves run in a cell.
+// The bound for hn_phasor, along an axis along which so many waves run in a cell.
 double phasor_third_derivative(int axes, double waves);
 
 }  // namespace hn

@@ -221,7 +221,7 @@ double octave_sum_tolerance(const Function& function, Gradient gradient, std::sp
                                    : octave_tolerance(kind, function.axes, arguments, gradient);
 }
 
-// Of uniform values and of distributions of sums.
+// The tolerances of uniform values and of distributions of sums.
 double distribution_tolerance(const Function& function, std::span<const std::uint32_t> inputs, std::size_t output) {
   const std::string_view name = function.outputs[output].name;
   const double reach = std::clamp(float_input(inputs, function.input("reach")), 0.0625, 3.0);
@@ -305,7 +305,7 @@ FloatBounds float_bounds(const NoiseBounds& bounds) {
   return {bounds.axes, bounds.cell_error, bounds.error, bounds.lipschitz, bounds.limit};
 }
 
-// Of the derivative of a noise, if it has one, or of a vector's components.
+// The bounds of the derivative of a noise, if it has one, or of a vector's components.
 FloatBounds float_slope_bounds(std::string_view noise, int axes) {
   constexpr std::string_view kVector = "_vector";
   if (noise.ends_with(kVector)) noise.remove_suffix(kVector.size());
@@ -332,7 +332,7 @@ double octave_slope_tolerance(OctaveSum kind, int axes, const OctaveArguments& a
 
 //   billow = 1 - 2*distance;  P and B are means of octaves, at most 1;  value = 1 - (1 - P)*(1 - B)*0.25
 //
-// The distance is that of cellular_d, at most 3/2. 1 - 2*distance rounds once, and so do 1 - P and 1 - B, which are at
+// The distance is cellular_d's, at most 3/2. 1 - 2*distance rounds once, and so do 1 - P and 1 - B, which are at
 // most 2, their product, and the difference from 1.
 double perlin_worley_tolerance(OctaveArguments arguments) {
   constexpr double kUnit = 0x1p-23;

@@ -53,13 +53,12 @@ inline std::string_view noise_of(OctaveSum sum) { return facts_of(sum).noise; }
 // Over the noise that the GLSL function sums, or over another, if it is a sum of values (sums/bounds.hpp).
 double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments,
                         Gradient gradient = Gradient::octahedral, std::string_view noise = {});
-// The same of a component of the derivative of the sum.
+// The tolerance of a component of the derivative of the sum.
 double octave_slope_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments);
 
-// The same of hn_perlin_worley.
 double perlin_worley_tolerance(OctaveArguments arguments);
 
-// The same of an output of cellular noise at a point. A derivative is off by as much as its point, divided by the
+// The tolerance of an output of cellular noise at a point. A derivative is off by as much as its point, divided by the
 // distance to the point. Names of cells are right or wrong.
 double cellular_tolerance(const Function& function, const Configuration& configuration,
                           std::span<const std::uint32_t> inputs, std::size_t output);

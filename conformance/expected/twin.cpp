@@ -32,7 +32,7 @@ void evaluate_all(const std::uint32_t* in, std::uint32_t* out, std::size_t point
   }
 }
 
-// Only what has values with the configuration is compiled to code.
+// Only functions with values in the configuration are compiled to code.
 constexpr hn::TwinEntry kEntries[] = {
 #define FUNCTION(id, family, configurations, columns, ...)                                                 \
   {id, (configurations >> HN_TWIN & 1u) != 0                                                               \

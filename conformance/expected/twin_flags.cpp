@@ -16,7 +16,7 @@ namespace {
 
 using namespace hashnoise;
 
-constexpr int kFew = 1 << 12;  // points of each function; what is not optimised takes 30 times as long
+constexpr int kFew = 1 << 12;  // points of each function; without optimization it takes 30 times as long
 constexpr int kMany = 1 << 15;
 
 bool few_only = false;
@@ -32,7 +32,7 @@ uint word() {
   return static_cast<uint>((z ^ (z >> 31)) >> 32);
 }
 
-// Of either sign, with a biased exponent from low to high: 0 is subnormal, 254 huge.
+// A number of either sign, with a biased exponent from low to high: 0 is subnormal, 254 huge.
 float number(uint low, uint high) {
   const uint exponent = low + word() % (high - low + 1);
   return std::bit_cast<float>((exponent << 23) | (word() & 0x807FFFFFu));
@@ -146,7 +146,7 @@ constexpr bool is_tried(std::string_view id) {
     return true;
 #endif
   }
-// Each noise, and sums of the two kinds, on the plane alone: what is not inlined in one is in all.
+// Each noise, and sums of the two kinds, on the plane alone: a function not inlined in one is in all.
 #ifdef HN_TEST_EACH_KIND
   if (id.starts_with("fbm.")) return id == "fbm.clouds3" || id == "fbm.ping_pong2";
   if (id.find("_phase") != id.npos) return id == "noise2d.simplex_phase";

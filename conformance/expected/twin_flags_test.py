@@ -40,7 +40,7 @@ CONTRACTION = ((), ("-ffp-contract=fast",))
 GRADIENTS = ("HN_GRADIENT_OCTAHEDRAL", "HN_GRADIENT_SINE")
 
 
-# Of three choices and up to three of two: which of the two stands in each row.
+# For three choices, and up to three of two: which of the two stands in each row.
 ROWS = ((0, (0, 0, 0)), (0, (1, 1, 1)), (1, (0, 0, 1)), (1, (1, 1, 0)), (2, (0, 1, 0)), (2, (1, 0, 1)))
 
 
@@ -72,7 +72,7 @@ def digests(compiler, flags, macros):
 
 
 def all_digests(*builds):
-    """Of each a compiler, flags and macros."""
+    """The digests of builds, each a compiler, flags and macros."""
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         return list(pool.map(lambda build: digests(*build), builds))
 

@@ -56,7 +56,6 @@ struct Outcome {
 // the last place are printed where no difference is allowed and they are few: a large number of them helps nobody.
 std::string measure_of(const Outcome& outcome);
 
-// An outcome with the error as its message.
 Outcome outcome_with(Status status, const Error& error);
 
 // The data that a developer needs to see a fault: made where a case failed.
@@ -68,7 +67,7 @@ struct Evidence {
   std::string reference;
   std::string difference;
   double factor = 0.0;    // by which the difference is amplified
-  std::string note = {};  // what the pictures and the shader show, and what they do not
+  std::string note = {};  // a note on the pictures and the shader
 
   bool operator==(const Evidence&) const = default;
 };

@@ -17,8 +17,8 @@ struct Fault {
   std::string_view name;      // for --inject
   std::string_view fault;     // what drivers did
   std::string_view reported;  // where
-  std::string_view injected;  // what the injection does
-  std::string_view remark;    // what the specification allows, and so is only a warning; often nothing
+  std::string_view injected;  // a text on the injection
+  std::string_view remark;    // allowed by the specification, and so only a warning; often nothing
   std::function<std::string(const ShimLanguage&)> shim;
   Rules rules;
   // The versions that have the fault.

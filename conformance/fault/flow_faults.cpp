@@ -26,7 +26,7 @@ bool is_swizzle(std::string_view member) {
   });
 }
 
-// Of the assignments to swizzles of a variable, only the first of a function stores.
+// Only the first of a function's assignments to swizzles of a variable stores.
 std::optional<std::string> swizzle_once(const Expression& node, const Rules::Render& render, Place& place) {
   if (!node.is(Kind::assign, "=") || node.parts[0].kind != Kind::member) return std::nullopt;
   const Expression& target = node.parts[0];

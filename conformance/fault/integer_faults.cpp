@@ -34,7 +34,7 @@ bool is_pair(const Expression& node, std::string_view function) {
          node.parts[1].kind == Kind::comma && node.parts[1].parts[0].kind != Kind::comma;
 }
 
-// Of max(max(x, -x), y), and of min, -x is lost.
+// In max(max(x, -x), y), and in min, -x is lost.
 std::optional<std::string> negative_lost(const Expression& node, const Rules::Render& render, Place&) {
   for (const std::string_view function : {"max", "min"}) {
     if (!is_pair(node, function)) continue;

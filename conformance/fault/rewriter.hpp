@@ -34,7 +34,7 @@ struct Rules {
   using Names = std::map<std::string, std::string, std::less<>>;
   Names operators = {};    // binary ones: "%" becomes a call of this function, "%=" an assignment of one
   Names functions = {};    // calls of other functions
-  std::string minus = {};  // what the unary minus of anything but a number calls
+  std::string minus = {};  // called by the unary minus of anything but a number
   // The code for an expression, or nothing if the other rules are to decide; it is called before them. The code begins
   // with that of the expression's first part, without the space before it.
   using Render = std::function<Rewriting(const Expression&)>;  // rewrites a part

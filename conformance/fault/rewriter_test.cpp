@@ -13,7 +13,6 @@ const Rules kAll = {.operators = {{"%", "MOD"}, {"*", "MUL"}, {">>", "SHR"}, {"<
                     .functions = {{"floor", "FLOOR"}, {"uint", "UINT"}},
                     .minus = "NEG"};
 
-// The body of a function by the rules.
 std::string body(std::string_view code, const Rules& rules = kAll) {
   constexpr std::string_view kOpen = "void f() {";
   const auto result = rewrite(std::string(kOpen) + std::string(code) + "}", rules);

@@ -47,7 +47,7 @@ class Evaluator {
                                                    std::string_view shader) = 0;
   // Whether it broke and never evaluates anything again. Then its destructor may hang.
   virtual bool is_lost() const = 0;
-  // For what is done in OpenGL alone; null elsewhere.
+  // For work in OpenGL alone; null elsewhere.
   virtual const Context* context() const = 0;
 };
 

@@ -70,7 +70,7 @@ class GridRenderer {
   GLuint vertex_array_ = 0;
   GLuint framebuffer_ = 0;
   GLuint output_texture_ = 0;
-  std::array<GLuint, kInputWords / 4> textures_ = {};    // of the inputs; 0 for what no program has read yet
+  std::array<GLuint, kInputWords / 4> textures_ = {};    // of the inputs; 0 if no program has read them yet
   std::array<GLsizei, kInputWords / 4> rows_ = {};       // that each of them has
   std::array<std::unique_ptr<StageOutput>, 3> outputs_;  // by stage; made when they are first needed
 };

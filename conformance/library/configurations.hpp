@@ -37,7 +37,7 @@ std::span<const Configuration> all_configurations();
 const Configuration& default_configuration();
 const Configuration& configuration_named(std::string_view name);  // it must exist
 
-// The lines that select it in a shader, and what they need: the suite's own hash for HN_HASH_CUSTOM.
+// The lines that select it in a shader, and their needs: the suite's own hash for HN_HASH_CUSTOM.
 std::string knobs_of(const Configuration& configuration);
 
 }  // namespace hn

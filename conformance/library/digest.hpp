@@ -8,7 +8,6 @@ namespace hn {
 
 inline constexpr std::uint64_t kEmptyDigest = 0xCBF29CE484222325u;
 
-// Continues a digest with these bytes.
 constexpr std::uint64_t fnv1a64(std::string_view bytes, std::uint64_t before = kEmptyDigest) {
   for (const char byte : bytes) before = (before ^ static_cast<unsigned char>(byte)) * 0x100000001B3u;
   return before;

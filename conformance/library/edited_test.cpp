@@ -13,7 +13,6 @@
 namespace hn {
 namespace {
 
-// The library with these files edited.
 EditedLibrary copy_with(const TemporaryFolder& folder, std::initializer_list<std::string_view> changed) {
   for (const EmbeddedFile& file : kLibraryFiles) {
     const bool edited = std::find(changed.begin(), changed.end(), file.name) != changed.end();

@@ -53,7 +53,6 @@ bool is_one_of(Family family, std::initializer_list<Family> families) {
   return std::ranges::find(families, family) != families.end();
 }
 
-// "a_b_c" without "b" is "a_c".
 std::string id_without(std::string_view text, std::string_view part) {
   std::string id(text);
   const std::string suffix = fmt::format("_{}", part);

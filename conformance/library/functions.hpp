@@ -105,7 +105,6 @@ const Function& find_function(std::string_view id);  // it must exist
 // The function whose id has one part less: "noise2d.perlin_cell" is without(noise2d.perlin_cell_period, "period"). It
 // must exist.
 const Function& without(const Function& function, std::string_view part);
-// Whether there is that function.
 bool has_without(const Function& function, std::string_view part);
 // Whether the library declares it with these knobs.
 bool is_declared(const Function& function, const Configuration& configuration);

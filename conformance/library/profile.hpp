@@ -68,7 +68,7 @@ struct LanguageSupport {
 // Empty if the profile can be compiled, else why not.
 std::string unsupported_reason(const Profile& profile, const LanguageSupport& support);
 
-// The same for running the shaders of the cases, which have to look at the bits of floats.
+// Why the profile cannot run the shaders of the cases, which have to look at the bits of floats.
 std::string unsupported_to_run(const Profile& profile, const LanguageSupport& support);
 
 }  // namespace hn

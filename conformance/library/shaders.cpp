@@ -14,8 +14,8 @@
 namespace hn {
 namespace {
 
-// Adds what a file of the library includes, by itself or by what it includes. Each file is looked at once: every start
-// of the program calls this for all of them, and they include each other in many ways.
+// Adds the files that a file of the library includes, by itself or through others. Each file is looked at once: every
+// start of the program calls this for all of them, and they include each other in many ways.
 void add_included_by(std::string_view file, std::set<std::string_view>& files) {
   constexpr std::string_view kInclude = "\n#include \"";
   const std::string_view text = text_of(kLibraryFiles, file);
@@ -134,7 +134,7 @@ struct StageText {
   std::string head = "void main()";
 };
 
-// All words are in buffers: in, out, and what is the same for all points.
+// All words are in buffers: in, out, and uniforms.
 StageText text_over_buffers(const Profile& profile) {
   constexpr std::string_view kBeginning = "  hn_int at = int({});\n  hn_uvec4 result;\n";
   constexpr std::string_view kEnd = "  results[{}] = result;\n";
@@ -194,7 +194,7 @@ StageText text_of(Stage stage, const Profile& profile) {
           .end = {}};
 }
 
-// The same of a shader that is only compiled: where its one result goes. Vulkan wants a place for it.
+// The text of a shader that is only compiled: where its one result goes. Vulkan wants a place for it.
 StageText compiled_text_of(Stage stage, bool vulkan) {
   const std::string_view location = vulkan ? "layout(location = 0) " : "";
   switch (stage) {

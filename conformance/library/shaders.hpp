@@ -68,7 +68,7 @@ std::string declared_evaluate(const Function& function, std::string_view name,
                               std::span<const std::int32_t> periods = {});
 std::string vertex_shader();         // for evaluation in the fragment stage
 std::string idle_fragment_shader();  // for evaluation in the vertex stage
-// The same for a shader that is not a case: evaluate is declared, with the function's parameters, and what follows is
+// The text of a shader that is not a case: evaluate is declared, with the function's parameters, and what follows is
 // the caller's.
 std::string shader_that_evaluates(const Evaluation& evaluation, std::string_view rest);
 // The functions that the shader for a file calls. If the file includes others and has no function of its own, it calls

@@ -6,7 +6,7 @@
 
 namespace hn {
 
-// The same bytes each time: no name and no date are in it. Throws std::bad_alloc.
+// Makes equal bytes each time: no name and no date are in it. Throws std::bad_alloc.
 std::string to_gzip(std::string_view data);
 
 }  // namespace hn

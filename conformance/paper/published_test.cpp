@@ -202,7 +202,7 @@ TEST_F(Published, PartialJenkinsIsTheLibrarysWhereNothingShiftedIsNegative) {
   EXPECT_EQ(count(keys, [&](std::size_t i) { return printed[i] != hn_hash_partial_jenkins(keys[i]); }), 47210u);
 }
 
-// The same of the full hash for keys below 2^31; from there on its last byte is negative, too.
+// The full hash for keys below 2^31; from there on its last byte is negative, too.
 TEST_F(Published, JenkinsIsTheLibrarysWhereNothingShiftedIsNegative) {
   const auto keys = random_words();
   const auto printed = hashes("JENKINS", keys);
@@ -239,7 +239,7 @@ TEST_F(Published, GradientsAreTheSinesOfTheChain) {
   const auto words = random_words();
   std::vector<std::uint32_t> inputs(4096 * kInputWords);
   for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i] = words[i];
-  // The first cells are those of a period.
+  // The first cells are a period's.
   for (std::size_t i = 0; i < 2048 * kInputWords; ++i) inputs[i] &= 1048575u;
   const auto bits = [](std::uint32_t word) {
     return std::bit_cast<std::uint32_t>(static_cast<float>(std::bit_cast<int>(word)));
@@ -265,7 +265,7 @@ TEST_F(Published, GradientsAreTheSinesOfTheChain) {
   }
 }
 
-// Of 32768 cells of a period, those in which the chain of the listing comes to other words than the library's, so to
+// The cells of a period of 32768 in which the chain of the listing comes to other words than the library's, so to
 // another gradient: all but one of 128 with FNV1, for either fault of its highest byte; three of four with Murmur,
 // whose two hashes each differ for every other key.
 TEST_F(Published, CellsWithOtherGradientsThanIntended) {

@@ -154,11 +154,14 @@ Json page_run(const Run& run, const Failures& failures, PageBudget& shown) {
       ++left;
     }
   }
+  std::vector<std::string> common = failures.common;
+  if (run.library)
+    common.insert(common.begin(), "The library is edited: its text may be at fault, and not the driver.");
   return {{"driver", run.driver},
           {"renderer", clean_text(run.info.renderer)},
           {"gl_version", clean_text(run.info.gl_version)},
           {"here", run.library ? "the edited library" : "this driver"},
-          {"common", failures.common},
+          {"common", std::move(common)},
           {"functions", std::move(groups)},
           {"left_out", more(left, "such groups, in results.json")}};
 }

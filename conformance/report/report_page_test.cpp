@@ -120,9 +120,11 @@ TEST(Page, NamesTheEditedLibrary) {
   hn::Run run = run_of({failed("f.g.x.golden")});
   EXPECT_TRUE(has(page_of({run}), "Conformance of hashnoise "));
   EXPECT_TRUE(has(page_of({run}), "<figcaption>this driver</figcaption>"));
+  EXPECT_FALSE(has(page_of({run}), "its text may be at fault"));
   run.library = {.folder = "my/<copy>", .digest = "0123", .changed = {"hash.glsl"}};
   EXPECT_TRUE(has(page_of({run}), "Conformance of the library in my/&lt;copy&gt; (hash.glsl differs from hashnoise "));
   EXPECT_TRUE(has(page_of({run}), "<figcaption>the edited library</figcaption>"));
+  EXPECT_TRUE(has(page_of({run}), "<p>The library is edited: its text may be at fault, and not the driver.</p>"));
 }
 
 TEST(Page, HasEveryStatus) {

@@ -236,8 +236,8 @@ class Sorter {
     if (!others_.empty()) return "The names of the failing cases have nothing in common.";
     const std::size_t passed = rows_.size() - failed_.size();
     if (passed == 0) return "Every case that ran fails.";
-    return fmt::format("Every case that compares with right values fails; the {} that {} not.",
-                       passed == 1 ? "one" : std::to_string(passed), passed == 1 ? "passes does" : "pass do");
+    return fmt::format("Every case that compares with right values fails; the {} the driver with itself.",
+                       passed == 1 ? "one that passes compares" : fmt::format("{} that pass compare", passed));
   }
 
   std::optional<Layer> layer_in(const Row& row) const { return layer_of(texts_[row.values[kKind]]); }

@@ -18,7 +18,7 @@ struct MergeResult {
 // number of shards.
 Result<MergeResult> merge_runs(std::vector<Run> runs, const std::vector<std::string>& ids);
 
-// The same for files named results.json, or for the folders that hold them.
+// Merges files named results.json, or the folders that hold them.
 Result<MergeResult> merge_files(const std::vector<std::string>& paths, const std::vector<std::string>& ids);
 
 }  // namespace hn

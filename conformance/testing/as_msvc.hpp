@@ -1,5 +1,5 @@
 // Makes Clang show the headers what MSVC shows them: lanes_test.py includes this first, by the flags of msvc.py. The
-// C++ library of this machine is that of GCC, so its headers come before, with macros that Clang leaves out as MSVC
+// C++ library of this machine is GCC's, so its headers come before, with macros that Clang leaves out as MSVC
 // does.
 #define __STRICT_ANSI__ 1
 #define __GNUC_STDC_INLINE__ 1

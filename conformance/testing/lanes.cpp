@@ -172,7 +172,7 @@ int main(int count, char**) {
     const hn_vec2 point = hn_sobol(hn_uint(p.cx), p.seed);
     return point.x + 2.0f * point.y;
   });
-  // Of numbers of any size: some points need more steps than others.
+  // Numbers have any size: some points need more steps than others.
   print_digest("shuffle", [](const Point& p) {
     const hn_uint n = hn_uint(p.cy) >> (hn_uint(p.cz) & 31u);
     return hn_unorm(hn_shuffle(hn_uint(p.cx), n, p.seed) << 8u) + hn_unorm(hn_shuffle(hn_uint(p.cx), 1000u, p.seed));

@@ -7,7 +7,7 @@ from pathlib import Path
 # Its words and extensions, templates that are read where they are used, and as_msvc.hpp before all else.
 AS_MSVC = ("-fms-extensions", "-fms-compatibility", "-fms-compatibility-version=19.40", "-fdelayed-template-parsing",
            "-include", str(Path(__file__).resolve().with_name("as_msvc.hpp")))
-# Of all headers, and quickly: nothing is forced inline.
+# Compiles all headers, and quickly: nothing is forced inline.
 WHOLE_AS_MSVC = ("-DAS_MSVC_WHOLE_LIBRARY", "-D__forceinline=inline", *AS_MSVC)
 
 

@@ -120,7 +120,7 @@ function nothingInCommon(passed, others) {
   if (others.length) return "The names of the failing cases have nothing in common.";
   if (!passed) return "Every case that ran fails.";
   return "Every case that compares with right values fails; " +
-         `the ${passed === 1 ? "one that passes does" : `${passed} that pass do`} not.`;
+         `the ${passed === 1 ? "one that passes compares" : `${passed} that pass compare`} the driver with itself.`;
 }
 
 function hasValues(result) {

@@ -14,7 +14,6 @@ const kNothing = 0xdeadbeef;
 // The textures, as far as a program reads them.
 const kInputs = ["input_a", "input_b", "input_c", "input_d"];
 
-// An error of the driver, with its log.
 export class DriverError extends Error {
   constructor(message, log = "") {
     super(log ? `${message}\n${log}` : message);

@@ -36,7 +36,6 @@ const Case& case_named(std::string_view id) {
   return *found;
 }
 
-// The suite of one case.
 Json suite_of(std::string_view id, const std::filesystem::path& golden = HN_GOLDEN_DIRECTORY) {
   const Case& test = case_named(id);
   return Json::parse(make_suite(SourceSet::embedded(), golden, std::span(&test, 1)).json);

@@ -80,7 +80,7 @@ def table(measured=MEASURED) -> str:
         lines.append(f"| {size:,} m | {options.get('dtype', 'uint16')} | {options.get('octaves', OCTAVES)} | "
                      f"{options.get('arithmetic', 'fixed')} | {1000 * cost['processor']:.0f} ms | "
                      f"{cost['stored'] / 1e6:.2f} MB | {cost['memory'] / 1e6:.0f} MB |")
-    # Of the largest square with the terrain as it is.
+    # The largest square with the terrain as it is.
     _, cost = max(((size, cost) for (size, options), cost in zip(measured, costs) if not options),
                   key=lambda one: one[0])
     area = (WHOLE / 1000) ** 2

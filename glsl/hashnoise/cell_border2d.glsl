@@ -1,4 +1,5 @@
 // hashnoise: the borders of cells on the plane.
+// To read it in one piece: docs/reference/snippets/hn_cell_border2.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_CELL_BORDER2D_GLSL
@@ -44,7 +45,7 @@ HN_FN hn_float hn_i_cell_border(hn_i_block2 block, hn_uvec2 two, hn_i_num2 d, hn
   return hn_i_border_distance(best);
 }
 
-// The same in every dimension: tools/make writes it of cell_border2d.glsl.
+// From here cell_border3d.glsl is generated from cell_border2d.glsl.
 
 HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_i_num jitter, hn_uint seed) {
   hn_i_block2 block = hn_i_block(place);
@@ -62,7 +63,7 @@ HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_i_num jitter, hn_uint seed, 
   return hn_i_cell_border(block, hn_i_far_cell(place, block, d), d, jitter, seed, best);
 }
 
-// By hand in each dimension.
+// To here cell_border3d.glsl is generated from cell_border2d.glsl.
 
 // The distance to the border of a cell of cellular noise on the plane, for cracks, tiles and veins. The border is where
 // another feature point is as near as the nearest one. It is not the difference of the distances to both.
@@ -75,12 +76,12 @@ HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_i_num jitter, hn_uint seed, 
 //            (HN_FIXED: in steps of 2^-16)
 //   error    at most 1.51e-3 against the exact value, in any rounding mode. HN_FIXED 1.27e-2. This is for two points
 //            that nearly touch: it falls with the distance of the two that make the border (docs/measured/accuracy.md)
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     9, 1 and 15 hashes (none with HN_HASH_LATTICE), as many multiplications, and 15 square roots and divisions
 //   source   Quilez, "Voronoi edges", 2012, for the distance; docs/reference/contract.md, section 16
 HN_FN hn_float hn_cell_border(hn_place2 place, hn_uint seed) { return hn_i_cell_border(place, HN_I_ONE, seed); }
 
-// The same in every dimension: tools/make writes it of cell_border2d.glsl.
+// From here cell_border3d.glsl is generated from cell_border2d.glsl.
 
 HN_FN hn_float hn_cell_border(hn_vec2 p, hn_uint seed) { return hn_cell_border(hn_place(p), seed); }
 HN_FN hn_float hn_cell_border(hn_vec2 p) { return hn_cell_border(p, 0u); }
@@ -119,5 +120,7 @@ HN_FN hn_float hn_cell_border(hn_vec2 p, hn_float jitter, hn_uint seed, HN_I_OUT
                               HN_I_OUT(hn_vec2) offset) {
   return hn_cell_border(hn_place(p), jitter, seed, nearest, offset);
 }
+
+// To here cell_border3d.glsl is generated from cell_border2d.glsl.
 
 #endif

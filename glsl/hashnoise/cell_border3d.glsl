@@ -41,7 +41,7 @@ HN_FN hn_float hn_i_cell_border(hn_i_block3 block, hn_uvec3 two, hn_i_num3 d, hn
   return hn_i_border_distance(best);
 }
 
-// The same in every dimension: tools/make writes it of cell_border2d.glsl.
+// From here cell_border3d.glsl is generated from cell_border2d.glsl.
 
 HN_FN hn_float hn_i_cell_border(hn_place3 place, hn_i_num jitter, hn_uint seed) {
   hn_i_block3 block = hn_i_block(place);
@@ -59,7 +59,7 @@ HN_FN hn_float hn_i_cell_border(hn_place3 place, hn_i_num jitter, hn_uint seed, 
   return hn_i_cell_border(block, hn_i_far_cell(place, block, d), d, jitter, seed, best);
 }
 
-// By hand in each dimension.
+// To here cell_border3d.glsl is generated from cell_border2d.glsl.
 
 // The distance to the border of a cell of cellular noise in space, for cracks, tiles and veins. The border is where
 // another feature point is as near as the nearest one. It is not the difference of the distances to both.
@@ -72,13 +72,13 @@ HN_FN hn_float hn_i_cell_border(hn_place3 place, hn_i_num jitter, hn_uint seed, 
 //            (HN_FIXED: in steps of 2^-16)
 //   error    at most 1.72e-3 against the exact value, in any rounding mode. HN_FIXED 6.97e-3. This is for two points
 //            that nearly touch: it falls with the distance of the two that make the border (docs/measured/accuracy.md)
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     27, 1 and 54 hashes (none with HN_HASH_LATTICE), as many multiplications, and 54 square roots and
 //            divisions
 //   source   Quilez, "Voronoi edges", 2012, for the distance; docs/reference/contract.md, section 16
 HN_FN hn_float hn_cell_border(hn_place3 place, hn_uint seed) { return hn_i_cell_border(place, HN_I_ONE, seed); }
 
-// The same in every dimension: tools/make writes it of cell_border2d.glsl.
+// From here cell_border3d.glsl is generated from cell_border2d.glsl.
 
 HN_FN hn_float hn_cell_border(hn_vec3 p, hn_uint seed) { return hn_cell_border(hn_place(p), seed); }
 HN_FN hn_float hn_cell_border(hn_vec3 p) { return hn_cell_border(p, 0u); }
@@ -117,5 +117,7 @@ HN_FN hn_float hn_cell_border(hn_vec3 p, hn_float jitter, hn_uint seed, HN_I_OUT
                               HN_I_OUT(hn_vec3) offset) {
   return hn_cell_border(hn_place(p), jitter, seed, nearest, offset);
 }
+
+// To here cell_border3d.glsl is generated from cell_border2d.glsl.
 
 #endif

@@ -1,8 +1,11 @@
 // hashnoise: cellular noise on the plane.
+// To read it in one piece: docs/reference/snippets/hn_cellular2.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_CELLULAR2D_GLSL
 #define HN_CELLULAR2D_GLSL
+
+// From here cellular3d.glsl is generated from cellular2d.glsl.
 
 #include "detail/feature_points2d.glsl"
 
@@ -30,7 +33,7 @@ HN_FN hn_vec2 hn_i_cellular(hn_place2 place, hn_i_num jitter, hn_int metric, hn_
 //            below the first; on average 0.43 and 0.70. Both are continuous (HN_FIXED: in steps of 2^-18)
 //   error    at most 3.53e-6 against the exact value, in any metric and rounding mode (docs/measured/accuracy.md).
 //            HN_FIXED 6.81e-5. From a cell at most 3.18e-6
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     9 hashes (none with HN_HASH_LATTICE) and 9 multiplications; 2 more to spread the coordinates, 2 more for a
 //            seed that is not constant, and 2 square roots. The compiler drops the work for results that you ignore
 //   source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
@@ -79,5 +82,7 @@ HN_FN hn_vec2 hn_cellular(hn_vec2 p, hn_float jitter, hn_int metric, hn_uint see
                           HN_I_OUT(hn_vec2) offset) {
   return hn_cellular(hn_place(p), jitter, metric, seed, nearest, offset);
 }
+
+// To here cellular3d.glsl is generated from cellular2d.glsl.
 
 #endif

@@ -1,10 +1,13 @@
 // hashnoise: cellular noise in space.
+// To read it in one piece: docs/reference/snippets/hn_cellular3.md
 // SPDX-License-Identifier: MIT
 //
 // Made from cellular2d.glsl by tools/make. tools/lib/translate/dimensions/numbers.py has its numbers.
 
 #ifndef HN_CELLULAR3D_GLSL
 #define HN_CELLULAR3D_GLSL
+
+// From here cellular3d.glsl is generated from cellular2d.glsl.
 
 #include "detail/feature_points3d.glsl"
 
@@ -32,7 +35,7 @@ HN_FN hn_vec2 hn_i_cellular(hn_place3 place, hn_i_num jitter, hn_int metric, hn_
 //            below the first; on average 0.51 and 0.71. Both are continuous (HN_FIXED: in steps of 2^-18)
 //   error    at most 5.93e-6 against the exact value, in any metric and rounding mode (docs/measured/accuracy.md).
 //            HN_FIXED 6.87e-5. From a cell at most 5.49e-6
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     27 hashes (none with HN_HASH_LATTICE) and 27 multiplications; 3 more to spread the coordinates, 2 more for
 //            a seed that is not constant, and 2 square roots. The compiler drops the work for results that you ignore
 //   source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
@@ -81,5 +84,7 @@ HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_float jitter, hn_int metric, hn_uint see
                           HN_I_OUT(hn_vec3) offset) {
   return hn_cellular(hn_place(p), jitter, metric, seed, nearest, offset);
 }
+
+// To here cellular3d.glsl is generated from cellular2d.glsl.
 
 #endif

@@ -22,16 +22,16 @@ HN_FN hn_vec4 hn_i_cellular_d(hn_i_block3 block, hn_i_num3 f, hn_i_num jitter, h
 //   example  vec4 n = hn_cellular_d(vec3(uv * 8.0, 0.5), 7u);
 //   returns  the distance, and its derivatives along x, y and z: a vector of length 1 away from the point, which is
 //            (position - point) / distance; 0 at the point. It jumps where another point becomes the nearest
-//   error    that of hn_cellular, and of a derivative at most 3.52e-6 divided by the distance, in any rounding mode
+//   error    hn_cellular's, and of a derivative at most 3.52e-6 divided by the distance, in any rounding mode
 //            (docs/measured/accuracy.md). HN_FIXED 1.20e-5 divided by it. From a cell at most 3.31e-6 divided by it
-//   period   2^32 cells per axis, or that of the tile
-//   cost     that of hn_cellular and one more hash
+//   period   2^32 cells per axis, or the tile's
+//   cost     hn_cellular's and one more hash
 //   source   docs/reference/contract.md, section 16
 HN_FN hn_vec4 hn_cellular_d(hn_place3 place, hn_uint seed) {
   return hn_i_cellular_d(hn_i_block(place), place.fraction, HN_I_ONE, seed);
 }
 
-// The same in every dimension: tools/make writes it of cellular_d2d.glsl.
+// From here cellular_d3d.glsl is generated from cellular_d2d.glsl.
 
 HN_FN hn_vec4 hn_cellular_d(hn_vec3 p, hn_uint seed) { return hn_cellular_d(hn_place(p), seed); }
 HN_FN hn_vec4 hn_cellular_d(hn_vec3 p) { return hn_cellular_d(p, 0u); }
@@ -50,5 +50,7 @@ HN_FN hn_vec4 hn_cellular_d(hn_place3 place, hn_float jitter, hn_uint seed) {
 HN_FN hn_vec4 hn_cellular_d(hn_vec3 p, hn_float jitter, hn_uint seed) {
   return hn_cellular_d(hn_place(p), jitter, seed);
 }
+
+// To here cellular_d3d.glsl is generated from cellular_d2d.glsl.
 
 #endif

@@ -4,6 +4,8 @@
 #ifndef HN_CELLULAR_PHASE2D_GLSL
 #define HN_CELLULAR_PHASE2D_GLSL
 
+// From here cellular_phase3d.glsl is generated from cellular_phase2d.glsl.
+
 #include "detail/feature_points_moving2d.glsl"
 
 HN_FN hn_i_rank4 hn_i_nearest(hn_place2 place, hn_i_turn2 turn, hn_float jitter, hn_uint seed) {
@@ -17,7 +19,7 @@ HN_FN hn_i_rank4 hn_i_nearest(hn_place2 place, hn_i_turn2 turn, hn_float jitter,
 //   phase    in turns, any float: phase + 1 has the same bits. A float far from 0 has few bits left for the turn: pass
 //            fract(phase)
 //   jitter   how far the points are from the centres of their cells, in [0, 1]: usually 1, which puts them at 7/8 of
-//            the distance of those of hn_cellular; 0 makes a regular lattice. Numbers outside count as the nearer end
+//            the distance of hn_cellular's; 0 makes a regular lattice. Numbers outside count as the nearer end
 //   seed     any uint: 7u, not 7; different seeds give independent fields
 //   example  float f1 = hn_cellular_phase(uv * 8.0, 0.25, 1.0, 7u).x;
 //   returns  the two distances, in cells, by the Euclidean metric: the first in [0, 1.1438], the second in [0, 1.4367]
@@ -25,8 +27,8 @@ HN_FN hn_i_rank4 hn_i_nearest(hn_place2 place, hn_i_turn2 turn, hn_float jitter,
 //            too
 //   error    at most 5.38e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            1.22e-4. From a cell at most 5.30e-6
-//   period   2^32 cells per axis, or that of the tile
-//   cost     that of hn_cellular, a sine and a cosine of 6 multiplications of floats each, and 8 multiplications
+//   period   2^32 cells per axis, or the tile's
+//   cost     hn_cellular's, a sine and a cosine of 6 multiplications of floats each, and 8 multiplications
 //   source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
 HN_FN hn_vec2 hn_cellular_phase(hn_place2 place, hn_float phase, hn_float jitter, hn_uint seed) {
   return hn_i_two_distances(hn_i_nearest(place, hn_i_turning2(phase), jitter, seed), HN_METRIC_EUCLIDEAN);
@@ -57,5 +59,7 @@ HN_FN hn_vec2 hn_cellular_phase(hn_vec2 p, hn_float phase, hn_float jitter, hn_u
                                 HN_I_OUT(hn_vec2) offset) {
   return hn_cellular_phase(hn_place(p), phase, jitter, seed, nearest, offset);
 }
+
+// To here cellular_phase3d.glsl is generated from cellular_phase2d.glsl.
 
 #endif

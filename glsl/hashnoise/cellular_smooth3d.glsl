@@ -50,7 +50,7 @@ HN_FN hn_float hn_i_cellular_smooth(hn_i_block3 block, hn_i_num3 f, hn_i_num jit
 //            (HN_FIXED: in steps of 2^-19)
 //   error    at most 5.93e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            3.23e-4. From a cell at most 5.72e-6
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     27 hashes (none with HN_HASH_LATTICE), 27 multiplications and 29 square roots; 3 more multiplications to
 //            spread the coordinates, and 2 more for a seed that is not constant
 //   source   docs/reference/contract.md, section 16
@@ -58,7 +58,7 @@ HN_FN hn_float hn_cellular_smooth(hn_place3 place, hn_uint seed) {
   return hn_i_cellular_smooth(hn_i_block(place), place.fraction, HN_I_ONE, seed);
 }
 
-// The same in every dimension: tools/make writes it of cellular_smooth2d.glsl.
+// From here cellular_smooth3d.glsl is generated from cellular_smooth2d.glsl.
 
 HN_FN hn_float hn_cellular_smooth(hn_vec3 p, hn_uint seed) { return hn_cellular_smooth(hn_place(p), seed); }
 HN_FN hn_float hn_cellular_smooth(hn_vec3 p) { return hn_cellular_smooth(p, 0u); }
@@ -77,5 +77,7 @@ HN_FN hn_float hn_cellular_smooth(hn_place3 place, hn_float jitter, hn_uint seed
 HN_FN hn_float hn_cellular_smooth(hn_vec3 p, hn_float jitter, hn_uint seed) {
   return hn_cellular_smooth(hn_place(p), jitter, seed);
 }
+
+// To here cellular_smooth3d.glsl is generated from cellular_smooth2d.glsl.
 
 #endif

@@ -15,7 +15,7 @@ HN_FN hn_i_num3 hn_i_if_axis(hn_int axis, hn_i_num3 a, hn_i_num3 b) {
                      hn_i_select(axis == 0, a.z, b.z));
 }
 
-// The third point may also be that of a cell two steps on, along the axis on which the place is farthest from the
+// The third point may also be in a cell two steps on, along the axis on which the place is farthest from the
 // centre of its cell (feature_points.glsl). Three cells in a row along the other axis are enough.
 HN_FN hn_vec3 hn_i_cellular_three(hn_place2 place, hn_i_num jitter, hn_int metric, hn_uint seed) {
   hn_i_block2 block = hn_i_block(place);
@@ -32,7 +32,7 @@ HN_FN hn_vec3 hn_i_cellular_three(hn_place2 place, hn_i_num jitter, hn_int metri
 }
 
 // Cellular noise on the plane: the distances to the three nearest feature points (Worley's F1, F2 and F3). The first
-// two are those of hn_cellular.
+// two are hn_cellular's.
 //   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a stone or a tile. Less
 //            than 2^23 along each axis: larger floats have no fraction
 //   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
@@ -41,14 +41,14 @@ HN_FN hn_vec3 hn_i_cellular_three(hn_place2 place, hn_i_num jitter, hn_int metri
 //   returns  the three distances, in cells, ascending: the third in [0, 1.5812] (proven bound)
 //   error    at most 4.22e-6 against the exact value, in any metric and rounding mode (docs/measured/accuracy.md).
 //            HN_FIXED 6.81e-5. From a cell at most 3.84e-6
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     12 hashes (none with HN_HASH_LATTICE) and 12 multiplications, and what hn_cellular costs besides
 //   source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
 HN_FN hn_vec3 hn_cellular_three(hn_place2 place, hn_uint seed) {
   return hn_i_cellular_three(place, HN_I_ONE, HN_METRIC_EUCLIDEAN, seed);
 }
 
-// The same in every dimension: tools/make writes it of cellular_three2d.glsl.
+// From here cellular_three3d.glsl is generated from cellular_three2d.glsl.
 
 HN_FN hn_vec3 hn_cellular_three(hn_vec2 p, hn_uint seed) { return hn_cellular_three(hn_place(p), seed); }
 HN_FN hn_vec3 hn_cellular_three(hn_vec2 p) { return hn_cellular_three(p, 0u); }
@@ -69,5 +69,7 @@ HN_FN hn_vec3 hn_cellular_three(hn_place2 place, hn_float jitter, hn_int metric,
 HN_FN hn_vec3 hn_cellular_three(hn_vec2 p, hn_float jitter, hn_int metric, hn_uint seed) {
   return hn_cellular_three(hn_place(p), jitter, metric, seed);
 }
+
+// To here cellular_three3d.glsl is generated from cellular_three2d.glsl.
 
 #endif

@@ -1,4 +1,5 @@
 // hashnoise: curl noise on the plane.
+// To read it in one piece: docs/reference/snippets/hn_curl2.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_CURL2D_GLSL
@@ -18,9 +19,9 @@ HN_FN hn_vec2 hn_i_curl(hn_vec3 d) { return vec2(d.z, hn_i_select(d.y == 0.0f, 0
 //   example  vec2 n = hn_curl(uv * 8.0, 7u);
 //   returns  the derivative of hn_simplex along y, and its negative derivative along x: per cell, each in
 //            [-8.46, 8.46], once continuously differentiable (HN_FIXED: in steps of 2^-18)
-//   error    that of the derivatives of hn_simplex_d: at most 5.15e-5. HN_FIXED 2.49e-3. From a cell at most 4.45e-5
-//   period   2^31 cells per axis, or that of the tile
-//   cost     that of hn_simplex_d
+//   error    the error of derivatives of hn_simplex_d: at most 5.15e-5. HN_FIXED 2.49e-3. From a cell at most 4.45e-5
+//   period   2^31 cells per axis, or the tile's
+//   cost     hn_simplex_d's
 //   source   Bridson, Hourihan, Nordenstam, "Curl-noise for procedural fluid flow", 2007
 HN_FN hn_vec2 hn_curl(hn_place2 place, hn_uint seed) { return hn_i_curl(hn_simplex_d(place, seed)); }
 HN_FN hn_vec2 hn_curl(hn_vec2 p, hn_uint seed) { return hn_curl(hn_place(p), seed); }

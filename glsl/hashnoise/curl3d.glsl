@@ -71,8 +71,8 @@ HN_FN hn_place3 hn_i_between_points(hn_place3 place) {
 //            (HN_FIXED: in steps of 2^-16)
 //   error    at most 7.34e-4 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            1.56e-2. From a cell at most 6.78e-4
-//   period   2^32 cells per axis, or that of the tile
-//   cost     twice that of hn_simplex_d
+//   period   2^32 cells per axis, or the tile's
+//   cost     twice hn_simplex_d's
 //   source   DeWolf, "Divergence-free noise", 2005; docs/reference/contract.md, section 15
 HN_FN hn_vec3 hn_curl(hn_place3 place, hn_uint seed) {
   return hn_i_curl(hn_simplex_d(place, seed), hn_simplex_d(hn_i_between_points(place), hn_i_other_seed(seed)));

@@ -6,6 +6,8 @@
 #ifndef HN_FBM4D_GLSL
 #define HN_FBM4D_GLSL
 
+// From here fbm1d.glsl, fbm3d.glsl and fbm4d.glsl are generated from fbm2d.glsl.
+
 #include "octaves4d.glsl"
 #include "perlin4d.glsl"
 
@@ -96,7 +98,7 @@ HN_FN hn_float hn_fbm(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_float g
   return hn_fbm(p, octaves, lacunarity, gain, 0u);
 }
 
-// The same without detail that a pixel cannot show: hn_fbm(p, detail, lacunarity, gain, seed) with a float, and
+// hn_fbm without detail that a pixel cannot show: hn_fbm(p, detail, lacunarity, gain, seed) with a float, and
 // hn_fbm(p, footprint, octaves, lacunarity, gain, seed).
 //   detail      octaves, as a float: 3.5 is three octaves and half of the fourth. So octaves from the second on come
 //               and go without a jump. Up to 1 it is the whole first octave, below 2^-32 none, and
@@ -127,7 +129,7 @@ HN_FN hn_float hn_fbm(hn_vec4 p, hn_float footprint, hn_int octaves, hn_float la
 //   (parameters, period and cost as for hn_fbm)
 //   example     float n = hn_turbulence(vec4(uv * 8.0, 0.5, 0.25), 6, 2.0, 0.5, 7u);
 //   returns     [0, 1], with creases where the noise passes 0
-//   error       that of hn_fbm
+//   error       hn_fbm's
 //   source      Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
 HN_FN hn_float hn_turbulence(hn_place4 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_turbulence(hn_octaves(place, octaves, lacunarity, gain, seed));
@@ -143,7 +145,7 @@ HN_FN hn_float hn_turbulence(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_
 //   (parameters, period and cost as for hn_fbm)
 //   example     float n = hn_clouds(vec4(uv * 8.0, 0.5, 0.25), 6, 2.0, 0.5, 7u);
 //   returns     [0, 1]: 0 is clear, 1 is dense; with fewer than 1 octave 5/32
-//   error       3 times that of hn_fbm, plus 5.4e-7 (HN_FIXED 2.6e-5)
+//   error       3 times hn_fbm's, plus 5.4e-7 (HN_FIXED 2.6e-5)
 //   source      after the cloud images of Valdenegro-Toro and Pincheira, fig. 6; the paper has no formula for them
 HN_FN hn_float hn_clouds(hn_place4 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_clouds(hn_octaves(place, octaves, lacunarity, gain, seed));
@@ -159,7 +161,7 @@ HN_FN hn_float hn_clouds(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_floa
 //   (parameters, period and cost as for hn_fbm)
 //   example     float n = hn_billow(vec4(uv * 8.0, 0.5, 0.25), 6, 2.0, 0.5, 7u);
 //   returns     [-1, 1]; with fewer than 1 octave -1
-//   error       twice that of hn_turbulence
+//   error       twice hn_turbulence's
 //   source      as of hn_turbulence
 HN_FN hn_float hn_billow(hn_place4 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_billow(hn_octaves(place, octaves, lacunarity, gain, seed));
@@ -213,7 +215,7 @@ HN_FN hn_float hn_hybrid(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_floa
 //   left out)
 //   example     float n = hn_ping_pong(vec4(uv * 8.0, 0.5, 0.25), 6, 2.0, 0.5, 2.0, 7u);
 //   returns     [-1, 1]
-//   error       twice the strength times that of hn_fbm, and a little more; docs/measured/accuracy.md
+//   error       twice the strength times hn_fbm's, and a little more; docs/measured/accuracy.md
 //   source      FastNoiseLite, FractalType_PingPong
 HN_FN hn_float hn_ping_pong(hn_place4 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
                             hn_uint seed) {
@@ -241,6 +243,8 @@ HN_FN hn_float hn_weighted(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_fl
   return hn_i_weighted(hn_octaves(p, octaves, lacunarity, gain, seed), strength);
 }
 // tools/make catalog: end
+
+// To here fbm1d.glsl, fbm3d.glsl and fbm4d.glsl are generated from fbm2d.glsl.
 
 #endif
 #endif

@@ -4,6 +4,8 @@
 #ifndef HN_FBM_D2D_GLSL
 #define HN_FBM_D2D_GLSL
 
+// From here fbm_d3d.glsl is generated from fbm_d2d.glsl.
+
 #include "detail/jacobian.glsl"
 #include "octaves2d.glsl"
 #include "perlin_d2d.glsl"
@@ -124,4 +126,7 @@ HN_FN hn_float hn_eroded(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_floa
 }
 
 #endif
+
+// To here fbm_d3d.glsl is generated from fbm_d2d.glsl.
+
 #endif

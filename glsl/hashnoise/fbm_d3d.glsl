@@ -6,6 +6,8 @@
 #ifndef HN_FBM_D3D_GLSL
 #define HN_FBM_D3D_GLSL
 
+// From here fbm_d3d.glsl is generated from fbm_d2d.glsl.
+
 #include "detail/jacobian.glsl"
 #include "octaves3d.glsl"
 #include "perlin_d3d.glsl"
@@ -131,4 +133,7 @@ HN_FN hn_float hn_eroded(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_floa
 }
 
 #endif
+
+// To here fbm_d3d.glsl is generated from fbm_d2d.glsl.
+
 #endif

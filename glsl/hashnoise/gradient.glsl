@@ -62,8 +62,8 @@ HN_FN hn_vec4 hn_gradient4(hn_uint h) { return hn_i_direction4(h); }
 //   error    none; with HN_GRADIENT_SINE less than 2^-19 (HN_FIXED: 3.7e-5)
 //   period   2^32 along each axis
 //   cost     1 hash (none with HN_HASH_LATTICE), 1 multiplication per axis and 1 more, 2 more for a seed that is not
-//            constant, and those of hn_gradient1 to hn_gradient4; with HN_GRADIENT_SINE 1 hash per axis and a sine of
-//            10 multiplications, 6 of them of floats, per component
+//            constant, and the cost of hn_gradient1 to hn_gradient4; with HN_GRADIENT_SINE 1 hash per axis and a sine
+//            of 10 multiplications, 6 of them of floats, per component
 //   source   docs/reference/contract.md, section 4; for the sine: Valdenegro-Toro and Pincheira, sec. 5
 HN_FN hn_float hn_gradient(hn_int cell, hn_uint seed) { return hn_gradient1(hn_i_point(uint(cell), seed)); }
 
@@ -91,7 +91,7 @@ HN_FN hn_vec3 hn_gradient(hn_ivec3 cell, hn_uint seed) {
 HN_FN hn_vec4 hn_gradient(hn_ivec4 cell, hn_uint seed) { return hn_gradient4(hn_i_point(uvec4(cell), seed)); }
 
 HN_FN hn_vec2 hn_gradient(hn_ivec2 cell) { return hn_gradient(cell, 0u); }
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
+// Generated for 1, 3 and 4 dimensions from the lines above.
 HN_FN hn_float hn_gradient(hn_int cell) { return hn_gradient(cell, 0u); }
 HN_FN hn_vec3 hn_gradient(hn_ivec3 cell) { return hn_gradient(cell, 0u); }
 HN_FN hn_vec4 hn_gradient(hn_ivec4 cell) { return hn_gradient(cell, 0u); }

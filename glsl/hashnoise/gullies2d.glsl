@@ -95,7 +95,7 @@ HN_FN hn_vec3 hn_i_gullies(hn_octaves2 octaves, hn_vec2 slope, hn_float depth) {
 //               and y. It is continuous where the slope is. The derivatives leave out that the gullies rotate
 //   error       it grows from octave to octave, since each follows those before it (docs/measured/accuracy.md).
 //               HN_FIXED has the same bits everywhere
-//   period      2^31 cells per axis, or that of the tile
+//   period      2^31 cells per axis, or the tile's
 //   cost        hn_phasor_d, a square root and three divisions per octave
 //   HN_FIXED    takes a gain above 1 as 1
 //   source      docs/reference/contract.md, section 24; waves across the slope as gullies: Tricard et al., "Procedural

@@ -16,14 +16,14 @@
 
 // The hash of a lattice point and a seed.
 HN_FN hn_uint hn_i_point(hn_uvec2 cell, hn_uint seed) { return hn_i_seeded_word(hn_i_spread(cell), hn_i_mix(seed)); }
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
+// Generated for 1, 3 and 4 dimensions from the lines above.
 HN_FN hn_uint hn_i_point(hn_uint cell, hn_uint seed) { return hn_i_seeded_word(hn_i_spread(cell), hn_i_mix(seed)); }
 HN_FN hn_uint hn_i_point(hn_uvec3 cell, hn_uint seed) { return hn_i_seeded_word(hn_i_spread(cell), hn_i_mix(seed)); }
 HN_FN hn_uint hn_i_point(hn_uvec4 cell, hn_uint seed) { return hn_i_seeded_word(hn_i_spread(cell), hn_i_mix(seed)); }
 
 // hn_lattice of spread coordinates and the mixed seed s.
 HN_FN hn_uint hn_i_lattice(hn_uvec2 c, hn_uint s) { return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s)); }
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
+// Generated for 1, 3 and 4 dimensions from the lines above.
 HN_FN hn_uint hn_i_lattice(hn_uint c, hn_uint s) { return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s)); }
 HN_FN hn_uint hn_i_lattice(hn_uvec3 c, hn_uint s) { return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s)); }
 HN_FN hn_uint hn_i_lattice(hn_uvec4 c, hn_uint s) { return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s)); }
@@ -38,13 +38,13 @@ HN_FN hn_uint hn_i_lattice(hn_uvec4 c, hn_uint s) { return hn_i_mix(hn_i_seeded_
 //   cost     1 hash (none with HN_HASH_LATTICE); 1 multiplication per axis and 3 more; 2 more for a seed that is not
 //            constant
 HN_FN hn_uint hn_lattice(hn_ivec2 cell, hn_uint seed) { return hn_i_lattice(hn_i_spread(uvec2(cell)), hn_i_mix(seed)); }
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
+// Generated for 1, 3 and 4 dimensions from the lines above.
 HN_FN hn_uint hn_lattice(hn_int cell, hn_uint seed) { return hn_i_lattice(hn_i_spread(uint(cell)), hn_i_mix(seed)); }
 HN_FN hn_uint hn_lattice(hn_ivec3 cell, hn_uint seed) { return hn_i_lattice(hn_i_spread(uvec3(cell)), hn_i_mix(seed)); }
 HN_FN hn_uint hn_lattice(hn_ivec4 cell, hn_uint seed) { return hn_i_lattice(hn_i_spread(uvec4(cell)), hn_i_mix(seed)); }
 
 HN_FN hn_uint hn_lattice(hn_ivec2 cell) { return hn_lattice(cell, 0u); }
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
+// Generated for 1, 3 and 4 dimensions from the lines above.
 HN_FN hn_uint hn_lattice(hn_int cell) { return hn_lattice(cell, 0u); }
 HN_FN hn_uint hn_lattice(hn_ivec3 cell) { return hn_lattice(cell, 0u); }
 HN_FN hn_uint hn_lattice(hn_ivec4 cell) { return hn_lattice(cell, 0u); }

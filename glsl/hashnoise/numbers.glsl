@@ -99,7 +99,7 @@ HN_FN hn_ivec2 hn_i_on_circle(hn_uint h) { return ivec2(hn_i_whole_wave(h + 0x40
 HN_FN hn_ivec3 hn_i_on_sphere(hn_uint h) {
   hn_ivec2 direction = hn_i_on_circle(h);
   hn_int z = int((hn_rehash(h, 1u) >> 16u) << 1u) - 65535;
-  hn_uint square = 0u - uint(z) * uint(z);  // 2^32 less that of the height
+  hn_uint square = 0u - uint(z) * uint(z);  // 2^32 less the square of the height
   hn_int radius = int(hn_i_root(square >> 4u) >> 3u);
   return ivec3((direction.x * radius) >> 15, (direction.y * radius) >> 15, z);
 }
@@ -241,8 +241,8 @@ HN_FN hn_uint hn_i_pascal(hn_uint i) {
 //   i        the number of the point: any uint, from 0 on
 //   seed     any uint: 7u, not 7
 //   example  vec2 u = hn_sobol(3u, 7u);
-//   returns  a point in [0, 1)^2, multiples of 2^-24. Of 2^(a + b) points, from a multiple of that on, one is in each
-//            of the 2^a by 2^b equal boxes of the square, for a + b up to 24
+//   returns  a point in [0, 1)^2, multiples of 2^-24. Among 2^(a + b) points, from a multiple of that on, one is in
+//            each of the 2^a by 2^b equal boxes of the square, for a + b up to 24
 //   error    none
 //   cost     20 multiplications, and 2 of floats. 8 less for a seed that is constant
 //   source   Sobol; Owen 1995; Laine and Karras 2011; Vegdahl's constants; docs/reference/contract.md, section 18

@@ -70,7 +70,7 @@ HN_FN void hn_i_advance(HN_I_INOUT(hn_octaves1) o) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// The same in every dimension: tools/make writes it of octaves2d.glsl.
+// From here octaves1d.glsl, octaves3d.glsl and octaves4d.glsl are generated from octaves2d.glsl.
 
 // The octaves of a fractal over your own noise, with the place and the seed of the first one.
 //   p           position, in cells of the first octave: a coordinate times a frequency, so that a cell is as large as
@@ -166,8 +166,8 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves1) o) {
 // tools/make catalog: steps
 
 // Add the noise of an octave: as it is (hn_fbm, hn_clouds); its absolute value (hn_turbulence); a crest where it is 0
-// (hn_ridged); its height above -1, as far as that of the octave before lets it (hn_hybrid); folded up and down between
-// -1 and 1 (hn_ping_pong); so that finer octaves count less where it is low (hn_weighted).
+// (hn_ridged); its height above -1, as far as the octave before lets it (hn_hybrid); folded up and down between -1 and
+// 1 (hn_ping_pong); so that finer octaves count less where it is low (hn_weighted).
 //   o         the octaves
 //   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_turbulence take values beyond (HN_FIXED
 //             up to 3/2), others cut them off. hn_add takes whole octaves: of hn_octaves(p, 4.5, ...) it adds 5, and
@@ -215,8 +215,10 @@ HN_FN hn_float hn_mean(hn_octaves1 o) { return hn_i_value(hn_i_mean(o.sum)); }
 //   example  float n = hn_density(o);
 //   returns  [0, 1]
 //   error    as of hn_clouds in fbm1d.glsl
-//   cost     that of hn_mean, and some operations
+//   cost     hn_mean's, and some operations
 //   source   as of hn_clouds
 HN_FN hn_float hn_density(hn_octaves1 o) { return hn_i_value(hn_i_density(hn_i_mean(o.sum))); }
+
+// To here octaves1d.glsl, octaves3d.glsl and octaves4d.glsl are generated from octaves2d.glsl.
 
 #endif

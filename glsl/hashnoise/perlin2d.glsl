@@ -1,4 +1,5 @@
 // hashnoise: Perlin noise on the plane.
+// To read it in one piece: docs/reference/snippets/hn_perlin2.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_PERLIN2D_GLSL
@@ -28,7 +29,7 @@ HN_FN hn_i_num hn_i_perlin(hn_i_box2 box, hn_i_num2 f, hn_uint seed) {
 //   error    at most 2.67e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md);
 //            HN_GRADIENT_SINE 4.58e-6. HN_FIXED 4.30e-5; HN_GRADIENT_SINE 7.99e-5. From a cell at most 2.44e-6;
 //            HN_GRADIENT_SINE 4.36e-6
-//   period   2^32 cells per axis, or that of the tile (HN_GRADIENT_SINE with HN_HASH_PARTIAL_FNV1: no more than 2^31)
+//   period   2^32 cells per axis, or the tile's (HN_GRADIENT_SINE with HN_HASH_PARTIAL_FNV1: no more than 2^31)
 //   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 2 more to spread the coordinates, and 2 more
 //            for a seed that is not constant. HN_GRADIENT_SINE: 6 hashes and 8 sines of 10 multiplications each, 6 of
 //            them of floats

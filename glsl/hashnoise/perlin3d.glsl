@@ -1,4 +1,5 @@
 // hashnoise: Perlin noise in space.
+// To read it in one piece: docs/reference/snippets/hn_perlin3.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_PERLIN3D_GLSL
@@ -29,7 +30,7 @@ HN_FN hn_i_num hn_i_perlin(hn_i_box3 box, hn_i_num3 f, hn_uint seed) {
 //   error    at most 4.45e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md);
 //            HN_GRADIENT_SINE 8.12e-6. HN_FIXED 5.40e-5; HN_GRADIENT_SINE 1.40e-4. From a cell at most 4.14e-6;
 //            HN_GRADIENT_SINE 7.70e-6
-//   period   2^32 cells per axis, or that of the tile (HN_GRADIENT_SINE with HN_HASH_PARTIAL_FNV1: no more than 2^31)
+//   period   2^32 cells per axis, or the tile's (HN_GRADIENT_SINE with HN_HASH_PARTIAL_FNV1: no more than 2^31)
 //   cost     8 hashes (none with HN_HASH_LATTICE) and 8 multiplications; 3 more to spread the coordinates, and 2 more
 //            for a seed that is not constant. HN_GRADIENT_SINE: 14 hashes and 24 sines of 10 multiplications each, 6 of
 //            them of floats

@@ -1,4 +1,5 @@
 // hashnoise: Perlin noise and its derivatives on the plane.
+// To read it in one piece: docs/reference/snippets/hn_perlin_d2.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_PERLIN_D2D_GLSL
@@ -42,9 +43,9 @@ HN_FN hn_vec3 hn_i_perlin_d(hn_uvec4 h, hn_i_num2 f) {
 //   example  vec3 n = hn_perlin_d(uv * 8.0, 7u);
 //   returns  the value and its derivatives along x and y. A derivative is per cell, in [-2.91, 2.91], once continuously
 //            differentiable (HN_FIXED: in steps of 2^-19)
-//   error    that of hn_perlin, and of a derivative at most 1.33e-5 against the exact value, in any rounding mode
+//   error    hn_perlin's, and of a derivative at most 1.33e-5 against the exact value, in any rounding mode
 //            (docs/measured/accuracy.md). HN_FIXED 2.01e-4. From a cell at most 1.24e-5
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 10
 HN_FN hn_vec3 hn_perlin_d(hn_place2 place, hn_uint seed) {

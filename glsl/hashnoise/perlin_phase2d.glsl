@@ -28,7 +28,7 @@ HN_FN hn_vec3 hn_i_perlin_phase_d(hn_uvec4 h, hn_i_num2 f, hn_i_num2 rotation) {
 //   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
 //            than 2^23 along each axis: larger floats have no fraction
 //   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
-//   phase    in turns, any float: the field of phase + 1 has the same bits, and that of phase + 1/2 is the negative
+//   phase    in turns, any float: the field of phase + 1 has the same bits, and at phase + 1/2 it is the negative
 //            (HN_FIXED: but for the last bits). A float far from 0 has few bits left for the turn: pass fract(phase)
 //   seed     any uint: 7u, not 7; different seeds give independent fields
 //   example  float n = hn_perlin(uv * 8.0, 0.25, 7u);
@@ -36,7 +36,7 @@ HN_FN hn_vec3 hn_i_perlin_phase_d(hn_uvec4 h, hn_i_num2 f, hn_i_num2 rotation) {
 //            in the phase. With a phase of 0 it is hn_perlin, within the error.
 //   error    at most 5.46e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            1.18e-4
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     the hashes of hn_perlin, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/reference/contract.md, section 14
 HN_FN hn_float hn_perlin(hn_place2 place, hn_float phase, hn_uint seed) {
@@ -44,7 +44,7 @@ HN_FN hn_float hn_perlin(hn_place2 place, hn_float phase, hn_uint seed) {
 }
 HN_FN hn_float hn_perlin(hn_vec2 p, hn_float phase, hn_uint seed) { return hn_perlin(hn_place(p), phase, seed); }
 
-// The same with the derivatives along x and y, as of hn_perlin_d. The value is as above.
+// The noise with the derivatives along x and y, as of hn_perlin_d. The value is as above.
 //   example  vec3 n = hn_perlin_d(uv * 8.0, 0.25, 7u);
 //   returns  the value and its derivatives, per cell, in [-2.93, 2.93]
 //   error    of a derivative at most 2.36e-5. HN_FIXED 4.51e-4

@@ -19,8 +19,8 @@
 //            lattice points, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
 //   error    of each at most 2.67e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md).
 //            HN_FIXED 4.30e-5. From a cell at most 2.44e-6
-//   period   2^32 cells per axis, or that of the tile
-//   cost     that of hn_perlin, and the same again without the hashes; for each corner a multiplication more
+//   period   2^32 cells per axis, or the tile's
+//   cost     hn_perlin's, and the same again without the hashes; for each corner a multiplication more
 //   source   Perlin, "Improving noise", 2002; docs/reference/contract.md, section 22
 HN_FN hn_vec2 hn_perlin_vector(hn_place2 place, hn_uint seed) {
   hn_uvec4 h = hn_i_corners(hn_i_box(place), seed);

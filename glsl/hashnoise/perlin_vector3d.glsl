@@ -19,8 +19,8 @@
 //            at lattice points, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
 //   error    of each at most 4.45e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md).
 //            HN_FIXED 5.40e-5. From a cell at most 4.14e-6
-//   period   2^32 cells per axis, or that of the tile
-//   cost     that of hn_perlin, and twice the same again without the hashes; for each corner two multiplications more
+//   period   2^32 cells per axis, or the tile's
+//   cost     hn_perlin's, and twice the same again without the hashes; for each corner two multiplications more
 //   source   Perlin, "Improving noise", 2002; docs/reference/contract.md, section 22
 HN_FN hn_vec3 hn_perlin_vector(hn_place3 place, hn_uint seed) {
   hn_i_box3 box = hn_i_box(place);

@@ -18,10 +18,10 @@
 //   example  hn_derivatives2x2 n = hn_perlin_vector_d(uv * 8.0, 7u);
 //   returns  value, and in dx and dy its derivatives along x and y. A derivative is per cell, in [-2.91, 2.91], once
 //            continuously differentiable (HN_FIXED: in steps of 2^-19)
-//   error    that of hn_perlin_vector, and of a derivative at most 1.33e-5 against the exact value, in any rounding
+//   error    hn_perlin_vector's, and of a derivative at most 1.33e-5 against the exact value, in any rounding
 //            mode (docs/measured/accuracy.md). HN_FIXED 2.01e-4. From a cell at most 1.24e-5
-//   period   2^32 cells per axis, or that of the tile
-//   cost     that of hn_perlin_d, and the same again without the hashes; for each corner a multiplication more
+//   period   2^32 cells per axis, or the tile's
+//   cost     hn_perlin_d's, and the same again without the hashes; for each corner a multiplication more
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 22
 HN_FN hn_derivatives2x2 hn_perlin_vector_d(hn_place2 place, hn_uint seed) {
   hn_uvec4 h = hn_i_corners(hn_i_box(place), seed);

@@ -53,7 +53,7 @@ HN_FN hn_float hn_i_perlin_worley(hn_octaves3 wisps, hn_octaves3 billows) {
 //   example     float n = hn_perlin_worley(vec3(uv * 8.0, 0.5), 6, 2.0, 0.5, 7u);
 //   returns     [0, 1], continuous. A cloud is where it is above a threshold, of about 0.75
 //   error       docs/measured/accuracy.md
-//   period      2^32 cells per axis, or that of the tile
+//   period      2^32 cells per axis, or the tile's
 //   cost        hn_fbm, and three times hn_cellular in space, which is most of it
 //   HN_FIXED    takes a gain above 1 as 1
 //   source      Schneider and Vos, "The Real-time Volumetric Cloudscapes of Horizon: Zero Dawn", 2015;

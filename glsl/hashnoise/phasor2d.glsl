@@ -25,7 +25,7 @@
 //            bound 0.99933), mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
 //   error    at most 4.24e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            3.56e-4. From a cell at most 3.04e-5
-//   period   2^31 cells per axis, or that of the tile
+//   period   2^31 cells per axis, or the tile's
 //   cost     3 hashes (none with HN_HASH_LATTICE), 6 sines of 6 multiplications each, and 15 multiplications; 2 more to
 //            spread the coordinates, and 2 more for a seed that is not constant
 //   source   Tricard et al., "Procedural phasor noise", 2019; Lagae et al., "Procedural noise using sparse Gabor

@@ -23,7 +23,7 @@
 //            bound 0.99932), mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
 //   error    at most 4.91e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            4.97e-4. From a cell at most 3.11e-5
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     4 hashes (none with HN_HASH_LATTICE), 8 sines of 6 multiplications each, and 24 multiplications; 3 more to
 //            spread the coordinates, and 2 more for a seed that is not constant
 //   source   as of hn_phasor on the plane; docs/reference/contract.md, section 23

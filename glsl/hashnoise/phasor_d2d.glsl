@@ -41,9 +41,9 @@ HN_FN hn_i_num2 hn_i_scaled_fall2(hn_i_num2 n) {
 //   example  hn_derivatives2x2 n = hn_phasor_d(uv * 8.0, vec2(4.0, 0.0), 0.25, 7u);
 //   returns  value, and in dx and dy the derivatives of both along x and y, per cell, at a constant wave and phase: in
 //            [-100.6, 100.6] for the largest waves, once continuously differentiable (HN_FIXED: in steps of 2^-16)
-//   error    that of hn_phasor, and of a derivative at most 4.43e-3 against the exact value, in any rounding mode
+//   error    hn_phasor's, and of a derivative at most 4.43e-3 against the exact value, in any rounding mode
 //            (docs/measured/accuracy.md). HN_FIXED 3.81e-2. From a cell at most 3.22e-3
-//   period   2^31 cells per axis, or that of the tile
+//   period   2^31 cells per axis, or the tile's
 //   cost     the hashes and sines of hn_phasor, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and wave; docs/reference/contract.md, section 23
 HN_FN hn_derivatives2x2 hn_phasor_d(hn_place2 place, hn_vec2 wave, hn_float phase, hn_uint seed) {

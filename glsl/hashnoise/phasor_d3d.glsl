@@ -45,9 +45,9 @@ HN_FN hn_i_num2 hn_i_scaled_fall3(hn_i_num2 n) {
 //   returns  value, and in dx, dy and dz the derivatives of both along x, y and z, per cell, at a constant wave and
 //            phase: in [-100.5, 100.5] for the largest waves, once continuously differentiable (HN_FIXED: in steps of
 //            2^-16)
-//   error    that of hn_phasor, and of a derivative at most 5.20e-3 against the exact value, in any rounding mode
+//   error    hn_phasor's, and of a derivative at most 5.20e-3 against the exact value, in any rounding mode
 //            (docs/measured/accuracy.md). HN_FIXED 5.23e-2. From a cell at most 3.35e-3
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     the hashes and sines of hn_phasor, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and wave; docs/reference/contract.md, section 23
 HN_FN hn_derivatives2x3 hn_phasor_d(hn_place3 place, hn_vec3 wave, hn_float phase, hn_uint seed) {

@@ -17,7 +17,7 @@
 
 #include "detail/cell2d.glsl"
 
-// The same in 3 and 4 dimensions: tools/make writes it of detail/cell2d.glsl.
+// From here place.glsl is generated from detail/cell2d.glsl, in 3 and 4 dimensions.
 
 #if HN_ARITHMETIC == HN_FAST
 HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(floor(p)); }
@@ -47,7 +47,9 @@ HN_FN hn_i_num4 hn_i_to_num(hn_vec4 f) {
 }
 #endif
 
-// The same in 1, 3 and 4 dimensions: tools/make writes it of detail/cell2d.glsl.
+// To here place.glsl is generated from detail/cell2d.glsl, in 3 and 4 dimensions.
+
+// From here place.glsl is generated from detail/cell2d.glsl, in 1, 3 and 4 dimensions.
 
 // Where a noise is evaluated. Make it by hn_place and hn_tile; only `cell` may be read.
 //   cell      the cell; cells wrap at 2^32
@@ -223,6 +225,6 @@ HN_FN hn_vec4 hn_position(hn_place4 place) {
               hn_i_position_of(place.cell.w, place.fraction.w, place.rest.w));
 }
 
-// By hand in each dimension.
+// To here place.glsl is generated from detail/cell2d.glsl, in 1, 3 and 4 dimensions.
 
 #endif

@@ -49,7 +49,7 @@ HN_FN hn_int hn_cell(hn_int position, hn_int cells, hn_int units) {
 HN_FN hn_ivec2 hn_cell(hn_ivec2 position, hn_int cells, hn_int units) {
   return ivec2(hn_cell(position.x, cells, units), hn_cell(position.y, cells, units));
 }
-// The same in 3 and 4 dimensions: tools/make writes it.
+// Generated for 3 and 4 dimensions from the lines above.
 HN_FN hn_ivec3 hn_cell(hn_ivec3 position, hn_int cells, hn_int units) {
   return ivec3(hn_cell(position.x, cells, units), hn_cell(position.y, cells, units), hn_cell(position.z, cells, units));
 }
@@ -72,7 +72,7 @@ HN_FN hn_float hn_fraction(hn_int position, hn_int cells, hn_int units) {
 HN_FN hn_vec2 hn_fraction(hn_ivec2 position, hn_int cells, hn_int units) {
   return vec2(hn_fraction(position.x, cells, units), hn_fraction(position.y, cells, units));
 }
-// The same in 3 and 4 dimensions: tools/make writes it.
+// Generated for 3 and 4 dimensions from the lines above.
 HN_FN hn_vec3 hn_fraction(hn_ivec3 position, hn_int cells, hn_int units) {
   return vec3(hn_fraction(position.x, cells, units), hn_fraction(position.y, cells, units),
               hn_fraction(position.z, cells, units));
@@ -90,7 +90,7 @@ HN_FN hn_vec4 hn_fraction(hn_ivec4 position, hn_int cells, hn_int units) {
 HN_FN hn_place2 hn_place(hn_ivec2 position, hn_int cells, hn_int units) {
   return hn_place(hn_cell(position, cells, units), hn_fraction(position, cells, units));
 }
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
+// Generated for 1, 3 and 4 dimensions from the lines above.
 HN_FN hn_place1 hn_place(hn_int position, hn_int cells, hn_int units) {
   return hn_place(hn_cell(position, cells, units), hn_fraction(position, cells, units));
 }

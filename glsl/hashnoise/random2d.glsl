@@ -1,8 +1,11 @@
 // hashnoise: random numbers of cells, on the plane.
+// To read it in one piece: docs/reference/snippets/hn_random2.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_RANDOM2D_GLSL
 #define HN_RANDOM2D_GLSL
+
+// From here random1d.glsl, random3d.glsl and random4d.glsl are generated from random2d.glsl.
 
 #include "hash.glsl"
 #include "detail/cell.glsl"
@@ -16,7 +19,7 @@
 //   example  float n = hn_random(uv * 8.0, 7u);
 //   returns  [0, 1), a multiple of 2^-24, mean 1/2, uniform: hn_unorm(hn_lattice(cell, seed))
 //   error    none. With HN_FIXED a negative coordinate less than 2^-20 below a whole number counts to the next cell
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     1 hash (none with HN_HASH_LATTICE) and 3 multiplications; 1 more to spread each coordinate, and 2 more for
 //            a seed that is not constant
 //   source   docs/reference/contract.md, section 17
@@ -27,5 +30,7 @@ HN_FN hn_float hn_random(hn_place2 place, hn_uint seed) {
 }
 HN_FN hn_float hn_random(hn_vec2 p, hn_uint seed) { return hn_random(hn_place(p), seed); }
 HN_FN hn_float hn_random(hn_vec2 p) { return hn_random(p, 0u); }
+
+// To here random1d.glsl, random3d.glsl and random4d.glsl are generated from random2d.glsl.
 
 #endif

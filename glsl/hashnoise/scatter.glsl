@@ -41,7 +41,7 @@ HN_FN hn_uint hn_i_nearest_rival(hn_uint square, hn_uint h, hn_uint rival, hn_ui
   return hn_i_select(rival < h, square, min(square, other));
 }
 
-// The result for a candidate with the hash h, by the square of its nearest rival and that of the reach.
+// The result for a candidate with the hash h, by the square of its nearest rival and of the reach.
 HN_FN hn_uint hn_i_unbeaten(hn_uint h, hn_uint square, hn_uint reach) {
   hn_uint none = 0u;
   return hn_i_select(square < reach, none, hn_rehash(h, 5u) | 1u);
@@ -54,7 +54,7 @@ HN_FN hn_uint hn_i_unbeaten(hn_uint h, hn_uint square, hn_uint reach) {
 //   example  vec2 at = hn_scatter_point(ivec2(3, -5), 7u);
 //   returns  where in the cell it is: [0, 1) along each axis, multiples of 2^-15; uniform
 //   error    none
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     1 hash (none with HN_HASH_LATTICE) and 7 multiplications; 2 more for a seed that is not constant
 //   source   docs/reference/contract.md, section 19
 HN_FN hn_vec2 hn_scatter_point(hn_place2 place, hn_uint seed) {
@@ -72,11 +72,11 @@ HN_FN hn_vec2 hn_scatter_point(hn_ivec2 cell, hn_uint seed) { return hn_scatter_
 //            seam
 //   radius   the least distance, in cells; in [0, 1], usually 0.5 to 1; numbers outside count as the nearer end. It is
 //            cut off to a multiple of 2^-15
-//   seed     any uint: 7u, not 7; that of hn_scatter_point
+//   seed     any uint: 7u, not 7; as for hn_scatter_point
 //   example  uint h = hn_scattered(ivec2(3, -5), 0.75, 7u);
 //   returns  0 if the point is dropped; else a random hash of the point, which is odd
 //   error    none
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     9 hashes (none with HN_HASH_LATTICE) and 80 multiplications
 //   source   Matern, "Spatial variation", 1960 (his second process); docs/reference/contract.md, section 19
 HN_FN hn_uint hn_scattered(hn_place2 place, hn_float radius, hn_uint seed) {
@@ -110,7 +110,7 @@ HN_FN hn_uint hn_scattered(hn_ivec2 cell, hn_float radius, hn_uint seed) {
 //   example  vec3 at = hn_scatter_point(ivec3(3, -5, 2), 7u);
 //   returns  where in the cell it is: [0, 1) along each axis, multiples of 2^-15; uniform
 //   error    none
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     1 hash (none with HN_HASH_LATTICE) and 10 multiplications; 2 more for a seed that is not constant
 //   source   docs/reference/contract.md, section 19
 HN_FN hn_vec3 hn_scatter_point(hn_place3 place, hn_uint seed) {
@@ -126,11 +126,11 @@ HN_FN hn_vec3 hn_scatter_point(hn_ivec3 cell, hn_uint seed) { return hn_scatter_
 //   place    in place of the cell: hn_tile(hn_place(cell), period), for example (place.glsl)
 //   radius   the least distance, in cells; in [0, 1], usually 0.5 to 1; numbers outside count as the nearer end. It is
 //            cut off to a multiple of 2^-15
-//   seed     any uint: 7u, not 7; that of hn_scatter_point
+//   seed     any uint: 7u, not 7; as for hn_scatter_point
 //   example  uint h = hn_scattered(ivec3(3, -5, 2), 0.75, 7u);
 //   returns  0 if the point is dropped; else a random hash of the point, which is odd
 //   error    none
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     27 hashes (none with HN_HASH_LATTICE) and 330 multiplications
 //   source   Matern, "Spatial variation", 1960 (his second process); docs/reference/contract.md, section 19
 HN_FN hn_uint hn_scattered(hn_place3 place, hn_float radius, hn_uint seed) {

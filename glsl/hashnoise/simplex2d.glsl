@@ -1,4 +1,5 @@
 // hashnoise: simplex noise on the plane.
+// To read it in one piece: docs/reference/snippets/hn_simplex2.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_SIMPLEX2D_GLSL
@@ -24,7 +25,7 @@ HN_FN hn_i_num hn_i_simplex(hn_place2 place, hn_uint seed) {
 }
 
 // Simplex noise on the plane: gradient noise on a triangular lattice. It does not prefer the axes. There are four
-// lattice points to a cell, so its features are about half as large as those of hn_perlin.
+// lattice points to a cell, so its features are about half as large as hn_perlin's.
 //   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
 //            than 2^23 along each axis: larger floats have no fraction
 //   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
@@ -34,7 +35,7 @@ HN_FN hn_i_num hn_i_simplex(hn_place2 place, hn_uint seed) {
 //            in steps of 2^-21)
 //   error    at most 4.01e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            1.63e-4. From a cell at most 3.37e-6
-//   period   2^31 cells per axis, or that of the tile
+//   period   2^31 cells per axis, or the tile's
 //   cost     3 hashes (none with HN_HASH_LATTICE) and 3 multiplications; 2 more to spread the coordinates, and 2 more
 //            for a seed that is not constant
 //   source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/reference/contract.md,

@@ -1,4 +1,5 @@
 // hashnoise: simplex noise in space.
+// To read it in one piece: docs/reference/snippets/hn_simplex3.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_SIMPLEX3D_GLSL
@@ -34,7 +35,7 @@ HN_FN hn_i_num hn_i_simplex(hn_i_block3 block, hn_i_num3 f, hn_uint seed) {
 //            in steps of 2^-21)
 //   error    at most 5.18e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            1.20e-4. From a cell at most 4.47e-6
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 3 more to spread the coordinates, and 2 more
 //            for a seed that is not constant
 //   source   Perlin, "Noise hardware", 2001, for the sum over lattice points; docs/reference/contract.md, section 13

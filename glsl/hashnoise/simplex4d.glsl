@@ -33,7 +33,7 @@ HN_FN hn_i_num hn_i_simplex(hn_i_block4 block, hn_i_num4 f, hn_uint seed) {
 //            in steps of 2^-21)
 //   error    at most 6.24e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            1.22e-4. From a cell at most 5.52e-6
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 4 more to spread the coordinates, and 2 more
 //            for a seed that is not constant
 //   source   Perlin, "Noise hardware", 2001, for the sum over lattice points; docs/reference/contract.md, section 13

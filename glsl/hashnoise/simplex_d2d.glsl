@@ -1,4 +1,5 @@
 // hashnoise: simplex noise and its derivatives on the plane.
+// To read it in one piece: docs/reference/snippets/hn_simplex_d2.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_SIMPLEX_D2D_GLSL
@@ -41,9 +42,9 @@ HN_FN hn_vec3 hn_i_simplex_d(hn_place2 place, hn_uint seed) {
 //   example  vec3 n = hn_simplex_d(uv * 8.0, 7u);
 //   returns  the value and its derivatives along x and y. A derivative is per cell, in [-8.46, 8.46], once continuously
 //            differentiable (HN_FIXED: in steps of 2^-18)
-//   error    that of hn_simplex, and of a derivative at most 5.15e-5 against the exact value, in any rounding mode
+//   error    hn_simplex's, and of a derivative at most 5.15e-5 against the exact value, in any rounding mode
 //            (docs/measured/accuracy.md). HN_FIXED 2.49e-3. From a cell at most 4.45e-5
-//   period   2^31 cells per axis, or that of the tile
+//   period   2^31 cells per axis, or the tile's
 //   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and ramp; docs/reference/contract.md, section 13
 HN_FN hn_vec3 hn_simplex_d(hn_place2 place, hn_uint seed) { return hn_i_simplex_d(place, seed); }

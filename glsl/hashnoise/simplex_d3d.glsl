@@ -1,4 +1,5 @@
 // hashnoise: simplex noise and its derivatives in space.
+// To read it in one piece: docs/reference/snippets/hn_simplex_d3.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_SIMPLEX_D3D_GLSL
@@ -37,9 +38,9 @@ HN_FN hn_vec4 hn_i_simplex_d(hn_i_block3 block, hn_i_num3 f, hn_uint seed) {
 //   example  vec4 n = hn_simplex_d(vec3(uv * 8.0, 0.5), 7u);
 //   returns  the value and its derivatives along x, y and z. A derivative is per cell, in [-4.81, 4.81], once
 //            continuously differentiable (HN_FIXED: in steps of 2^-19)
-//   error    that of hn_simplex, and of a derivative at most 4.25e-5 against the exact value, in any rounding mode
+//   error    hn_simplex's, and of a derivative at most 4.25e-5 against the exact value, in any rounding mode
 //            (docs/measured/accuracy.md). HN_FIXED 9.84e-4. From a cell at most 3.90e-5
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and ramp; docs/reference/contract.md, section 13
 HN_FN hn_vec4 hn_simplex_d(hn_place3 place, hn_uint seed) {

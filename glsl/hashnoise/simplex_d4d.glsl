@@ -45,9 +45,9 @@ HN_FN hn_derivatives4 hn_i_simplex_d(hn_i_block4 block, hn_i_num4 f, hn_uint see
 //   example  hn_derivatives4 n = hn_simplex_d(vec4(uv * 8.0, 0.5, 0.25), 7u);
 //   returns  `value` and, in `gradient`, its derivatives along x, y, z and w. A derivative is per cell, in
 //            [-6.06, 6.06], once continuously differentiable (HN_FIXED: in steps of 2^-19)
-//   error    that of hn_simplex, and of a derivative at most 6.11e-5 against the exact value, in any rounding mode
+//   error    hn_simplex's, and of a derivative at most 6.11e-5 against the exact value, in any rounding mode
 //            (docs/measured/accuracy.md). HN_FIXED 1.36e-3. From a cell at most 5.48e-5
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and ramp; docs/reference/contract.md, section 13
 HN_FN hn_derivatives4 hn_simplex_d(hn_place4 place, hn_uint seed) {

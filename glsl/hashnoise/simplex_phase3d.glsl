@@ -34,7 +34,7 @@ HN_FN hn_vec4 hn_i_simplex_phase_d(hn_i_block3 block, hn_i_num3 f, hn_i_num2 rot
 //   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
 //            than 2^23 along each axis: larger floats have no fraction
 //   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
-//   phase    in turns, any float: the field of phase + 1 has the same bits, and that of phase + 1/2 is the negative
+//   phase    in turns, any float: the field of phase + 1 has the same bits, and at phase + 1/2 it is the negative
 //            (HN_FIXED: but for the last bits). A float far from 0 has few bits left for the turn: pass fract(phase)
 //   seed     any uint: 7u, not 7; different seeds give independent fields
 //   example  float n = hn_simplex(vec3(uv * 8.0, 0.5), 0.25, 7u);
@@ -42,7 +42,7 @@ HN_FN hn_vec4 hn_i_simplex_phase_d(hn_i_block3 block, hn_i_num3 f, hn_i_num2 rot
 //            in the phase. With a phase of 0 it is hn_simplex times 4902/4918, within the error.
 //   error    at most 1.20e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            3.02e-4
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     the hashes of hn_simplex, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/reference/contract.md, section 14
 HN_FN hn_float hn_simplex(hn_place3 place, hn_float phase, hn_uint seed) {
@@ -50,7 +50,7 @@ HN_FN hn_float hn_simplex(hn_place3 place, hn_float phase, hn_uint seed) {
 }
 HN_FN hn_float hn_simplex(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_simplex(hn_place(p), phase, seed); }
 
-// The same with the derivatives along x, y and z, as of hn_simplex_d. The value is as above.
+// The noise with the derivatives along x, y and z, as of hn_simplex_d. The value is as above.
 //   example  vec4 n = hn_simplex_d(vec3(uv * 8.0, 0.5), 0.25, 7u);
 //   returns  the value and its derivatives, per cell, in [-5.6, 5.6]
 //   error    of a derivative at most 9.42e-5. HN_FIXED 2.30e-3

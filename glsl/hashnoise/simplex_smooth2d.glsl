@@ -64,7 +64,7 @@ HN_FN hn_i_num hn_i_simplex_smooth(hn_place2 place, hn_uint seed) {
                              hn_i_fract(lower), hn_i_fract(upper), hn_i_fract(p.y));
 }
 
-// Smooth simplex noise on the plane. The kernel is a quarter larger than that of hn_simplex, in the square of its
+// Smooth simplex noise on the plane. The kernel is a quarter larger than hn_simplex's, in the square of its
 // radius, so the field is calmer. At the distance of a step the kernel ends: so only the two rows around a place count,
 // and in each the two nearest points.
 //   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
@@ -76,7 +76,7 @@ HN_FN hn_i_num hn_i_simplex_smooth(hn_place2 place, hn_uint seed) {
 //            in steps of 2^-21)
 //   error    at most 3.03e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            8.95e-5. From a cell at most 2.46e-6
-//   period   2^31 cells per axis, or that of the tile
+//   period   2^31 cells per axis, or the tile's
 //   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 3 more to spread the coordinates, and 2 more
 //            for a seed that is not constant
 //   source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/reference/contract.md,

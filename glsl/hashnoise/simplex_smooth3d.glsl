@@ -6,7 +6,7 @@
 
 #include "detail/body_centred_lattice.glsl"
 
-// The kernel ends at the square root of 3/4, half of a cell's longest diagonal. Of the two ends of each such diagonal
+// The kernel ends at the square root of 3/4, half of a cell's longest diagonal. The ends of each such diagonal:
 // one is as far away, or farther: the squares of both distances sum to 3/2 or more. So of each kind of points four are
 // enough: one end of each diagonal of the cube around the place, whichever is nearer.
 
@@ -66,7 +66,7 @@ HN_FN hn_i_num hn_i_simplex_smooth(hn_i_block3 block, hn_i_num3 f, hn_uint seed)
   return hn_i_scaled_smooth3(hn_i_plus(corners, centres));
 }
 
-// Smooth simplex noise in space. The kernel is half again as large as that of hn_simplex, in the square of its radius,
+// Smooth simplex noise in space. The kernel is half again as large as hn_simplex's, in the square of its radius,
 // so the field is calmer.
 //   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
 //            than 2^23 along each axis: larger floats have no fraction
@@ -77,7 +77,7 @@ HN_FN hn_i_num hn_i_simplex_smooth(hn_i_block3 block, hn_i_num3 f, hn_uint seed)
 //            in steps of 2^-21)
 //   error    at most 5.88e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            3.88e-4. From a cell at most 5.27e-6
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     8 hashes (none with HN_HASH_LATTICE) and 8 multiplications; 3 more to spread the coordinates, and 2 more
 //            for a seed that is not constant
 //   source   Perlin, "Noise hardware", 2001, for the sum over lattice points; docs/reference/contract.md, section 13

@@ -146,7 +146,7 @@ HN_FN hn_i_tail hn_i_tail_of(hn_float value, hn_vec4 distribution) {
   // A quotient of floats may be beyond 1.
   hn_i_num s = hn_i_mean(min(hn_i_size(tail.value), tail.reach), tail.reach);
   tail.w = max(hn_i_minus(HN_I_WEIGHT_ONE, s), HN_I_NO_WEIGHT);
-  // De Casteljau's rounds, without that of the last two numbers.
+  // De Casteljau's rounds, without the round of the last two numbers.
   hn_i_num y = hn_i_weight_times(tail.w, tail.w);
   hn_i_num ab = hn_i_mix(a, b, y);
   hn_i_num bc = hn_i_mix(b, c, y);
@@ -181,13 +181,14 @@ HN_FN hn_float hn_uniform(hn_float value, hn_vec4 distribution) {
   return hn_i_uniform(hn_i_tail_of(value, distribution));
 }
 
-// The same with its derivative: a slope of the noise, times that, is the slope of its uniform values.
+// The uniform value with its derivative: a slope of the noise, times the derivative, is the slope of its uniform
+// values.
 //   value    of a noise, or of hn_fbm
 //   distribution  as above
 //   example  vec2 u = hn_uniform_d(hn_perlin(uv * 8.0, 7u), hn_distribution(HN_DISTRIBUTION_PERLIN2));
 //   returns  the uniform value, and its derivative by the value: how many values there are near it. Not negative
 //   error    of the value as above; of the derivative at most 2.15e-5 / reach. HN_FIXED 4.18e-4 / reach
-//   cost     that of hn_uniform, and a division more
+//   cost     hn_uniform's, and a division more
 //   source   docs/reference/contract.md, section 21
 HN_FN hn_vec2 hn_uniform_d(hn_float value, hn_vec4 distribution) {
   hn_i_tail tail = hn_i_tail_of(value, distribution);
@@ -196,7 +197,7 @@ HN_FN hn_vec2 hn_uniform_d(hn_float value, hn_vec4 distribution) {
   return vec2(hn_i_uniform(tail), hn_i_of_units(hn_i_mean(hn_i_plus(twice, twice), tail.reach)));
 }
 
-// A coefficient of a sum lies between that of a bell and that of the noise. Their difference has two parts: the one
+// A coefficient of a sum lies between a bell's and the noise's. Their difference has two parts: the one
 // that goes with the kurtosis of the noise falls as the kurtosis of a sum does, and the rest falls faster.
 HN_FN hn_i_num hn_i_of_sum(hn_i_num x, hn_int bell, hn_int way, hn_i_num d, hn_i_num fourth, hn_i_num eighth) {
   hn_i_num start = hn_i_parts(HN_I_WEIGHT_ONE, bell);
@@ -206,7 +207,7 @@ HN_FN hn_i_num hn_i_of_sum(hn_i_num x, hn_int bell, hn_int way, hn_i_num d, hn_i
   return min(max(n, HN_I_NO_WEIGHT), HN_I_WEIGHT_ONE);
 }
 
-// The distribution of the values of a fractal, from that of its noise, for any gain and number of octaves. It takes
+// The distribution of the values of a fractal, from its noise's, for any gain and number of octaves. It takes
 // octaves as independent, which on the line they are not quite (docs/guide/uniform.md).
 // Experimental: a later version may return other values.
 //   distribution  of the noise: hn_distribution(HN_DISTRIBUTION_PERLIN2) and so on
@@ -214,7 +215,7 @@ HN_FN hn_i_num hn_i_of_sum(hn_i_num x, hn_int bell, hn_int way, hn_i_num d, hn_i
 //   gain     ratio of amplitudes, as of hn_fbm, usually 0.5, in [0, 1]
 //   example  vec4 distribution = hn_distribution_fbm(hn_distribution(HN_DISTRIBUTION_PERLIN2), 5.0, 0.5);
 //   returns  the distribution of hn_fbm, or of another mean of octaves of the noise (hn_add)
-//   error    of the coefficients at most 3.65e-5. HN_FIXED 1.93e-4. docs/measured/accuracy.md has that of the reach
+//   error    of the coefficients at most 3.65e-5. HN_FIXED 1.93e-4. The reach: docs/measured/accuracy.md
 //   cost     about 10 operations for each octave and 60 more. It does not depend on the position: compute it on the
 //            CPU, or let the compiler, where detail and gain are constants
 //   source   docs/reference/contract.md, section 21
@@ -253,7 +254,7 @@ HN_FN hn_vec4 hn_distribution_fbm(hn_vec4 distribution, hn_float detail, hn_floa
   hn_i_num new_b = hn_i_of_sum(b, 381, 1958, d, rho4, rho8);
   hn_i_num new_c = hn_i_of_sum(c, 736, 452, d, rho4, rho8);
 
-  // The reach, so that the variance is that of the sum: that of the noise, times sum2 / sum^2.
+  // The reach, so that the variance is the sum's: the noise's, times sum2 / sum^2.
   hn_i_num per_sum = hn_i_mean(HN_I_WEIGHT_ONE, sum);
   hn_i_num falls = hn_i_weight_times(hn_i_weight_times(sum2, per_sum), per_sum);
   hn_i_num variance = hn_i_weight_times(hn_i_variance(a, b, c), falls);

@@ -24,7 +24,7 @@ HN_FN hn_i_num hn_i_value_noise(hn_i_box1 box, hn_i_num f, hn_uint seed) {
 //            steps of 2^-21)
 //   error    at most 2.14e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            3.58e-5. From a cell at most 1.91e-6
-//   period   2^32 cells, or that of the tile
+//   period   2^32 cells, or the tile's
 //   cost     2 hashes (none with HN_HASH_LATTICE) and 2 multiplications; 1 more to spread the coordinate, and 2 more
 //            for a seed that is not constant
 //   source   Perlin, "Improving noise", 2002, for the interpolant

@@ -1,4 +1,5 @@
 // hashnoise: value noise in space.
+// To read it in one piece: docs/reference/snippets/hn_value3.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_VALUE3D_GLSL
@@ -18,7 +19,7 @@
 //            steps of 2^-21)
 //   error    at most 6.10e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            5.57e-5. From a cell at most 5.77e-6
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     8 hashes (none with HN_HASH_LATTICE) and 8 multiplications; 3 more to spread the coordinates, and 2 more
 //            for a seed that is not constant
 //   source   Perlin, "Improving noise", 2002, for the interpolant

@@ -31,7 +31,7 @@ HN_FN hn_i_num hn_i_value_noise(hn_i_box4 box, hn_i_num4 f, hn_uint seed) {
 //            steps of 2^-21)
 //   error    at most 8.44e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            6.55e-5. From a cell at most 8.06e-6
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     16 hashes (none with HN_HASH_LATTICE) and 16 multiplications; 4 more to spread the coordinates, and 2 more
 //            for a seed that is not constant
 //   source   Perlin, "Improving noise", 2002, for the interpolant

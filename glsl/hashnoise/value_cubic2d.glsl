@@ -29,7 +29,7 @@ HN_FN hn_i_num hn_i_value_cubic(hn_place2 place, hn_uint seed) {
 //   returns  [-1, 1], mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
 //   error    at most 1.11e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            6.39e-5. From a cell at most 1.10e-5
-//   period   2^32 cells per axis, or that of the tile
+//   period   2^32 cells per axis, or the tile's
 //   cost     16 hashes (none with HN_HASH_LATTICE) and 16 multiplications; 2 more to spread the coordinates, and 2 more
 //            for a seed that is not constant
 //   source   de Boor, "A Practical Guide to Splines", 1978, for the spline

@@ -25,9 +25,9 @@ HN_FN hn_vec2 hn_i_value_d(hn_i_box1 box, hn_i_num f, hn_uint seed) {
 //   example  vec2 n = hn_value_d(uv.x * 8.0, 7u);
 //   returns  the value and its derivative. A derivative is per cell, in [-3.76, 3.76], once continuously differentiable
 //            (HN_FIXED: in steps of 2^-19)
-//   error    that of hn_value, and of a derivative at most 3.41e-6 against the exact value, in any rounding mode
+//   error    hn_value's, and of a derivative at most 3.41e-6 against the exact value, in any rounding mode
 //            (docs/measured/accuracy.md). HN_FIXED 1.54e-4. From a cell at most 2.72e-6
-//   period   2^32 cells, or that of the tile
+//   period   2^32 cells, or the tile's
 //   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 10
 HN_FN hn_vec2 hn_value_d(hn_place1 place, hn_uint seed) { return hn_i_value_d(hn_i_box(place), place.fraction, seed); }

@@ -18,8 +18,8 @@
 //            differentiable (HN_FIXED: in steps of 2^-21)
 //   error    of each at most 4.11e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md).
 //            HN_FIXED 4.42e-5. From a cell at most 3.82e-6
-//   period   2^32 cells per axis, or that of the tile
-//   cost     that of hn_value, and for each corner a multiplication more
+//   period   2^32 cells per axis, or the tile's
+//   cost     hn_value's, and for each corner a multiplication more
 //   source   Perlin, "Improving noise", 2002, for the interpolant; docs/reference/contract.md, section 22
 HN_FN hn_vec2 hn_value_vector(hn_place2 place, hn_uint seed) {
   hn_uvec4 h = hn_i_corners(hn_i_box(place), seed);

@@ -18,8 +18,8 @@
 //            differentiable (HN_FIXED: in steps of 2^-21)
 //   error    of each at most 6.10e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md).
 //            HN_FIXED 5.57e-5. From a cell at most 5.77e-6
-//   period   2^32 cells per axis, or that of the tile
-//   cost     that of hn_value, and for each corner two multiplications more
+//   period   2^32 cells per axis, or the tile's
+//   cost     hn_value's, and for each corner two multiplications more
 //   source   Perlin, "Improving noise", 2002, for the interpolant; docs/reference/contract.md, section 22
 HN_FN hn_vec3 hn_value_vector(hn_place3 place, hn_uint seed) {
   hn_i_box3 box = hn_i_box(place);

@@ -1,8 +1,11 @@
 // hashnoise: domain warping on the plane: displacements of positions by fractals.
+// To read it in one piece: docs/reference/snippets/hn_warp2.md
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_WARP2D_GLSL
 #define HN_WARP2D_GLSL
+
+// From here warp3d.glsl is generated from warp2d.glsl.
 
 #include "detail/jacobian.glsl"
 #include "octaves2d.glsl"
@@ -108,7 +111,7 @@ HN_FN hn_vec2 hn_i_warp_progressive(hn_octaves2 o, hn_float amplitude) {
 //   example     vec2 n = hn_warp(uv * 8.0, 6, 2.0, 0.5, 1.0, 7u);
 //   returns     the displacement along x and y, each in [-amplitude, amplitude]
 //   error       docs/measured/accuracy.md
-//   period      none that floats reach, or that of the tile
+//   period      none that floats reach, or the tile's
 //   cost        hn_value_vector per octave
 //   source      Quilez, "Domain warping", 2002
 HN_FN hn_vec2 hn_warp(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float amplitude,
@@ -119,7 +122,7 @@ HN_FN hn_vec2 hn_warp(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float g
   return hn_i_warp(hn_octaves(p, octaves, lacunarity, gain, seed), amplitude);
 }
 
-// The same, where the octaves before an octave displace it, too. It draws strands and eddies.
+// A warp in which the octaves before an octave displace it, too. It draws strands and eddies.
 //   (parameters, period and source as for hn_warp)
 //   example     vec2 n = hn_warp_progressive(uv * 8.0, 6, 2.0, 0.5, 1.0, 7u);
 //   returns     the displacement along x and y, each in [-amplitude, amplitude]
@@ -134,5 +137,7 @@ HN_FN hn_vec2 hn_warp_progressive(hn_vec2 p, hn_int octaves, hn_float lacunarity
                                   hn_uint seed) {
   return hn_i_warp_progressive(hn_octaves(p, octaves, lacunarity, gain, seed), amplitude);
 }
+
+// To here warp3d.glsl is generated from warp2d.glsl.
 
 #endif

@@ -6,6 +6,8 @@
 #ifndef HN_WARP3D_GLSL
 #define HN_WARP3D_GLSL
 
+// From here warp3d.glsl is generated from warp2d.glsl.
+
 #include "detail/jacobian.glsl"
 #include "octaves3d.glsl"
 #include "value_vector3d.glsl"
@@ -115,7 +117,7 @@ HN_FN hn_vec3 hn_i_warp_progressive(hn_octaves3 o, hn_float amplitude) {
 //   example     vec3 n = hn_warp(vec3(uv * 8.0, 0.5), 6, 2.0, 0.5, 1.0, 7u);
 //   returns     the displacement along x, y and z, each in [-amplitude, amplitude]
 //   error       docs/measured/accuracy.md
-//   period      none that floats reach, or that of the tile
+//   period      none that floats reach, or the tile's
 //   cost        hn_value_vector per octave
 //   source      Quilez, "Domain warping", 2002
 HN_FN hn_vec3 hn_warp(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float amplitude,
@@ -126,7 +128,7 @@ HN_FN hn_vec3 hn_warp(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float g
   return hn_i_warp(hn_octaves(p, octaves, lacunarity, gain, seed), amplitude);
 }
 
-// The same, where the octaves before an octave displace it, too. It draws strands and eddies.
+// A warp in which the octaves before an octave displace it, too. It draws strands and eddies.
 //   (parameters, period and source as for hn_warp)
 //   example     vec3 n = hn_warp_progressive(vec3(uv * 8.0, 0.5), 6, 2.0, 0.5, 1.0, 7u);
 //   returns     the displacement along x, y and z, each in [-amplitude, amplitude]
@@ -141,5 +143,7 @@ HN_FN hn_vec3 hn_warp_progressive(hn_vec3 p, hn_int octaves, hn_float lacunarity
                                   hn_uint seed) {
   return hn_i_warp_progressive(hn_octaves(p, octaves, lacunarity, gain, seed), amplitude);
 }
+
+// To here warp3d.glsl is generated from warp2d.glsl.
 
 #endif

@@ -73,7 +73,7 @@ struct Settings {
   std::string fractal{};
   Arithmetic arithmetic = Arithmetic::kFast;
   std::uint32_t seed = 0;
-  // In cells, along each axis, not negative; 0 is none, so {8} repeats along x alone. Of axes that the field does not
+  // In cells, along each axis, not negative; 0 is none, so {8} repeats along x alone. For axes that the field does not
   // have the numbers do not count.
   std::array<std::int32_t, 4> period{};
 
@@ -92,7 +92,7 @@ struct Settings {
   // 2 if it is left out. With a period whole, from 1 to 255; in cells and with kFixed from 0 to 255.
   std::optional<float> lacunarity{};
   std::optional<float> gain{};  // not negative, and with kFixed at most 1; 0.5 if it is left out
-  // Of ping_pong: in [0, 64], and 2 if it is left out; of weighted: in [0, 1], and 1; of eroded: in [0, 16], and 1.
+  // For ping_pong in [0, 64], 2 if it is left out; for weighted in [0, 1], 1; for eroded in [0, 16], 1.
   std::optional<float> strength{};
   std::optional<float> amplitude{};  // in [0, 64], and 1 if it is left out; warp, warp_progressive
   std::optional<float> detail{};     // in [0, 32]; fbm without a period: octaves as a float, in place of `octaves`

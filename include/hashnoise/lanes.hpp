@@ -42,7 +42,7 @@
 #define HN_LANES_PORTABLE
 #endif
 
-// Of the instruction sets that the flags allow, the widest.
+// The widest of the instruction sets that the flags allow.
 #if defined(HN_LANES_PORTABLE)
 #define HN_LANES portable
 #define HN_I_LANE_BYTES 16
@@ -233,7 +233,7 @@ struct Lanes {
 
   HN_I_INLINE S operator[](int i) const { return v[i]; }
 
-  // The same number in all lanes. In WebAssembly the constant of a vector takes 18 bytes, and that of a number 6 at
+  // One number in all lanes. In WebAssembly the constant of a vector takes 18 bytes, and that of a number 6 at
   // most:
   // where size matters, the compiler is kept from turning the second into the first.
   HN_I_INLINE static S number(S s) {

@@ -72,7 +72,7 @@ struct CellPoints {
   PerAxis<std::span<const float>, D> f{};
 };
 
-// The least and the greatest value. Of no values it is (infinity, -infinity).
+// The least and the greatest value. Without values it is (infinity, -infinity).
 struct Range {
   float least = std::numeric_limits<float>::infinity();
   float greatest = -std::numeric_limits<float>::infinity();
@@ -85,7 +85,7 @@ namespace hashnoise::inline HN_I_NAMESPACE {
 
 namespace detail {
 
-// Of a struct with [] or with x, y, z and w; of others nothing.
+// Accepts structs with [] or with x, y, z and w, and no others.
 template <typename Point>
 constexpr auto coordinate(const Point& point, [[maybe_unused]] std::size_t axis) {
   if constexpr (requires { point[axis]; }) {

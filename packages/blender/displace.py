@@ -37,7 +37,7 @@ def package():
 
 
 def heights(positions, fractal, noise, octaves, lacunarity, gain, seed):
-    """Of positions in cells, an array of float32 with a row for each, with the bits of HN_FIXED."""
+    """Heights at positions in cells, an array of float32 with a row for each, with the bits of HN_FIXED."""
     of = package()
     axes = numpy.ascontiguousarray(positions.T)
     if fractal != "NONE":

@@ -73,7 +73,7 @@ def more_nodes(shader):
 
 
 def sockets(shader, script):
-    """Of a group: the name of each, its direction, and its kind."""
+    """The name of each socket of a group, its direction, and its kind."""
     inputs = [(one.name.title(), one.type) for one in script.inputs if one.name != POSITION]
     outputs = [(one.name.title(), one.type) for one in script.outputs]
     if shader.startswith("cellular"):

@@ -22,7 +22,7 @@ def code(of):
 
 
 def described(of):
-    """Of a text: by the names of parameters, what properties of Blender call description, min and max."""
+    """A text's parameters by name: the properties that Blender calls description, min and max."""
     return {name: {"description": what[0].upper() + what[1:],
                    **{end: {"float": float, "int": int}[kind](number) for kind, end, number in END.findall(ends)}}
             for name, what, ends in METADATA.findall(of)}

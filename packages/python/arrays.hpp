@@ -116,7 +116,7 @@ class Walk {
     return at;
   }
 
-  // Calls visit(where in the array, step, where in the block, points) for what is left of each row.
+  // Calls visit(where in the array, step, where in the block, points) for the rest of each row.
   template <class Visit>
   void rows(std::size_t index, std::size_t begin, std::size_t count, const Visit& visit) const {
     const std::ptrdiff_t step = shape_.empty() ? 0 : arrays_[index].steps.back();

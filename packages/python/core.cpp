@@ -62,7 +62,6 @@ void run(const Executor& executor, std::size_t count, const Task& task) {
   for (std::size_t i = 0; i < count; ++i) task(i);
 }
 
-// The numbers of a result.
 enum class Numbers { kFloat32, kFloat16, kUint16 };
 
 inline Numbers numbers_of(const Memory& memory) {
@@ -143,7 +142,7 @@ struct Tile {
 };
 
 // Cuts a grid into such parts. They are long along the axis that is the nearest in the memory of the result, so that
-// what is written lies together, and along x, where a field is fast.
+// the results lie together, and along x, where a field is fast.
 template <int D>
 class Tiles {
  public:
@@ -576,7 +575,7 @@ NB_MODULE(_core, module) {
   module.def("noise_names", &hashnoise::noises, nb::arg("dimensions"));
   module.def("fractal_names", &hashnoise::fractals, nb::arg("dimensions"));
   module.def("instruction_sets", [] { return hashnoise::python::names_of(hashnoise::instruction_sets()); });
-  // Of settings that are whole numbers: the least and the most. Python's number may not fit a Settings, which checks
+  // The least and the most of settings that are whole numbers. Python's number may not fit a Settings, which checks
   // the others.
   nb::dict rules;
   for (const hashnoise::grid::Rule& rule : hashnoise::grid::kRules) {

@@ -246,7 +246,7 @@ const drawnByWgsl = (text) =>
     kHeight,
   );
 
-// The same of the WGSL, by WebGPU. Its colours are compiled with it.
+// Draws the WGSL by WebGPU. Its colours are compiled with it.
 const drawnWgsl = (code, state, cell) =>
   page.evaluate(
     async (text, count) => {

@@ -124,7 +124,7 @@ export const wordsOf = (language, code, state, width, height) =>
     return printed.trim().split("\n").map(Number);
   });
 
-// The same by JavaScript, here.
+// Computes the words by JavaScript, here.
 export async function wordsOfJavaScript(code, state, width, height) {
   const { pattern } = await import(`data:text/javascript,${encodeURIComponent(code)}`);
   const values = Array.from({ length: width * height }, (_, at) =>

@@ -1,4 +1,4 @@
-// Layers: what is chosen of them, their links, their range and their code, without a browser.
+// Layers: their choice, their links, their range and their code, without a browser.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { functions, numbers, shaderKey } from "../code.js";
@@ -55,7 +55,6 @@ test("a choice is that of its layer, and what goes with it follows", () => {
   assert.equal(next.map, "land");
   assert.equal(chosen(state, { view: "tiles" }).period, 4);
   assert.equal(settingsOf(chosen(state, { blend: "mix" }, 1), 1).weight, 0.5);
-  // Dimensions are those that all layers have.
   assert.deepEqual(dimensionsOf(state), [1, 2, 3, 4]);
   const plane = chosen(changed(state, { dimensions: 1 }), { sum: "none", noise: "simplex_smooth" }, 2);
   assert.deepEqual([plane.dimensions, dimensionsOf(plane)], [2, [2, 3]]);

@@ -21,7 +21,6 @@ function visit() {
       steps.note(page.state, next);
       page.state = next;
     },
-    // Whether there was a step.
     step(how) {
       const next = steps[how](page.state);
       if (next) page.state = next;

@@ -271,7 +271,6 @@ test("tiles have no seam, and one that is there is seen", async () => {
     tiles.forEach((word, at) => assert.equal(word, tiles[(Math.floor(at / side) % 16) * side + (at % side) % 16]));
     assert.equal(unequal(tiles, plane), 0, renderer);
   }
-  // Of noise with another period.
   const wrong = await page.evaluate(async (size) => {
     const { hashnoise } = window;
     const build = hashnoise.backends.webgpu.build.bind(hashnoise.backends.webgpu);
@@ -337,7 +336,7 @@ test("a sphere and a cube show points of space, the same by WebGL2 and by WebGPU
     }
     assert.equal(unequal(...seen), 0, view);
     if (view === "sphere") assert.ok(colours[0].every((part, at) => Math.abs(part - colours[1][at]) <= 1));
-    // Beside the solid there are no values, and on its points there are those of space.
+    // Beside the solid there are no values, and on its points there are space's.
     const found = async (shown) => {
       let [beside, wrong] = [0, 0];
       for (let at = 3; at < seen[0].length; at += 61) {
@@ -442,7 +441,7 @@ test("a file that is saved has the picture", async () => {
     const rows = (list) => [...Array(kHeight).keys()].map((row) => list.slice(row * kWidth, (row + 1) * kWidth));
     assert.deepEqual(rows(words).toReversed(), rows(await pixels(page, kWidth, kHeight, true)), renderer);
   }
-  // Of more pixels than one draw takes: each row has its own, whatever the part that it is drawn in.
+  // A file of more pixels than one draw takes: each row has its own, in whatever part it is drawn.
   await setState(page, { ...state, file: "r16", width: 1024, height: 300 });
   const { bytes } = await saved();
   assert.equal(bytes.length, 1024 * 300 * 2);

@@ -4,7 +4,7 @@ import { kArithmetics, kNoises, kSums } from "../tables.js";
 
 const kForms = [{}, { phase: 0.25 }, { jitter: 0.5 }, { metric: "hybrid" }];
 
-// Of one noise, or of a sum over Perlin noise, near, without a tile and without a warp.
+// States of one noise, or of a sum over Perlin noise, near, without a tile and without a warp.
 export const simpleStates = () =>
   Object.keys(kArithmetics).flatMap((arithmetic) =>
     Object.keys(kSums).flatMap((sum) =>

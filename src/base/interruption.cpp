@@ -14,7 +14,6 @@ namespace {
 
 constexpr auto kSameSignal = std::chrono::milliseconds(300);
 
-// The signals that are not ignored.
 sigset_t signals_to_take() {
   sigset_t set;
   sigemptyset(&set);

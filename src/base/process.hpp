@@ -1,4 +1,4 @@
-// Child processes that end with this one, and what they have to report.
+// Child processes that end with this one, and their reports.
 #pragma once
 
 #include <sys/types.h>

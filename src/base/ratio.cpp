@@ -35,10 +35,6 @@ Ratio ratio(const Timing& timing, const Timing& reference, const Timing& empty) 
   return {ratios.median(), ratios.spread()};
 }
 
-Ratio ratio(const Timing& timing, const Timing& reference) {
-  return ratio(timing, reference, {std::vector(reference.samples.size(), 0.0)});
-}
-
 std::string text_of(const Ratio& ratio) {
   return ratio.known() ? fmt::format("{:.2f} ± {:.2f}", ratio.value, ratio.spread) : "cannot be told";
 }

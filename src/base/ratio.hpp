@@ -27,7 +27,5 @@ std::string text_of(const Ratio& ratio);
 
 // The time of some work over that of the reference, round by round, after the time of what is empty is taken off both.
 Ratio ratio(const Timing& timing, const Timing& reference, const Timing& empty);
-// The same where there is nothing to be taken off.
-Ratio ratio(const Timing& timing, const Timing& reference);
 
 }  // namespace hn

@@ -1,4 +1,4 @@
-// Errors as values: what was attempted, what went wrong, and the log of whoever refused.
+// Errors as values: the attempt, the fault, and the log of whoever refused.
 #pragma once
 
 #include <string>
@@ -23,7 +23,7 @@ inline tl::unexpected<Error> fail(std::string message, std::string log = {}) {
 
 }  // namespace hn
 
-// HN_TRY(const auto words, compile(text)); declares what a result holds, or returns its error from the function.
+// HN_TRY(const auto words, compile(text)); declares a result's value, or returns its error from the function.
 // HN_DO(write_file(path, text)); does so for a result that holds nothing.
 #define HN_TRY(declaration, ...) HN_TRY_BY(HN_JOIN(result_, __LINE__), declaration, __VA_ARGS__)
 #define HN_TRY_BY(result, declaration, ...)                      \

@@ -14,7 +14,7 @@ bool begins_with_non_character(std::string_view text) {
   return text.starts_with("\xEF\xBF\xBE") || text.starts_with("\xEF\xBF\xBF");
 }
 
-// The library that writes JSON replaces what is not UTF-8.
+// The library that writes JSON replaces bytes that are not UTF-8.
 std::string valid_utf8(std::string_view bytes) {
   const std::string json = dump(nlohmann::json(bytes));
   return nlohmann::json::parse(json).get<std::string>();

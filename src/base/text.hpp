@@ -10,7 +10,7 @@ namespace hn {
 // any bytes.
 std::string clean_text(std::string_view bytes);
 
-// The same for a terminal: without what moves its cursor or changes its colours, too.
+// For a terminal: without what moves its cursor or changes its colours, too.
 std::string printable(std::string_view bytes);
 
 // Bytes from elsewhere as a part of a message: in quotes, with \xNN for each that is not printable ASCII, cut after

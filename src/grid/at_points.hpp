@@ -1,4 +1,4 @@
-// Value, Perlin and simplex noise at points that share nothing. Numbers are those of the library, and so are the bits
+// Value, Perlin and simplex noise at points that share nothing. Numbers are the library's, and so are the bits
 // of HN_PRECISE and HN_FIXED. Some parts are computed in another way:
 //   - gradients, by instructions that GPUs have not
 //   - the second join of a hash, whose low 24 bits count: it is the sum of a product of each coordinate of the cell
@@ -13,7 +13,7 @@ namespace hashnoise::inline HN_I_NAMESPACE {
 namespace HN_LANES {
 namespace {
 
-// hn_i_direction2: the two bits that choose a component of four are an index. Its sign is that of the table.
+// hn_i_direction2: the two bits that choose a component of four are an index. Its sign is the table's.
 #if defined(__AVX2__)
 HN_I_INLINE Float of_four(Uint index, float a, float b, float c, float d) {
 #if defined(__AVX512F__)
@@ -86,7 +86,6 @@ HN_I_INLINE Uint joined_where(Mask condition, Uint a, Uint b, Uint c) {
 HN_I_INLINE Uint either(Mask condition, Uint a, Uint b) {
   return kCount == 16 ? hn_i_select(condition, a, b) : b + where(condition, a - b);
 }
-// The same of two constants.
 template <typename S>
 HN_I_INLINE Lanes<S> one_of(Mask condition, Lanes<S> a, Lanes<S> b) {
   if (kCount == 16) return hn_i_select(condition, a, b);

@@ -1,6 +1,6 @@
 // Rows of grids whose points are so near each other that neighbours share cells. Along such a row the corners of all
 // points lie in few columns, so what depends on a corner alone is computed once for a column, many columns at a time. A
-// point finds it by the number of its column. Numbers and their order are those of the library, and so are the bits,
+// point finds it by the number of its column. Numbers and their order are the library's, and so are the bits,
 // but for Perlin noise with HN_FAST.
 #pragma once
 
@@ -368,7 +368,7 @@ class SmoothSimplexColumns<3> : public CellNumbers<3> {
     int column;
     Int index;
   };
-  // Of one kind, what the nearest point adds, and its three neighbours: hn_i_cube. d and e are the offsets along x from
+  // For points of one kind, the nearest one and its three neighbours: hn_i_cube. d and e are the offsets along x from
   // the nearest point and from the one opposite.
   HN_I_INLINE static hn_i_num cube(const Lines (&rows)[4], Side near, Side far, hn_i_num d, hn_i_num e, hn_i_num3 size,
                                    hn_i_square_number q) {

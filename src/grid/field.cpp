@@ -176,7 +176,7 @@ struct Ranges {
   }
 };
 
-// Runs tasks of points, and joins their ranges. The order does not matter for what comes out.
+// Runs tasks of points, and joins their ranges. The order does not change the result.
 template <typename Task>
 Range run_tasks(std::int64_t count, const Executor& executor, const Task& task) {
   std::vector<Range> ranges(static_cast<std::size_t>(count));
@@ -219,7 +219,6 @@ struct Box {
     return at;
   }
 
-  // A part of a row.
   void run_row(std::int64_t number, int first, int count, Ranges& ranges) const {
     const std::array<std::size_t, 4> at = row_at(number);
     std::int32_t cell[4][kMostLanes];
@@ -324,7 +323,7 @@ std::int64_t points_of(const std::array<int, D>& size) {
   return points;
 }
 
-// Checks what a grid has before its coordinates are computed, which may be many.
+// Checks a grid before its coordinates are computed, which may be many.
 template <std::size_t D>
 std::int64_t check_grid(const Plan& plan, const std::array<int, D>& size, const std::array<int, D>& first,
                         std::span<float> values) {

@@ -48,7 +48,7 @@ struct SumRow {
   constexpr bool takes_noise() const { return usual_noise != kNoises; }
 };
 
-// Of a component of a noise that is not in [-1, 1]. "d" is each derivative, "d_phase" the same with a phase, as
+// The range of a component that is not in [-1, 1]. "d" is each derivative, "d_phase" with a phase, as
 // "f1_phase" is of "f1", and "axis" each component of a vector.
 struct RangeRow {
   NoiseId noise;

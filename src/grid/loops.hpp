@@ -89,7 +89,7 @@ HN_I_INLINE Place<D> place_at_position(const Batch& b, int i) {
   return hn_place(fractions_at<D>(b, i));
 #endif
 }
-// The same of either form of a batch.
+// The points of either form of a batch.
 template <int D>
 HN_I_INLINE Place<D> place_at(const Batch& b, int i) {
   return b.cell[0] != nullptr ? place_in_cell<D>(b, i) : place_at_position<D>(b, i);

@@ -289,7 +289,7 @@ void enter(NoiseKernels (&noises)[grid::kNoises][4]) {
 #include "catalog.inc"
 }
 
-// A place in a cell is a float, and in HN_FIXED a multiple of 2^-20: what the noise makes of it is the fraction again.
+// A place in a cell is a float, and in HN_FIXED a multiple of 2^-20: the noise gets the fraction again.
 void split(const float* position, int count, std::int32_t* cell, float* place) {
   for (int i = 0; i < count; i += kCount) {
     const Float p = Float::load(position + i);

@@ -1,5 +1,5 @@
-// These rules state what settings may be. The constructor of Field checks them, so the Python package and hn-bake do,
-// too. They read from here what they have to know before there is a Field. docs/guide/cpu.md has it as a table.
+// These rules state what settings may be. The constructor of Field checks them, and with it the Python package, which
+// also reads from here what it has to know before there is a Field. docs/guide/cpu.md has it as a table.
 #pragma once
 
 #include <cmath>
@@ -49,7 +49,6 @@ inline std::string digits_of(double number) {
   return text;
 }
 
-// The rule of a setting, in words.
 inline std::string words_of(const Rule& rule) {
   if (rule.most < kMostFloat) return "from " + digits_of(rule.least) + " to " + digits_of(rule.most);
   return rule.least > -kMostFloat ? "a finite number of " + digits_of(rule.least) + " or more" : "a finite number";

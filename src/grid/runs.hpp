@@ -34,7 +34,6 @@ constexpr BytesOfByte table_of_counts() {
   }
   return table;
 }
-// The numbers of the bits that are set.
 constexpr BytesOfByte table_of_set_bits() {
   BytesOfByte table{};
   for (unsigned bits = 0; bits < 256; ++bits) {

@@ -237,7 +237,7 @@ template <int D, bool kIsWhole>
 struct BlockPositions {
   // The fraction of a whole position, or the position.
   std::conditional_t<kIsWhole, std::int32_t, float> rest[D][kPointsAtOnce];
-  // For kernels that take these. Of octaves at positions the first one alone is passed so.
+  // For kernels that take these. Only the first of the octaves at positions is passed so.
   std::int32_t cell[D][kPointsAtOnce];
   float place[D][kPointsAtOnce];
 

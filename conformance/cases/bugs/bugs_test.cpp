@@ -43,7 +43,7 @@ TEST(Bugs, RightWordsPass) {
   }
 }
 
-// Each single word, if it is wrong, is noticed; and what the specification leaves open never fails.
+// Each single word, if it is wrong, is noticed; and a value that the specification leaves open never fails.
 TEST(Bugs, AnyWrongWordFailsOrWarns) {
   for (const Bug& bug : all_bugs()) {
     for (std::size_t i = 0; i < bug.points.size(); ++i) {

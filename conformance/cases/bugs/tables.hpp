@@ -1,4 +1,4 @@
-// The parts of the table of bugs, and what they are written with.
+// The parts of the table of bugs, and helpers to write them.
 #pragma once
 
 #include <bit>
@@ -43,7 +43,7 @@ std::vector<BugPoint> points(std::initializer_list<std::vector<std::uint32_t>> i
   return all;
 }
 
-// The same for a single float input or a single integer, which are written as such.
+// For a single float input or a single integer, which are written as such.
 template <typename Value, typename Expected>
 std::vector<BugPoint> points_of(std::initializer_list<Value> inputs, Expected expected) {
   std::vector<BugPoint> all;

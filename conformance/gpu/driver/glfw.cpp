@@ -1,4 +1,4 @@
-// Contexts of a hidden window, by GLFW: what a game has.
+// Contexts of a hidden window, by GLFW, as in a game.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 

@@ -65,7 +65,7 @@ class MetalEvaluator final : public Evaluator {
     info_.languages.profiles = {"msl"};
   }
 
-  // Asks the compiler what it is, and compiles what all kernels include.
+  // Gets the compiler's version, and compiles the part that all kernels include.
   Result<void> find_compiler() {
     HN_TRY(const std::string text, output_of(kCompiler, {"--version"}));
     info_.gl_version = text.substr(0, text.find('\n'));

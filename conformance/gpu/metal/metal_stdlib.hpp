@@ -125,7 +125,7 @@ using uint2 = vec<uint, 2>;
 using uint3 = vec<uint, 3>;
 using uint4 = vec<uint, 4>;
 
-// The same bits as another type (section 2.21).
+// Bits as another type (section 2.21).
 template <typename To, typename From>
 To as_type(From from) {
   static_assert(sizeof(To) == sizeof(From), "as many bits");

@@ -86,7 +86,7 @@ class VulkanEvaluator final : public Evaluator {
   Result<Words> spirv(const ShaderText& text, const Evaluation& evaluation) const {
     if (evaluation.profile.name == kShaderModel6 && dxc_) return dxc_->spirv(text);
     if (evaluation.profile.name != kShaderModel5) return compiler_.spirv(text, evaluation.profile, evaluation.stage);
-    // vkd3d's own preprocessor takes what a macro makes of an argument for one argument of the next.
+    // vkd3d's own preprocessor takes a macro's expansion of an argument for one argument of the next.
     HN_TRY(const auto plain, compiler_.preprocessed(text, evaluation.profile, evaluation.stage));
     return vkd3d_->spirv(plain);
   }

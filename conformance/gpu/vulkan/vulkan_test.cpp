@@ -29,7 +29,7 @@ class Vulkan : public OnVulkan<> {
     evaluator_ = std::move(*evaluator);
   }
 
-  // Of a shader's main, in which i is the number of the point.
+  // A shader's main, in which i is the number of the point.
   Result<std::unique_ptr<Evaluable>> build(std::string_view body) {
     return build_whole(fmt::format("{}void main() {{\n  uint i = gl_GlobalInvocationID.x;\n{}}}\n", kBuffers, body));
   }

@@ -28,17 +28,17 @@
 //   hn_i_lerp(n, x, y)         between four corners 00, 10, 01, 11
 //   hn_i_scaled(n, s)          a noise, from an interpolation between ramps, times s / 1024
 //   hn_i_flushed(n)            floats only: n, or 0 where subnormal numbers could have changed it
-//   hn_i_value(n)              the float of a noise; hn_i_derivative(n), that of a derivative
+//   hn_i_value(n)              the float of a noise; hn_i_derivative(n), of a derivative
 //   hn_i_select(c, a, b)       a where the condition holds, else b; both are computed
 //   hn_i_choice(c, a, b)       the same of two integers, which may be literals: in HLSL a literal has no type of its
 //                              own, so an overload for integers would be ambiguous
 //   hn_i_truth(c)              the condition as a bool, if it is the same for all points
 //   hn_i_any(c)                whether the condition holds at one of the points
 //
-// cell2d.glsl has the cell, the fraction and the fade of a vector; place.glsl and cell.glsl have those of other
-// dimensions. value.glsl has the steps of value noise, derivative.glsl those of derivatives, cubic_spline.glsl those of
-// splines, direction_turning.glsl those of rotating gradients, falloff.glsl those of simplex noise, and octave.glsl
-// those of fractals.
+// cell2d.glsl has the cell, the fraction and the fade of a vector; place.glsl and cell.glsl have them in
+// other dimensions. The steps are in value.glsl for value noise, in derivative.glsl for derivatives, in
+// cubic_spline.glsl for splines, in direction_turning.glsl for rotating gradients, in falloff.glsl for simplex noise,
+// and in octave.glsl for fractals.
 
 // Units of HN_FIXED. A number is an integer there, which counts units of 2^-n. How many make up 1 has a name where the
 // text needs it, as an int and as a float:
@@ -47,7 +47,7 @@
 //   20      FRACTION  a fraction, an offset and a jitter, in cells; a rank that is not squared
 //   24      POSITION  the fraction of a whole position, and a footprint, in cells
 //   21      VALUE     a value, a fractal, and a component of a unit vector
-//   19      SLOPE     a derivative; that of simplex noise on the plane is in units of 2^-18
+//   19      SLOPE     a derivative; of simplex noise on the plane in units of 2^-18
 //   18      WEIGHT    a fade and its derivative; the weight of a spline, of a point of simplex noise and of an octave;
 //                     a setting of a sum; a number of a Jacobian; a cosine or sine by which something turns
 //   18      DISTANCE  a distance
@@ -106,7 +106,7 @@ HN_FN hn_int hn_i_signed(hn_int m, hn_uint word) { return hn_i_select((word & 0x
 #define HN_I_ONE 1.0f
 
 HN_FN hn_vec2 hn_i_vector(hn_float x, hn_float y) { return vec2(x, y); }
-// The same in 3 and 4 dimensions: tools/make writes it.
+// Generated for 3 and 4 dimensions from the lines above.
 HN_FN hn_vec3 hn_i_vector(hn_float x, hn_float y, hn_float z) { return vec3(x, y, z); }
 HN_FN hn_vec4 hn_i_vector(hn_float x, hn_float y, hn_float z, hn_float w) { return vec4(x, y, z, w); }
 
@@ -162,7 +162,7 @@ HN_FN hn_float hn_i_dot(hn_vec2 g, hn_float x, hn_float y) {
   HN_I_PRECISE hn_float n = g.x * x + g.y * y;
   return n;
 }
-// The same in 3 dimensions: tools/make writes it.
+// Generated for 3 dimensions from the lines above.
 HN_FN hn_float hn_i_dot(hn_vec3 g, hn_float x, hn_float y, hn_float z) {
   HN_I_PRECISE hn_float n = g.x * x + g.y * y + g.z * z;
   return n;
@@ -197,7 +197,7 @@ HN_FN hn_float hn_i_derivative(hn_float n) { return hn_i_flushed(n); }
 #define HN_I_ONE HN_I_UNITS_FRACTION
 
 HN_FN hn_ivec2 hn_i_vector(hn_int x, hn_int y) { return ivec2(x, y); }
-// The same in 3 and 4 dimensions: tools/make writes it.
+// Generated for 3 and 4 dimensions from the lines above.
 HN_FN hn_ivec3 hn_i_vector(hn_int x, hn_int y, hn_int z) { return ivec3(x, y, z); }
 HN_FN hn_ivec4 hn_i_vector(hn_int x, hn_int y, hn_int z, hn_int w) { return ivec4(x, y, z, w); }
 

@@ -14,7 +14,7 @@ HN_FN hn_uvec4 hn_i_previous(hn_uvec4 lower) {
   return uvec4(hn_i_previous(uvec3(lower.x, lower.y, lower.z)), lower.w - HN_I_STEP_W);
 }
 
-// The same in 3 and 4 dimensions: tools/make writes it of block2d.glsl.
+// From here block.glsl is generated from block2d.glsl, in 3 and 4 dimensions.
 
 HN_FN hn_uvec3 hn_i_previous(hn_uvec3 c, hn_ivec3 period) {
   return uvec3(hn_i_previous(c.x, period.x), hn_i_previous(c.y, period.y), hn_i_previous(c.z, period.z));
@@ -24,13 +24,17 @@ HN_FN hn_uvec4 hn_i_previous(hn_uvec4 c, hn_ivec4 period) {
                hn_i_previous(c.w, period.w));
 }
 
-// The same in 3 dimensions: tools/make writes it of block2d.glsl.
+// To here block.glsl is generated from block2d.glsl, in 3 and 4 dimensions.
+
+// From here block.glsl is generated from block2d.glsl, in 3 dimensions.
 
 HN_FN hn_uvec3 hn_i_following(hn_uvec3 c, hn_ivec3 period) {
   return uvec3(hn_i_following(c.x, period.x), hn_i_following(c.y, period.y), hn_i_following(c.z, period.z));
 }
 
-// The same in 3 and 4 dimensions: tools/make writes it of block2d.glsl.
+// To here block.glsl is generated from block2d.glsl, in 3 dimensions.
+
+// From here block.glsl is generated from block2d.glsl, in 3 and 4 dimensions.
 
 // A block has the spread coordinates of a cell, of the previous one along each axis, and of the following one: all that
 // simplex noise and cellular noise visit.
@@ -74,7 +78,7 @@ HN_FN hn_i_block4 hn_i_block(hn_place4 place) {
   return block;
 }
 
-// By hand in each dimension.
+// To here block.glsl is generated from block2d.glsl, in 3 and 4 dimensions.
 
 HN_FN hn_uvec3 hn_i_coordinates_x(hn_i_block3 block) {
   return uvec3(block.previous.x, block.cell.x, block.following.x);

@@ -15,19 +15,23 @@ HN_FN hn_uint hn_i_following(hn_uint c, hn_int period) {
   return hn_i_select(c + 1u == uint(max(period, 0)), 0u, c + 1u);
 }
 
-// The same in 3 and 4 dimensions: tools/make writes it of block2d.glsl.
+// From here block.glsl is generated from block2d.glsl, in 3 and 4 dimensions.
 
 HN_FN hn_uvec2 hn_i_previous(hn_uvec2 c, hn_ivec2 period) {
   return uvec2(hn_i_previous(c.x, period.x), hn_i_previous(c.y, period.y));
 }
 
-// The same in 3 dimensions: tools/make writes it of block2d.glsl.
+// To here block.glsl is generated from block2d.glsl, in 3 and 4 dimensions.
+
+// From here block.glsl is generated from block2d.glsl, in 3 dimensions.
 
 HN_FN hn_uvec2 hn_i_following(hn_uvec2 c, hn_ivec2 period) {
   return uvec2(hn_i_following(c.x, period.x), hn_i_following(c.y, period.y));
 }
 
-// The same in 3 and 4 dimensions: tools/make writes it of block2d.glsl.
+// To here block.glsl is generated from block2d.glsl, in 3 dimensions.
+
+// From here block.glsl is generated from block2d.glsl, in 3 and 4 dimensions.
 
 // A block has the spread coordinates of a cell, of the previous one along each axis, and of the following one: all that
 // simplex noise and cellular noise visit.
@@ -52,9 +56,9 @@ HN_FN hn_i_block2 hn_i_block(hn_place2 place) {
   return block;
 }
 
-// By hand in each dimension.
+// To here block.glsl is generated from block2d.glsl, in 3 and 4 dimensions.
 
-// The spread coordinates of a block along an axis. Of such three hn_i_triple_at chooses the first, the second or the
+// The spread coordinates of a block along an axis. hn_i_triple_at chooses the first, the second or the
 // third, for an n of -1, 0 or 1.
 HN_FN hn_uvec3 hn_i_coordinates_x(hn_i_block2 block) {
   return uvec3(block.previous.x, block.cell.x, block.following.x);

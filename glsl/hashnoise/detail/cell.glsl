@@ -25,7 +25,7 @@ HN_FN hn_uvec4 hn_i_upper(hn_uvec4 lower, hn_uvec4 c, hn_ivec4 period) {
                hn_i_upper_at_seam(upper.z, c.z, period.z, 0u), hn_i_upper_at_seam(upper.w, c.w, period.w, 0u));
 }
 
-// The same in 3 and 4 dimensions: tools/make writes it of cell2d.glsl.
+// From here cell.glsl is generated from cell2d.glsl, in 3 and 4 dimensions.
 
 // The fade of a fraction along each axis.
 #if HN_ARITHMETIC != HN_FIXED
@@ -51,7 +51,9 @@ HN_FN hn_uvec4 hn_i_wrap(hn_ivec4 c, hn_ivec4 period) {
   return uvec4(hn_i_wrap(c.x, period.x), hn_i_wrap(c.y, period.y), hn_i_wrap(c.z, period.z), hn_i_wrap(c.w, period.w));
 }
 
-// The same in 1, 3 and 4 dimensions: tools/make writes it of cell2d.glsl.
+// To here cell.glsl is generated from cell2d.glsl, in 3 and 4 dimensions.
+
+// From here cell.glsl is generated from cell2d.glsl, in 1, 3 and 4 dimensions.
 
 // A box has the spread coordinates of the lower and of the upper corner of a cell. With a period the corners are
 // wrapped. All lattice noises are functions of a box and of the place in it.
@@ -105,7 +107,7 @@ HN_FN hn_i_box4 hn_i_box(hn_place4 place) {
   return box;
 }
 
-// By hand in each dimension.
+// To here cell.glsl is generated from cell2d.glsl, in 1, 3 and 4 dimensions.
 
 // The hashes of the corners of a box: of both ends of a line, of the front or back face of a cube along z, and in four
 // dimensions of the square that z and w choose.

@@ -32,7 +32,7 @@ HN_FN hn_float hn_i_position_of(hn_int cell, hn_float fraction, hn_int rest) {
 }
 #endif
 
-// The same in 3 and 4 dimensions: tools/make writes it of detail/cell2d.glsl.
+// From here place.glsl is generated from detail/cell2d.glsl, in 3 and 4 dimensions.
 
 #if HN_ARITHMETIC == HN_FAST
 HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(floor(p)); }
@@ -47,7 +47,9 @@ HN_FN hn_i_num2 hn_i_fraction(hn_vec2 p) { return hn_i_vector(hn_i_fraction(p.x)
 HN_FN hn_i_num2 hn_i_to_num(hn_vec2 f) { return hn_i_vector(hn_i_to_num(f.x), hn_i_to_num(f.y)); }
 #endif
 
-// The same in 1, 3 and 4 dimensions: tools/make writes it of detail/cell2d.glsl.
+// To here place.glsl is generated from detail/cell2d.glsl, in 3 and 4 dimensions.
+
+// From here place.glsl is generated from detail/cell2d.glsl, in 1, 3 and 4 dimensions.
 
 // Where a noise is evaluated. Make it by hn_place and hn_tile; only `cell` may be read.
 //   cell      the cell; cells wrap at 2^32
@@ -143,7 +145,7 @@ HN_FN hn_vec2 hn_position(hn_place2 place) {
               hn_i_position_of(place.cell.y, place.fraction.y, place.rest.y));
 }
 
-// By hand in each dimension.
+// To here place.glsl is generated from detail/cell2d.glsl, in 1, 3 and 4 dimensions.
 
 // The upper corner of a cell, from its lower corner, both by their spread coordinates. Along an axis the upper one is a
 // step further. Without a period a step adds a constant.
@@ -192,7 +194,7 @@ HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c0, hn_uvec2 c1, hn_uint join, hn_uint odd,
                hn_i_word(a.x ^ b.y, odd + (y + more)), hn_i_word(b.x ^ b.y, odd + (x + y + more)));
 }
 
-// The same in 3 and 4 dimensions: tools/make writes it of cell2d.glsl.
+// From here cell.glsl is generated from cell2d.glsl, in 3 and 4 dimensions.
 
 // The fade of a fraction along each axis.
 #if HN_ARITHMETIC != HN_FIXED
@@ -209,7 +211,9 @@ HN_FN hn_uvec2 hn_i_wrap(hn_ivec2 c, hn_ivec2 period) {
   return uvec2(hn_i_wrap(c.x, period.x), hn_i_wrap(c.y, period.y));
 }
 
-// The same in 1, 3 and 4 dimensions: tools/make writes it of cell2d.glsl.
+// To here cell.glsl is generated from cell2d.glsl, in 3 and 4 dimensions.
+
+// From here cell.glsl is generated from cell2d.glsl, in 1, 3 and 4 dimensions.
 
 // A box has the spread coordinates of the lower and of the upper corner of a cell. With a period the corners are
 // wrapped. All lattice noises are functions of a box and of the place in it.
@@ -231,9 +235,8 @@ HN_FN hn_i_box2 hn_i_box(hn_place2 place) {
   return box;
 }
 
-// By hand in each dimension.
+// To here cell.glsl is generated from cell2d.glsl, in 1, 3 and 4 dimensions.
 
-// The same for a box.
 HN_FN hn_uvec4 hn_i_corners(hn_i_box2 box, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   return hn_i_corners(box.lower, box.upper, hn_i_seed_join(s), hn_i_odd(box.lower, s), 0u);

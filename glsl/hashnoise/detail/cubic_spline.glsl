@@ -69,7 +69,7 @@ HN_FN hn_uvec4 hn_i_line(hn_int cell, hn_int period, bool tiled, hn_uint step, h
   return coordinates;
 }
 
-// The high bits of these coordinates; the shift is that of the axis.
+// The high bits of these coordinates, shifted as for the axis.
 HN_FN hn_uvec4 hn_i_high_of_line(hn_uvec4 v, hn_uint shift) {
   return uvec4(v.x >> shift, v.y >> shift, v.z >> shift, v.w >> shift);
 }
@@ -84,7 +84,7 @@ HN_FN hn_i_num hn_i_cubic_row(hn_uvec4 x, hn_uint join, hn_uint odd, hn_i_num4 w
   return hn_i_blend(hn_i_numbers(h), w);
 }
 
-// The same for four rows along y. `odd` is the odd number of the second point of the second row.
+// Four rows along y. `odd` is the odd number of the second point of the second row.
 HN_FN hn_i_num hn_i_cubic_square(hn_uvec4 x, hn_uvec4 y, hn_uint join, hn_uint odd, hn_i_num4 wx, hn_i_num4 wy) {
   hn_uvec4 b = hn_i_high_of_line(y, 11u);
   hn_i_num4 rows =

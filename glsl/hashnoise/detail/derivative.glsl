@@ -24,7 +24,7 @@ HN_FN hn_vec2 hn_i_d_fade(hn_vec2 f) {
   HN_I_PRECISE hn_vec2 s = q * q * 30.0f;
   return s;
 }
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
+// Generated for 1, 3 and 4 dimensions from the lines above.
 HN_FN hn_float hn_i_d_fade(hn_float f) {
   HN_I_PRECISE hn_float q = f - f * f;
   HN_I_PRECISE hn_float s = q * q * 30.0f;
@@ -49,7 +49,7 @@ HN_FN hn_float hn_i_of_d_corners(hn_float n) { return n; }
 
 #else
 
-// The result is in units of 2^-18. x is that of the fade, in units of 2^-17, and q = x (1 - x) is at most 1/4, in units
+// The result is in units of 2^-18. x is the fade's, in units of 2^-17, and q = x (1 - x) is at most 1/4, in units
 // of 2^-18.
 HN_FN hn_int hn_i_d_fade(hn_int f) {
   hn_uint x = hn_i_from_end(f);
@@ -57,7 +57,7 @@ HN_FN hn_int hn_i_d_fade(hn_int f) {
   return int((((q * q) >> 4u) * 15u + 4096u) >> 13u);
 }
 HN_FN hn_ivec2 hn_i_d_fade(hn_ivec2 f) { return ivec2(hn_i_d_fade(f.x), hn_i_d_fade(f.y)); }
-// The same in 3 and 4 dimensions: tools/make writes it.
+// Generated for 3 and 4 dimensions from the lines above.
 HN_FN hn_ivec3 hn_i_d_fade(hn_ivec3 f) { return ivec3(hn_i_d_fade(f.x), hn_i_d_fade(f.y), hn_i_d_fade(f.z)); }
 HN_FN hn_ivec4 hn_i_d_fade(hn_ivec4 f) {
   return ivec4(hn_i_d_fade(f.x), hn_i_d_fade(f.y), hn_i_d_fade(f.z), hn_i_d_fade(f.w));

@@ -72,7 +72,7 @@ HN_FN hn_float hn_i_ramp1(hn_float g, hn_float x) { return hn_i_times(g, x); }
 
 #else
 
-// Floats compute this without rounding. The summands of 12 are multiples of 2^-20, and those of 3 multiples of 2^-22:
+// Floats compute this without rounding. The summands of 12 are multiples of 2^-20, and with 3 multiples of 2^-22:
 // the last bit of a float there, so that its bits are that number as an integer. Each part of a sum is such a multiple,
 // and so is each partial sum. So no order of the sum rounds, and no contraction. No part may be a difference from a
 // large constant, such as a number whose bits stand behind an exponent: a compiler that knows the other parts would add

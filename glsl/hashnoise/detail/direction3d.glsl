@@ -8,7 +8,7 @@
 #include "direction.glsl"
 
 // In space a gradient is one of the 12 edges of a cube: two components are 1 or -1, and one is 0. Their second moments
-// are those of a sphere. A gradient that is rotated by a sixth of a turn, across a diagonal of the cube, is one of the
+// are a sphere's. A gradient that is rotated by a sixth of a turn, across a diagonal of the cube, is one of the
 // set, too. It keeps a component, and has another axis in place of the other one.
 //
 //   hn_i_signs(h, turned)           the components that are not 0: of a gradient along its first and its second axis,
@@ -16,7 +16,7 @@
 //   hn_i_direction3(h, turned)      all three components
 //   hn_i_along3(g, x, y, z)         a gradient times an offset; in HN_FIXED in units of offsets, 2^-20
 //   hn_i_along3(h, x, y, z, turned)  the same without the component that is 0
-//   hn_i_ramp_of3, hn_i_edge3 and hn_i_d_edge3 are those of direction.glsl from these units
+//   hn_i_ramp_of3, hn_i_edge3 and hn_i_d_edge3 are as in direction.glsl, from these units
 //   hn_i_scaled_d(n, s)             a noise and its derivatives times s / 1024
 
 #if HN_I_BITCAST && HN_ARITHMETIC != HN_FIXED
@@ -43,7 +43,7 @@ HN_FN hn_float hn_i_by_third(hn_uint h, hn_float low, hn_float middle, hn_float 
   return hn_i_select(h < 0x55555555u, low, hn_i_select(h < 0xAAAAAAAAu, middle, high));
 }
 
-// The size chooses the axes: x and y, x and z, y and z. Of these y, x and z are kept, and the other one becomes z, y
+// The size chooses the axes: x and y, x and z, y and z. y, x and z are kept, and the other one becomes z, y
 // and x.
 HN_FN hn_vec2 hn_i_signs(hn_uint h, bool turned) {
   hn_vec2 signs = hn_i_signs(h);

@@ -11,7 +11,7 @@
 // axes: xy and zw below the first third, xw and yz from the second third on, and xz and yw between. Bit 20 chooses the
 // second pair, and bits 22 and 21 are the signs.
 //
-// A ramp is the sum of two offsets. In a kernel it has 30 bits, so its units in HN_FIXED are 2^-28, twice those of
+// A ramp is the sum of two offsets. In a kernel it has 30 bits, so its units in HN_FIXED are 2^-28, twice as large as
 // other ramps. An interpolation between such ramps is scaled by twice as much there.
 //
 //   hn_i_flipped(x, word)        x, or -x if the highest bit of the hash is set

@@ -116,7 +116,7 @@ HN_FN hn_uint hn_i_square(hn_int x, hn_int y) {
   hn_uvec2 l = uvec2(v.x & 1023u, v.y & 1023u);
   return ((h.x * h.x + h.y * h.y) << 10u) + (h.x * l.x + h.y * l.y) * 2u + ((l.x * l.x + l.y * l.y) >> 10u);
 }
-// The same in 3 and 4 dimensions: tools/make writes it.
+// Generated for 3 and 4 dimensions from the lines above.
 HN_FN hn_uint hn_i_square(hn_int x, hn_int y, hn_int z) {
   hn_uvec3 v = uvec3(ivec3(hn_i_size(x), hn_i_size(y), hn_i_size(z)));
   hn_uvec3 h = uvec3(v.x >> 10u, v.y >> 10u, v.z >> 10u);
@@ -175,7 +175,7 @@ HN_FN hn_i_num3 hn_i_weighted_ramp_d(hn_i_num r, hn_vec2 g, hn_i_num x, hn_i_num
   hn_i_num k = hn_i_weighted_ramp(r, fall);
   return hn_i_vector(hn_i_weighted_ramp(r, w), hn_i_d_weighted_ramp(g.x, w, k, x), hn_i_d_weighted_ramp(g.y, w, k, y));
 }
-// The same in 3 dimensions: tools/make writes it.
+// Generated for 3 dimensions from the lines above.
 HN_FN hn_i_num4 hn_i_weighted_ramp_d(hn_i_num r, hn_vec3 g, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num w,
                                      hn_i_num fall) {
   hn_i_num k = hn_i_weighted_ramp(r, fall);

@@ -238,14 +238,14 @@ HN_FN hn_uvec3 hn_i_row_words(hn_uvec3 joins, hn_uvec3 odds, hn_uint join, hn_ui
   return uvec3(hn_i_word(joins.x, odds.x), hn_i_word(joins.y, odds.y), hn_i_word(joins.z, odds.z));
 }
 
-// Inserts a rank into the three smallest ranks so far, and keeps the code of the smallest. Of equal ranks the first
+// Inserts a rank into the three smallest ranks so far, and keeps the code of the smallest. The first of equal ranks
 // stays.
 HN_FN hn_i_rank4 hn_i_insert(hn_i_rank4 best, hn_i_rank rank, hn_int code) {
   return hn_i_ranks(min(best.x, rank), min(best.y, max(best.x, rank)), min(best.z, max(best.y, rank)),
                     hn_i_select(rank < best.x, hn_i_rank_of_code(code), best.w));
 }
 
-// Inserts the ranks of a row. `code` is that of the cell in the middle, and the others are a step from it.
+// Inserts the ranks of a row. `code` is for the cell in the middle, and the others are a step from it.
 HN_FN hn_i_rank4 hn_i_insert(hn_i_rank4 best, hn_i_rank3 ranks, hn_int code, hn_int step) {
   best = hn_i_insert(best, ranks.x, code - step);
   best = hn_i_insert(best, ranks.y, code);

@@ -7,7 +7,7 @@
 #include "block2d.glsl"
 #include "feature_points.glsl"
 
-// The same in every dimension: tools/make writes it of feature_points2d.glsl.
+// From here feature_points3d.glsl is generated from feature_points2d.glsl.
 
 HN_FN hn_i_num2 hn_i_from_centre(hn_i_num2 f) { return hn_i_vector(hn_i_from_centre(f.x), hn_i_from_centre(f.y)); }
 
@@ -38,7 +38,7 @@ HN_FN hn_ivec2 hn_i_cell_of(hn_place2 place, hn_i_rank code) {
                int(hn_i_triple_at(uvec3(before.y, c.y, after.y), hn_i_y_of(int(code)))));
 }
 
-// By hand in each dimension.
+// To here feature_points3d.glsl is generated from feature_points2d.glsl.
 
 // The directions of three hashes along each axis. In HN_FIXED they are in units of 2^-9.
 #if HN_ARITHMETIC != HN_FIXED
@@ -51,7 +51,7 @@ HN_FN hn_vec3 hn_i_points_y(hn_uvec3 words) {
 
 #else
 
-// They are computed as floats, since on GPUs the absolute value of a float costs nothing, and that of an integer does.
+// They are computed as floats, since on GPUs the absolute value of a float costs nothing, and of an integer it does.
 // No step rounds: the floats are whole numbers of few bits.
 HN_FN hn_vec3 hn_i_whole_points(hn_uvec3 words) {
 #if HN_I_BITCAST

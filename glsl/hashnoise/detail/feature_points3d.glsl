@@ -7,7 +7,7 @@
 #include "block.glsl"
 #include "feature_points.glsl"
 
-// The same in every dimension: tools/make writes it of feature_points2d.glsl.
+// From here feature_points3d.glsl is generated from feature_points2d.glsl.
 
 HN_FN hn_i_num3 hn_i_from_centre(hn_i_num3 f) {
   return hn_i_vector(hn_i_from_centre(f.x), hn_i_from_centre(f.y), hn_i_from_centre(f.z));
@@ -42,7 +42,7 @@ HN_FN hn_ivec3 hn_i_cell_of(hn_place3 place, hn_i_rank code) {
                int(hn_i_triple_at(uvec3(before.z, c.z, after.z), hn_i_z_of(int(code)))));
 }
 
-// By hand in each dimension.
+// To here feature_points3d.glsl is generated from feature_points2d.glsl.
 
 // The directions of three hashes. Seen along z the octahedron is a square with corners on the axes, and the fields run
 // along its sides: u = x + y and v = x - y. The height above a point of the square is 1 minus the larger of |u| and
@@ -143,7 +143,7 @@ HN_FN hn_uvec3 hn_i_joins_z(hn_i_block3 block) {
 
 // Inserts the ranks of nine cells in a slab across z into the three smallest so far. x and y are the offsets of the
 // place from their centres along these axes, and z is that along z. `join` and `odd` are what z and the seed add to the
-// joins of a hash. `code` is that of the cell in the middle.
+// joins of a hash. `code` is for the cell in the middle.
 HN_FN hn_i_rank4 hn_i_visit_slab(hn_i_rank4 best, hn_i_block3 block, hn_uint join, hn_uint odd, hn_i_num3 x,
                                  hn_i_num3 y, hn_i_num z, hn_i_num jitter, hn_int metric, hn_int code) {
   hn_uvec3 joins = hn_i_joins_x(block);

@@ -7,8 +7,6 @@
 #include "feature_points_moving.glsl"
 #include "feature_points2d.glsl"
 
-// By hand in each dimension.
-
 // At the corner of four cells each of their points may be sqrt(1/2) + r away, where r is the largest distance from the
 // centre of a cell. A cell beyond has its centre sqrt(5/2) away. So the nearest two are among the four if
 // sqrt(1/2) + r < sqrt(5/2) - r, that is, for r < 0.4370; everywhere else there is more room. Directions are no longer

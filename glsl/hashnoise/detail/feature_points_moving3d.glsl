@@ -7,8 +7,6 @@
 #include "feature_points_moving.glsl"
 #include "feature_points3d.glsl"
 
-// By hand in each dimension.
-
 // As on the plane, but at the corner of eight cells: sqrt(3/4) + r < sqrt(11/4) - r, that is, r < 0.3961. Directions
 // are shorter than 1, so with 25/32 of the jitter r is below 0.3907.
 HN_FN hn_i_num hn_i_moving_jitter3(hn_float jitter) { return hn_i_jitter(jitter, 25); }
@@ -24,7 +22,7 @@ struct hn_i_turn3 {
 HN_FN hn_float hn_i_product_of_sines(hn_float a, hn_float b) { return hn_i_times(a, b); }
 #else
 // Half of a sine times another, in units of 2^-16, may be 2^31: a sine is 1 in places. So the second is halved, too,
-// and its low bit taken on its own. The result is that of the whole product.
+// and its low bit taken on its own. The result is the whole product's.
 HN_FN hn_int hn_i_product_of_sines(hn_int a, hn_int b) {
   hn_int first = a >> 3;
   return ((first * (b >> 3) + ((first * ((b >> 2) & 1) + 16384) >> 1)) >> 14) * 4;

@@ -129,7 +129,7 @@ HN_FN hn_i_num3 hn_i_rotated_by(hn_i_num3 a, hn_i_num3 b, hn_int along, hn_int a
   return hn_i_vector(hn_i_rotated_by(a.x, b.x, along, across), hn_i_rotated_by(a.y, b.y, along, across),
                      hn_i_rotated_by(a.z, b.z, along, across));
 }
-// The same in 3 dimensions: tools/make writes it.
+// Generated for 3 dimensions from the lines above.
 HN_FN hn_i_num3 hn_i_wide_times(hn_i_num3 a, hn_i_num b) {
   return hn_i_vector(hn_i_wide_times(a.x, b), hn_i_wide_times(a.y, b), hn_i_wide_times(a.z, b));
 }
@@ -156,7 +156,7 @@ HN_FN hn_i_num2 hn_i_next_slope(hn_i_num2 e, bool tiled) {
   if (!tiled) next = hn_i_rotated(e);
   return next;
 }
-// The same in 3 dimensions: tools/make writes it.
+// Generated for 3 dimensions from the lines above.
 HN_FN hn_i_num3 hn_i_next_slope(hn_i_num3 e, bool tiled) {
   hn_i_num3 next = e;
   if (!tiled) next = hn_i_rotated(e);

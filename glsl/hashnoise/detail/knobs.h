@@ -1,4 +1,4 @@
-// hashnoise in C++: compares the knobs with those of the text that the translation unit has already. The headers
+// hashnoise in C++: compares the knobs with the knobs of the text that the translation unit has already. The headers
 // include this each time, also where all else of them is there.
 // SPDX-License-Identifier: MIT
 //

@@ -54,7 +54,7 @@ HN_FN hn_int hn_i_summed(hn_int sum, hn_int n, hn_int weight) {
   return sum + ((n * (weight >> 9) + (n >> 9) * (weight & 511)) >> 9);
 }
 
-// The noise of an octave as it is, and in [-1, 1]. (That of HN_GRADIENT_SINE reaches 3/2 in space.)
+// The noise of an octave as it is, and in [-1, 1]. (With HN_GRADIENT_SINE it reaches 3/2 in space.)
 HN_FN hn_int hn_i_octave(hn_float n) { return int(min(max(-1.5f, n), 1.5f) * HN_I_FLOAT_UNITS_VALUE); }
 HN_FN hn_int hn_i_bounded_octave(hn_float n) { return int(min(max(-1.0f, n), 1.0f) * HN_I_FLOAT_UNITS_VALUE); }
 
@@ -124,7 +124,7 @@ HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) { return a / b; }
 
 // The position of the first octave.
 HN_FN hn_vec2 hn_i_flushed_position(hn_vec2 p) { return p; }
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
+// Generated for 1, 3 and 4 dimensions from the lines above.
 HN_FN hn_float hn_i_flushed_position(hn_float p) { return p; }
 HN_FN hn_vec3 hn_i_flushed_position(hn_vec3 p) { return p; }
 HN_FN hn_vec4 hn_i_flushed_position(hn_vec4 p) { return p; }
@@ -146,7 +146,7 @@ HN_FN hn_float hn_i_flushed_position(hn_float p) {
   return hn_i_select((floatBitsToUint(p) & 0x7F800000u) == 0u, 0.0f, p);
 }
 HN_FN hn_vec2 hn_i_flushed_position(hn_vec2 p) { return vec2(hn_i_flushed_position(p.x), hn_i_flushed_position(p.y)); }
-// The same in 3 and 4 dimensions: tools/make writes it.
+// Generated for 3 and 4 dimensions from the lines above.
 HN_FN hn_vec3 hn_i_flushed_position(hn_vec3 p) {
   return vec3(hn_i_flushed_position(p.x), hn_i_flushed_position(p.y), hn_i_flushed_position(p.z));
 }
@@ -252,8 +252,8 @@ HN_FN hn_float hn_i_lacunarity(hn_float lacunarity, bool tiled) {
   return ratio;
 }
 
-// Multiplies a whole position by a ratio. The product of the cell is exact, and that of the fraction loses what is
-// below 2^-24. The rest and the part together are at most 2^32 - 2.
+// Multiplies a whole position by a ratio. The product of the cell is exact, and the product of the fraction loses what
+// is below 2^-24. The rest and the part together are at most 2^32 - 2.
 HN_FN hn_ivec2 hn_i_times_ratio(hn_ivec2 x, hn_uint ratio) {
   if (ratio == 16777216u)
     return ivec2(int((uint(x.x) << 1u) + (uint(x.y) >> 23u)), (x.y << 1) & (HN_I_UNITS_POSITION - 1));

@@ -68,7 +68,7 @@ HN_FN hn_uint hn_i_waves_from(hn_ivec2 k, hn_int x, hn_int y) {
 HN_FN hn_uint hn_i_waves_from(hn_ivec3 k, hn_int x, hn_int y, hn_int z) {
   return hn_i_crossed(k.x, x) + hn_i_crossed(k.y, y) + hn_i_crossed(k.z, z);
 }
-// Converts units of 2^-16 to those of ramps.
+// Converts units of 2^-16 to the units of ramps.
 HN_FN hn_int hn_i_as_ramp(hn_int sine) { return sine * 8192; }
 
 // t^2 (1 - t)^2 is at most 1/16, so 15 times that is below 1. A uint has the largest square of the other, which may be

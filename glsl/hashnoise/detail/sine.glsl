@@ -11,7 +11,7 @@
 //   hn_i_wave(angle, sign)     the sine of an angle in units of 2^-32 turns, or its negative if the highest bit of the
 //                              uint `sign` is set
 //
-// They are numbers of HN_ARITHMETIC. With every HN_ARITHMETIC there are those of HN_FIXED, in units of 2^-16:
+// They are numbers of HN_ARITHMETIC. With every HN_ARITHMETIC there are also those of HN_FIXED, in units of 2^-16:
 //
 //   hn_i_whole_quarter_sine(q), hn_i_whole_wave(angle, sign)
 

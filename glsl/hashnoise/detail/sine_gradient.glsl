@@ -34,7 +34,7 @@ HN_FN hn_uint hn_i_excess_bits(hn_uint m) {
 
 // The argument of the paper's sin(float(int)), in turns, modulo 1, in units of 2^-32. The hash is taken as a signed
 // integer and rounded to the 24 bits of a float (to nearest, ties to even). GLSL does not define how that conversion
-// rounds, or the sine of so large an argument. The result is that of the magnitude.
+// rounds, or the sine of so large an argument. The result is the magnitude's.
 HN_FN hn_uint hn_i_turns(hn_uint w) {
   hn_uint m = hn_i_select((w & 0x80000000u) != 0u, 0u - w, w);
   hn_uint k = hn_i_excess_bits(m);
@@ -48,7 +48,7 @@ HN_FN hn_uint hn_i_turns(hn_uint w) {
   return m * 0x28BE60DBu + high * 0x9391u + (rest >> 16u);
 }
 
-// A gradient times an offset (arithmetic.glsl has that of floats), and the floats of a gradient.
+// A gradient times an offset (for floats it is in arithmetic.glsl), and the floats of a gradient.
 #if HN_ARITHMETIC != HN_FIXED
 
 HN_FN hn_vec2 hn_i_components(hn_vec2 g) { return g; }

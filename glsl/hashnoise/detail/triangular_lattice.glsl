@@ -23,10 +23,10 @@ HN_FN hn_i_num2 hn_i_steps(hn_i_num2 f) { return hn_i_vector(hn_i_plus(f.x, f.x)
 // overflow, which C++ leaves undefined.
 HN_FN hn_int hn_i_add_wrapping(hn_int i, hn_int more) { return int(uint(i) + uint(more)); }
 
-// A coordinate of a point: 2 c + more, where c is that of its cell, and more lies in [-2, 3].
+// A coordinate of a point: 2 c + more, where c is its cell's, and more lies in [-2, 3].
 HN_FN hn_uint hn_i_doubled(hn_uint c, hn_int more) { return c * 2u + uint(more); }
 
-// The same with a period, for a wrapped c. Before it is wrapped, a point lies up to one cell outside of the period.
+// With a period, for a wrapped c. Before it is wrapped, a point lies up to one cell outside of the period.
 HN_FN hn_uint hn_i_doubled(hn_uint c, hn_int more, hn_int period) {
   hn_uint size = uint(max(period, 0)) * 2u;
   hn_uint i = hn_i_doubled(c, more);
@@ -82,7 +82,7 @@ HN_FN hn_i_triangle2 hn_i_triangle(hn_place2 place, hn_i_num2 skewed) {
   return corners;
 }
 
-// The hashes of the corners. The middle corner lies in the row of the first or in that of the last. So it takes its
+// The hashes of the corners. The middle corner lies in the row of the first or of the last. So it takes its
 // row's share of both joins from there.
 HN_FN hn_uvec3 hn_i_triangle(hn_place2 place, hn_i_num2 skewed, hn_uint seed) {
   hn_i_triangle2 corners = hn_i_triangle(place, skewed);

@@ -11,7 +11,7 @@
 //   hn_i_numbers(words)        the same of four hashes
 //   hn_i_noise_of_numbers(n)   a noise, from an interpolation between such numbers
 //   hn_i_value_noise(h, t)     value noise, from the hashes of the corners of a square and the fades along each axis;
-//                              in space from those of the front and of the back face
+//                              in space from the front and the back face
 
 #if HN_ARITHMETIC != HN_FIXED
 

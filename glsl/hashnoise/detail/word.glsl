@@ -103,7 +103,7 @@ HN_FN hn_uint hn_i_mix(hn_uint k) {
 // The seed of another field, where a function needs several.
 HN_FN hn_uint hn_i_other_seed(hn_uint seed) { return hn_i_mix(seed + HN_I_SEED_STEP); }
 
-// The hashes of a vector's second and third component, from those of the first: an odd number of 24 bits times their
+// The hashes of a vector's second and third component, from the first one's: an odd number of 24 bits times their
 // good bits. With other factors two components may depend on each other: docs/measured/quality.md has a test of it.
 HN_FN hn_uvec4 hn_i_words_of_y(hn_uvec4 words) { return (words >> 8u) * 0xEB1831u; }
 HN_FN hn_uvec4 hn_i_words_of_z(hn_uvec4 words) { return (words >> 8u) * 0x84A5E5u; }
@@ -113,7 +113,7 @@ HN_FN hn_uvec4 hn_i_words_of_z(hn_uvec4 words) { return (words >> 8u) * 0x84A5E5
 // loses nothing. Either alone would repeat itself along some line. Without a hash both factors are below 2^24, and
 // compilers see it: such a product costs a quarter of one of 32 bits on AMD's GPUs, and a third on Adreno's. Points
 // that share coordinates share the work: a noise steps from corner to corner in both joins. The lowest bits are not
-// good: bit 0 is that of the first join.
+// good: bit 0 is the first join's.
 
 // The share of the mixed seed in the exclusive or.
 HN_FN hn_uint hn_i_seed_join(hn_uint s) { return s >> 8u; }
@@ -139,7 +139,7 @@ HN_FN hn_uint hn_i_odd(hn_uint sum) {
   hn_uint odd = sum * 2u + 1u;
   return odd + (odd << 12u);
 }
-// The same join, axis by axis: each adds the product of its coordinate, or of a step along it, to an odd number. GPUs
+// The join, axis by axis: each adds the product of its coordinate, or of a step along it, to an odd number. GPUs
 // have a product of 24 bits and an addition as one operation. hn_i_word below takes the sum: with products hn_random
 // would cost 7 to 14% more on Apple, where a product costs four additions.
 //
@@ -183,7 +183,7 @@ HN_FN hn_uint hn_i_word(hn_uvec2 c, hn_uint join, hn_uint sum) {
   hn_uvec2 j = hn_i_high(c);
   return hn_i_word(j.x ^ j.y ^ join, hn_i_odd(hn_i_sum(c) + sum));
 }
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
+// Generated for 1, 3 and 4 dimensions from the lines above.
 HN_FN hn_uint hn_i_word(hn_uint c, hn_uint join, hn_uint sum) {
   hn_uint j = hn_i_high(c);
   return hn_i_word(j ^ join, hn_i_odd(hn_i_sum(c) + sum));
@@ -199,7 +199,7 @@ HN_FN hn_uint hn_i_word(hn_uvec4 c, hn_uint join, hn_uint sum) {
 
 // The hash of a point to which nothing but the mixed seed s adds.
 HN_FN hn_uint hn_i_seeded_word(hn_uvec2 c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
+// Generated for 1, 3 and 4 dimensions from the lines above.
 HN_FN hn_uint hn_i_seeded_word(hn_uint c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
 HN_FN hn_uint hn_i_seeded_word(hn_uvec3 c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
 HN_FN hn_uint hn_i_seeded_word(hn_uvec4 c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }

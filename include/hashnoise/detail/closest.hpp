@@ -63,8 +63,8 @@ constexpr std::string_view kElsewhere[][2] = {
     {"voronoi", "cellular"},
 };
 
-// " (did you mean perlin?)" or " (here it is cellular)", or nothing. Of hn_perlin, too, if the names are without hn_,
-// and of Perlin: no name of ours has capitals.
+// " (did you mean perlin?)" or " (here it is cellular)", or nothing. It works for hn_perlin, too, if the names are
+// without hn_, and for Perlin: no name of ours has capitals.
 template <typename Names>
 std::string suggestion(std::string_view written, const Names& names) {
   std::string word(written);

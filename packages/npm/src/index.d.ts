@@ -9,19 +9,19 @@ export interface Settings {
   // tools/make catalog: settings
   /** "perlin" if it is left out, and of fractals what the shader's take: "perlin", "perlin_d" or "value_vector". */
   noise?: NoiseName;
-  /** Of fractals, from 1 to 32; 6 if they are left out. */
+  /** For fractals: from 1 to 32; 6 if they are left out. */
   octaves?: number;
-  /** Of fractals, from 0 to 255, and a whole number from 1 with a period; 2 if it is left out. */
+  /** For fractals: from 0 to 255, and a whole number from 1 with a period; 2 if it is left out. */
   lacunarity?: number;
-  /** Of fractals, from 0 to 1; 0.5 if it is left out. */
+  /** For fractals: from 0 to 1; 0.5 if it is left out. */
   gain?: number;
-  /** Of ping_pong, weighted and eroded, from 0 to 64, 1 and 16; 2, 1 and 1 if it is left out. */
+  /** For ping_pong, weighted and eroded: from 0 to 64, 1 and 16; 2, 1 and 1 if it is left out. */
   strength?: number;
-  /** Of warp and warp_progressive, in cells, from 0 to 64; 1 if it is left out. */
+  /** For warp and warp_progressive, in cells: from 0 to 64; 1 if it is left out. */
   amplitude?: number;
-  /** Of cellular, from 0 to 1; 1 if it is left out. */
+  /** For cellular: from 0 to 1; 1 if it is left out. */
   jitter?: number;
-  /** Of cellular; "euclidean" if it is left out. */
+  /** For cellular; "euclidean" if it is left out. */
   metric?: MetricName;
   // tools/make catalog: end
 }

@@ -160,7 +160,7 @@ export async function init(module) {
 // ---------------------------------------------------------------------------------------------------------------------
 // Values that users pass.
 
-/** Of a value of the wrong type, or of the right one and beyond its range. */
+/** The error of a value of the wrong type, or of the right one and beyond its range. */
 const errorOf = (value, type) => (typeof value === type ? RangeError : TypeError);
 
 function whole(name, value, least, most) {
@@ -580,7 +580,7 @@ function positions(axis, count, origin, step, number) {
   return { cells, places };
 }
 
-// The same in units of 2^-32 of a cell; a place keeps 24 bits of them.
+// In units of 2^-32 of a cell; a place keeps 24 bits of them.
 function exactly(count, cell, origin, step, number) {
   const cells = new Int32Array(count);
   const places = new Float32Array(count);

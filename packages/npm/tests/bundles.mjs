@@ -1,4 +1,4 @@
-// A bundler keeps the used parts of the package, and each text once. Also: what a node and wgsl take.
+// A bundler keeps the used parts of the package, and each text once. Also: the arguments of a node and of wgsl.
 //
 //   node bundles.mjs
 import assert from "node:assert/strict";
@@ -110,7 +110,7 @@ test("a node lacks its seed at most, and that where GLSL lets it", async () => {
   hn_fbm2(vec2(1, 2), 6, 2, 0.5);
   hn_warp2(vec2(1, 2), 6, 2, 0.5, 1, 7);
   assert.throws(() => hn_fbm2(vec2(1, 2), 6, 2), /^TypeError: hn_fbm2 wants .* got 3 values$/);
-  // Each has forgotten what stands before the seed.
+  // Each lacks an argument before the seed.
   assert.throws(() => hn_warp2(vec2(1, 2), 6, 2, 0.5, 7), /^TypeError: hn_warp2 wants .* got 5 values$/);
   assert.throws(() => hn_phasor2(vec2(1, 2), vec2(3, 0), 7), /^TypeError: hn_phasor2 wants .* got 3 values$/);
   assert.throws(() => hn_perlin2_phase(vec2(1, 2), 7), /^TypeError: hn_perlin2_phase wants .* got 2 values$/);

@@ -2,7 +2,7 @@
 import { createServer } from "node:http";
 import { extname } from "node:path";
 
-/** A server at a port of 127.0.0.1 of its own. `text` returns what a path has, or throws if there is no such file. */
+/** A server at a port of 127.0.0.1 of its own. `text` returns a path's file, or throws if there is no such file. */
 export async function serve(text) {
   const server = createServer(async ({ url }, answer) => {
     const path = new URL(url, "http://localhost").pathname;

@@ -2,7 +2,7 @@
 //
 //   node heights.mjs JOB    {"rows": [[x, y, seed], ...], "texts": {NAME: GLSL}}, all words
 //
-// It prints what comes back as JSON, by names: a word for each row. The package's own text is "page", and Field "npm".
+// It prints the results as JSON, by names: a word for each row. The package's own text is "page", and Field "npm".
 import { readFile } from "node:fs/promises";
 import { Field } from "hashnoise";
 import fbm2d from "hashnoise/glsl/fbm2d";

@@ -33,7 +33,7 @@ before(async () => {
     if (path === "/index.html") assert.equal(text.match(ofCdn).length, 4);
     return text.replaceAll(ofCdn, "/node_modules/three/");
   });
-  // A processor that draws what is meant for a GPU takes seconds.
+  // A processor that draws a GPU's work takes seconds.
   browser = await launch({ protocolTimeout: 300_000, args: ["--disable-gpu-watchdog"] });
 });
 after(async () => {

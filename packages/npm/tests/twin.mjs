@@ -8,7 +8,7 @@ import { bitsOf, has, ids, meaning, read } from "./golden_values.mjs";
 
 const [golden] = process.argv.slice(2);
 
-// Columns of what a field has not.
+// Columns that a field lacks.
 const ABSENT = ["phase", "detail", "footprint", "units", "nx", "ox"];
 const SETTINGS = ["octaves", "lacunarity", "gain", "strength", "amplitude", "jitter"];
 const METRICS = ["euclidean", "squared", "manhattan", "chebyshev", "hybrid"];

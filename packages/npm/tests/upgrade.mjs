@@ -3,7 +3,7 @@
 //
 //   node upgrade.mjs ROOT [COMMIT]    of the repository, and a commit of an earlier version (default: the last release)
 //
-// Exit status: that of the tests; 77 the commit is not here, as in a clone without history or tags.
+// Exit status: as of the tests; 77 the commit is not here, as in a clone without history or tags.
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
 import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";

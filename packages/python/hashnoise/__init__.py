@@ -18,7 +18,7 @@ the field is exact however far out.
 
 The result is an array of float32; of numbers alone it is a float. A function that returns several numbers for a point
 returns planes, an array with an axis for them in front, which can be unpacked. Where a coordinate is NaN or infinite,
-all numbers of the point are NaN. Of masked arrays the result is one, and is masked where one of them is.
+all numbers of the point are NaN. With masked arrays the result is one, masked where one of them is.
 
 All functions have these options:
 
@@ -42,7 +42,7 @@ All functions have these options:
 
 Fractals (fbm and the others that fractals() names) also have these:
 
-    noise            what is summed: the name of a noise that returns one number for a point; of fbm_d and eroded one
+    noise            the noise of the sum: the name of one that returns a number for a point; of fbm_d and eroded one
                      with its slopes, and of the warps one with a number for each axis. perlin_worley sums its own
     octaves          how many, from 1 to 32; each costs one noise
     lacunarity       how much finer each octave is than the one before, usually 2. With a period it is a whole number

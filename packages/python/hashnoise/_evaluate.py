@@ -1,4 +1,4 @@
-"""Checks what users pass, and evaluates fields: what every function of the package does."""
+"""Checks arguments, and evaluates fields: the work of every function of the package."""
 
 import functools
 import math

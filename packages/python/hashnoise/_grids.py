@@ -1,4 +1,4 @@
-"""Uniform grids, and what there is to choose from."""
+"""Uniform grids, and their choices."""
 
 import numpy as np
 
@@ -51,7 +51,7 @@ def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None
                   it becomes another type than float32
 
     The other options are those of the function that is called `name`, with its defaults; one that it does not have is a
-    TypeError. Of a function that returns planes the array has an axis of planes in front: (planes, height, width).
+    TypeError. If the function returns planes, the array has an axis of planes in front: (planes, height, width).
 
     >>> image = hashnoise.grid("perlin", (640, 480), step=0.01, seed=7)
     >>> image.shape
@@ -162,12 +162,12 @@ def instruction_sets():
 
 def field_of(function, name, dimensions, options):
     """The field that the function called `name` is of, with its defaults for what is left out or None."""
-    settings = _options(function, name, {option: value for option, value in options.items() if value is not None})
+    settings = options_of(function, name, {option: value for option, value in options.items() if value is not None})
     return make_field(function, dimensions, settings.pop("noise", None), settings.pop("fractal"), settings)
 
 
-def _options(function, name, given):
-    """The noise, the fractal and the options that make the function called `name`: its defaults, and what is given."""
+def options_of(function, name, given):
+    """The noise, the fractal and the options that make the function called `name`: its defaults, and the given ones."""
     if isinstance(name, str) and name in _noises.NOISES:
         own, chosen = _noises.NOISES[name], {"noise": name, "fractal": ""}
     elif isinstance(name, str) and name in _sums.SUMS:

@@ -1,5 +1,5 @@
 # Made by tools/make catalog from catalog/noises.toml and settings.toml.
-"""The noises: each is a function of arrays of coordinates. help(hashnoise) describes what they have in common."""
+"""The noises: each is a function of arrays of coordinates. help(hashnoise) describes their common options."""
 
 from ._evaluate import evaluated, suggesting
 
@@ -37,9 +37,9 @@ def perlin_d(x=None, y=None, z=None, w=None, /, *, points=None, seed=0, period=N
     """Perlin noise and its slope, in 1D to 4D.
 
     phase    in 2D and 3D: as of `perlin`
-    returns  planes: the value, which is that of `perlin`, and its derivatives along each axis, per cell, once
-             continuously differentiable: in [-2.69, 2.69] in 1D, [-2.91, 2.91] in 2D, [-3.61, 3.61] in 3D and [-3.62,
-             3.62] in 4D, without a phase
+    returns  planes: the value of `perlin`, and its derivatives along each axis, per cell, once continuously
+             differentiable: in [-2.69, 2.69] in 1D, [-2.91, 2.91] in 2D, [-3.61, 3.61] in 3D and [-3.62, 3.62] in 4D,
+             without a phase
     source   the product rule on the interpolation; docs/reference/contract.md, section 10
 
     help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
@@ -77,8 +77,8 @@ def value_d(x=None, y=None, z=None, w=None, /, *, points=None, seed=0, period=No
             out=None, threads=None, instruction_set=None):
     """Value noise and its slope, in 1D to 4D.
 
-    returns  planes: the value, which is that of `value`, and its derivatives along each axis, per cell, in [-3.76,
-             3.76], once continuously differentiable
+    returns  planes: the value of `value`, and its derivatives along each axis, per cell, in [-3.76, 3.76], once
+             continuously differentiable
     source   the product rule on the interpolation; docs/reference/contract.md, section 10
 
     help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
@@ -141,9 +141,8 @@ def simplex_d(x=None, y=None, z=None, w=None, /, *, points=None, seed=0, period=
     """Simplex noise and its slope, in 2D to 4D.
 
     phase    in 2D and 3D: as of `simplex`
-    returns  planes: the value, which is that of `simplex`, and its derivatives along each axis, per cell, once
-             continuously differentiable: in [-8.46, 8.46] in 2D, [-4.81, 4.81] in 3D and [-6.06, 6.06] in 4D, without a
-             phase
+    returns  planes: the value of `simplex`, and its derivatives along each axis, per cell, once continuously
+             differentiable: in [-8.46, 8.46] in 2D, [-4.81, 4.81] in 3D and [-6.06, 6.06] in 4D, without a phase
     source   the product rule on weight and ramp; docs/reference/contract.md, section 13
 
     help(hashnoise) explains the other options: `points`, `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
@@ -159,7 +158,7 @@ def simplex_d(x=None, y=None, z=None, w=None, /, *, points=None, seed=0, period=
 @suggesting
 def simplex_smooth(x=None, y=None, z=None, /, *, points=None, seed=0, period=None, cell=None, arithmetic="fast",
                    out=None, threads=None, instruction_set=None):
-    """Smooth simplex noise, in 2D and 3D: its kernel is larger than that of `simplex`, so the field is calmer.
+    """Smooth simplex noise, in 2D and 3D: its kernel is larger than `simplex`'s, so the field is calmer.
 
     returns  [-1, 1], mean 0, 0 at lattice points, twice continuously differentiable
     source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/reference/contract.md,

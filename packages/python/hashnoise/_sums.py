@@ -1,5 +1,5 @@
 # Made by tools/make catalog from catalog/sums.toml and settings.toml.
-"""The fractals and the warps, over any noise. help(hashnoise) describes what they have in common."""
+"""The fractals and the warps, over any noise. help(hashnoise) describes their common options."""
 
 from ._evaluate import evaluated, suggesting
 
@@ -180,8 +180,7 @@ def fbm_d(x=None, y=None, z=None, /, *, points=None, seed=0, noise="perlin_d", o
     """Fractional Brownian motion (fBm) and its slope, in 2D and 3D.
 
     noise    one with derivatives: "perlin_d", "simplex_d" or "value_d"
-    returns  planes: the value, which is that of `fbm`, and its derivatives along each axis, per cell of the first
-             octave
+    returns  planes: the value of `fbm`, and its derivatives along each axis, per cell of the first octave
     source   as of `fbm`
 
     help(hashnoise) explains the other options: `points`, `seed`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,

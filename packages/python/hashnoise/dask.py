@@ -68,7 +68,7 @@ def grid(name, size, *, step, chunks="auto", arithmetic="fixed", threads=1, **op
 
 
 def data_array(name, size, *, step, cell_size=1.0, unit="cells", chunks="auto", **options):
-    """The same as an xarray.DataArray, with coordinates: to cut by place, and to write as Zarr.
+    """The grid as an xarray.DataArray, with coordinates: to cut by place, and to write as Zarr.
 
     cell_size  the side of a cell in the unit of the coordinates: with step=1 / 256 and cell_size=256 points are 1 apart
     unit       its name, as in "m"; the attribute `units` of the coordinates
@@ -77,9 +77,9 @@ def data_array(name, size, *, step, cell_size=1.0, unit="cells", chunks="auto", 
     rounded as in hashnoise.grid.
 
     The other arguments are those of `grid`. The axes are called x, y, z and w, and that of planes "component", whose
-    coordinates are the names that hashnoise.components gives. The attributes state how it was made. Of uint16 they have
-    `scale_factor` and `add_offset`, by which xarray makes values of words when it opens a file; so planes that have
-    other ranges each, as those of cellular, want a `range`.
+    coordinates are the names that hashnoise.components gives. The attributes state how it was made. For uint16 they
+    have `scale_factor` and `add_offset`, by which xarray makes values of words when it opens a file; so planes that
+    have other ranges each, as those of cellular, want a `range`.
 
     >>> land = hashnoise.dask.data_array("fbm", (1000, 600), step=1 / 256, cell_size=256, unit="m", seed=7)
     >>> land.dims, float(land.x[0]), float(land.x[-1]), land.x.units
@@ -112,7 +112,7 @@ def data_array(name, size, *, step, cell_size=1.0, unit="cells", chunks="auto", 
 
 
 def _lazy(function, name, size, chunks, options):
-    """A grid as a Dask array. `options` are those of hashnoise.grid."""
+    """A grid as a Dask array. `options` are hashnoise.grid's."""
     for option in ("first", "out", "return_range"):
         if option in options:
             raise TypeError(f"{function}: {option} is an option of hashnoise.grid alone; cut the array in its place, "

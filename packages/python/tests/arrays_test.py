@@ -353,7 +353,7 @@ class Grids(unittest.TestCase):
         self.assertEqual(hashnoise.grid("fbm", (9, 0), step=0.05, dtype="uint16").shape, (0, 9))
 
     def test_every_float16(self):
-        """Of a line through 0, whose values are all that a float16 may be between -1 and 1."""
+        """A line through 0 has as values all that a float16 may be between -1 and 1."""
         for step in (2.0**-26, 2.0**-20, 2.0**-12, 0.0371):
             values = hashnoise.grid("perlin", 40_001, step=step, origin=-20_000 * step)
             self.assertEqual(hashnoise.grid("perlin", 40_001, step=step, origin=-20_000 * step, dtype="f2").tobytes(),

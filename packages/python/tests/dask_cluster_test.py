@@ -55,7 +55,7 @@ class Cluster(unittest.TestCase):
         self.client = self.enterContext(distributed.Client(self.cluster))
 
     def processes(self) -> dict[str, int]:
-        """Of the workers, by their addresses."""
+        """The processes of the workers, by their addresses."""
         return self.client.run(os.getpid)
 
     def test_blocks_of_killed_workers_are_the_same_again(self):

@@ -50,7 +50,7 @@ class Golden:
 
 
 def of_package(calls: str) -> str:
-    """A function's name in the package. Of hn_cellular_phase the phase is an option of cellular there."""
+    """A function's name in the package. The phase of hn_cellular_phase is an option of cellular there."""
     return calls.removeprefix("hn_").removesuffix("_phase")
 
 

@@ -96,7 +96,7 @@ class Fast(unittest.TestCase):
 
 
 class Reported(unittest.TestCase):
-    """The comparisons notice what is wrong."""
+    """The comparisons notice faults."""
 
     def setUp(self):
         self.file = golden.read("noise2d.perlin_d", "lattice+fixed")

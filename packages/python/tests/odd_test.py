@@ -1,4 +1,4 @@
-"""Odd inputs, of every function: what is no number, huge, masked, of another type or another kind of array."""
+"""Odd inputs, of every function: NaN, huge, masked, of another type or another kind of array."""
 
 from __future__ import annotations
 
@@ -268,7 +268,7 @@ class Kinds(unittest.TestCase):
                     hashnoise.value(wrong)
 
     def test_subclasses(self):
-        """Of an array that is no masked one the result is a plain one."""
+        """An array that is no masked one gives a plain one."""
         class Own(numpy.ndarray):
             pass
 

@@ -1,5 +1,5 @@
-"""The source distribution has what the build reads, and not the rest of the repository. The wheel has the licenses of
-what is compiled into it, which the source distribution does not have. Both have the page that PyPI shows."""
+"""The source distribution has the build's inputs, and not the rest of the repository. The wheel has the licenses of
+the parts compiled into it, which the source distribution does not have. Both have the page that PyPI shows."""
 
 from __future__ import annotations
 

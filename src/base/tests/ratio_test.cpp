@@ -31,7 +31,6 @@ TEST(Timing, MedianAndSpread) {
 TEST(Ratio, OfTooFewRoundsCannotBeTold) {
   EXPECT_FALSE(ratio({{6.0}}, {{1.0}}, {{1.0}}).known());
   EXPECT_FALSE(ratio({}, {}, {}).known());
-  EXPECT_FALSE(ratio({}, {}).known());
   // Two of three rounds prove nothing.
   EXPECT_FALSE(ratio({{6.0, 6.0, 6.0}}, {{1.0, 0.5, 3.0}}, {{1.0, 1.0, 1.0}}).known());
   EXPECT_EQ(text_of({}), "cannot be told");
@@ -69,12 +68,6 @@ TEST(Ratio, OfRounds) {
     EXPECT_EQ(is.value, row.value) << row.what;
     EXPECT_EQ(is.spread, row.spread) << row.what;
   }
-}
-
-TEST(Ratio, WithoutAnythingEmpty) {
-  const Ratio is = ratio({{4.0, 40.0, 9.0}}, {{2.0, 20.0, 3.0}});
-  EXPECT_EQ(is.value, 2.0);
-  EXPECT_EQ(is.spread, 0.25);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Whether a field is what it should be, and if not, where it differs first.
+// Whether a field is right, and if not, where it differs first.
 // SPDX-License-Identifier: MIT
 
 #pragma once

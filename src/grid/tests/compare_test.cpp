@@ -1,4 +1,4 @@
-// The comparison of fields must report what is wrong with them.
+// The comparison of fields must report their faults.
 #include "compare.hpp"
 
 #include <gtest/gtest-spi.h>

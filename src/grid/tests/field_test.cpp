@@ -55,7 +55,6 @@ std::string error_of(const Places& places, std::size_t numbers) {
   return {};
 }
 
-// Whether a text has each of these parts.
 testing::AssertionResult has_parts(const std::string& text, std::initializer_list<std::string_view> parts) {
   for (const std::string_view part : parts) {
     if (text.find(part) == std::string::npos) {
@@ -531,7 +530,7 @@ TEST(Errors, OfOctavesThatOverflow) {
   EXPECT_ERROR(error_of<2>(settings));
 }
 
-// Of the greatest that are allowed, everything is a number: positions at the end of the domain, of each sum.
+// With the greatest allowed settings everything is a number: positions at the end of the domain, in each sum.
 TEST(Values, AreFiniteAtTheEndsOfWhatIsAllowed) {
   for (const std::string& sum : twin::sums(2)) {
     for (const int octaves : {2, 5, 32}) {

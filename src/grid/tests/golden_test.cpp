@@ -49,7 +49,7 @@ Golden read(const hn::Function& function) {
   if (!file) throw std::runtime_error(file.error().text());
   Golden golden;
   golden.calls = file->calls.substr(std::string("hn_").size());
-  // Of hn_cellular_phase the phase is a setting.
+  // The phase of hn_cellular_phase is a setting.
   if (golden.calls.ends_with("_phase")) golden.calls.erase(golden.calls.rfind("_phase"));
   golden.dimensions = function.axes;
   golden.from_cell = function.takes_cell();

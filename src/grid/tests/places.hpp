@@ -1,4 +1,4 @@
-// Where the points of a grid are, and what a twin is there: from the comments in points.hpp.
+// Where the points of a grid are, and the twin's value there: from the comments in points.hpp.
 // SPDX-License-Identifier: MIT
 
 #pragma once
@@ -27,7 +27,6 @@ struct CellPlace {
 // Point i along an axis of a grid.
 float coordinate(float origin, float step, int i);
 
-// The same of a grid from a cell.
 struct CellCoordinate {
   std::int32_t cell;
   float f;
@@ -128,7 +127,6 @@ std::vector<float> planes_of(const Function<D>& function, const std::vector<Plac
   return planes;
 }
 
-// Of the first plane.
 Range range_of(std::span<const float> planes, std::size_t points);
 
 }  // namespace hashnoise::twin

@@ -13,7 +13,6 @@
 
 namespace hashnoise::twin {
 
-// The options of a noise.
 bool has_jitter(const std::string& noise);
 bool has_metric(const std::string& noise);
 bool has_wave(const std::string& noise);
@@ -58,7 +57,7 @@ Grid<D> draw_grid(int most, float largest, Draw draw, Chance& chance);
 template <int D>
 CellGrid<D> draw_cell_grid(int most, Chance& chance);
 
-// Lists that own what they list.
+// Lists that own their items.
 template <int D>
 struct PointList {
   std::array<std::vector<float>, D> p;

@@ -1,4 +1,4 @@
-// The scalar functions of hashnoise.hpp by the names of Settings: what a field should be, point by point.
+// The scalar functions of hashnoise.hpp by the names of Settings: the right values of a field, point by point.
 // SPDX-License-Identifier: MIT
 
 #pragma once
@@ -23,7 +23,7 @@ struct Function {
   std::function<void(const std::array<std::int32_t, D>& cell, const std::array<float, D>& f, float* values)> in;
 };
 
-// Throws std::logic_error if there is no such function. The settings must outlive what is returned.
+// Throws std::logic_error if there is no such function. The settings must outlive the result.
 template <int D>
 Function<D> function(const Settings& settings);
 

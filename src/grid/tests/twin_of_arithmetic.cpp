@@ -59,7 +59,7 @@ auto glsl(const Array& a) {
   if constexpr (D == 4) return Vector4<T>{a[0], a[1], a[2], a[3]};
 }
 
-// The components of what a function returns.
+// The components of a function's result.
 void store(float v, float* values) { *values = v; }
 void store(vec2 v, float* values) { std::ranges::copy(std::array{v.x, v.y}, values); }
 void store(vec3 v, float* values) { std::ranges::copy(std::array{v.x, v.y, v.z}, values); }

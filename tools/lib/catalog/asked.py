@@ -25,5 +25,5 @@ def modules() -> dict[str, tuple[tuple[str, ...], int]]:
 
 
 def snippets() -> dict[str, str]:
-    """The functions of docs/reference/snippets, and what each is for."""
+    """The functions of docs/reference/snippets, and the use of each."""
     return {f"hn_{name}": what for name, what in _lists()["snippets"].items()}

@@ -1,4 +1,4 @@
-"""The catalog is right, what is made of it is committed, and a wrong entry is reported with its place."""
+"""The catalog is right, its products are committed, and a wrong entry is reported with its place."""
 
 import ast
 import contextlib

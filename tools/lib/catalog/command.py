@@ -1,10 +1,11 @@
-"""Makes what the parts of the project have to know of noises, sums and settings from the one table of them, catalog/.
+"""Makes the tables of noises, sums and settings that the parts of the project have, from the one table of them,
+catalog/.
 
     tools/make catalog            writes it
-    tools/make catalog --check    whether it is what it should be
+    tools/make catalog --check    whether it is up to date
 
 A noise or a sum is one entry of catalog/noises.toml or sums.toml; the comments at their top state what the keys mean.
-Files that are made state it at their top, and in others what is made stands between two marks. It also writes the
+Files that are made state it at their top, and others have the made text between two marks. It also writes the
 version and the address of the project into the files that repeat them, which catalog/copies.py lists.
 
 Exit status: 0 all is as it should be, 1 (--check) a file is not, 2 bad usage, or an entry that is wrong.

@@ -42,7 +42,7 @@ def filled(line: str) -> str:
 
 
 def pattern(line: str) -> str:
-    """Of the line with any version and address."""
+    """The pattern of the line with any version and address."""
     return NAME.sub(lambda name: ANY[name[0]], re.escape(line))
 
 
@@ -57,7 +57,7 @@ def made(file: str, text: str) -> str:
 
 
 def wrong() -> list[str]:
-    """The lines that are not as they must be, and what they must be."""
+    """The lines that are not as they must be, and the right ones."""
     found = []
     for file, lines in LINES.items():
         text = (ROOT / file).read_text(encoding="utf-8")

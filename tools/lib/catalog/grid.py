@@ -76,7 +76,7 @@ def needs_octahedral_gradients(function: Function) -> bool:
 
 
 def guards(catalog: Catalog) -> str:
-    """Of the header: calls that GLSL would refuse are refused."""
+    """The header refuses the calls that GLSL would refuse."""
     functions = (*catalog.noises, *catalog.sums)
     steps = dict.fromkeys(sum_.public_step for sum_ in catalog.sums if sum_.public_step)
     some = [function for function in functions if needs_octahedral_gradients(function)]

@@ -22,12 +22,11 @@ PAGE = "docs/guide/javascript.md"
 PLAYGROUND = ROOT / "playground" / "catalog.js"
 MOST_DIMENSIONS = 3  # of the twin
 MOST_BYTES = 52_000  # of its module
-PARTS = ("jitter", "metric")  # what a noise of the twin takes beside a seed and a period; it has no phases
+PARTS = ("jitter", "metric")  # the options of a noise of the twin beside a seed and a period; it has no phases
 NUMBERS = ("seed", "period", "jitter", "octaves", "lacunarity", "gain")
 
 
 def literal(value: Any) -> str:
-    """The value in JavaScript."""
     if isinstance(value, Mapping):
         return f"{{ {', '.join(f'{key}: {literal(one)}' for key, one in value.items())} }}"
     if isinstance(value, (list, tuple)):
@@ -66,7 +65,7 @@ class Twin:
 
     def __init__(self, catalog: Catalog) -> None:
         self.noises = [noise for noise in catalog.noises if noise.small and noise.first <= MOST_DIMENSIONS]
-        # Of a sum of its own noises there would be kernels of these.
+        # There would be kernels for its own noises.
         self.sums = [sum_ for sum_ in catalog.sums if sum_.first <= MOST_DIMENSIONS and sum_.takes_noise]
         self.absent = [function for function in (*catalog.noises, *catalog.sums)
                        if function not in (*self.noises, *self.sums)]
@@ -74,7 +73,7 @@ class Twin:
         self.settings = catalog.settings
 
     def owners(self, option: str) -> list[str]:
-        """Of a jitter or a metric the noises that have it, and of a strength or an amplitude the sums."""
+        """The noises that have a jitter or a metric, and the sums that have a strength or an amplitude."""
         if option in STRENGTHS:
             return [sum_.name for sum_ in self.sums if sum_.strength and sum_.strength.name == option]
         return [noise.name for noise in self.noises if option in noise.options]
@@ -125,7 +124,7 @@ def types_of_settings(twin: Twin) -> str:
         def each(values: Sequence[float]) -> str:
             return str(values[0]) if len(set(values)) == 1 else listed(values)
 
-        return (f"Of {listed(list(owners))}{unit}, from 0 to {each([one.most for one in owners.values()])}; "
+        return (f"For {listed(list(owners))}{unit}: from 0 to {each([one.most for one in owners.values()])}; "
                 f"{each([one.default for one in owners.values()])} if it is left out.")
 
     jitter, octaves = twin.settings["jitter"], twin.settings["octaves"]
@@ -133,15 +132,15 @@ def types_of_settings(twin: Twin) -> str:
     return "".join([
         member("noise", "NoiseName", f'"perlin" if it is left out, and of fractals what the shader\'s take: '
                                      f'{in_quotes(usual[:-1])} or "{usual[-1]}".'),
-        member("octaves", "number", f"Of fractals, from {octaves.least} to {octaves.most}; {twin.default('octaves')} if "
+        member("octaves", "number", f"For fractals: from {octaves.least} to {octaves.most}; {twin.default('octaves')} if "
                                     "they are left out."),
-        *(member(name, "number", f"Of fractals, from 0 to {most}; {twin.default(name)} if it is left out.")
+        *(member(name, "number", f"For fractals: from 0 to {most}; {twin.default(name)} if it is left out.")
           for name, most in (("lacunarity", "255, and a whole number from 1 with a period"), ("gain", "1"))),
         member("strength", "number", strength("strength")),
         member("amplitude", "number", strength("amplitude", ", in cells")),
-        member("jitter", "number", f"Of {listed(twin.owners('jitter'))}, from {jitter.least} to {jitter.most}; "
+        member("jitter", "number", f"For {listed(twin.owners('jitter'))}: from {jitter.least} to {jitter.most}; "
                                    f"{twin.default('jitter')} if it is left out."),
-        member("metric", "MetricName", f'Of {listed(twin.owners("metric"))}; "{twin.metrics[0]}" if it is left out.')])
+        member("metric", "MetricName", f'For {listed(twin.owners("metric"))}; "{twin.metrics[0]}" if it is left out.')])
 
 
 def types_of_names(twin: Twin) -> str:
@@ -190,7 +189,7 @@ def sums(twin: Twin) -> str:
 
 
 def settings_of_page(twin: Twin) -> str:
-    """The table in docs/guide/javascript.md, and what is not in the twin."""
+    """The table in docs/guide/javascript.md, and the noises that the twin lacks."""
     def by_dimensions(functions: Sequence[Function]) -> str:
         line = code([function.name for function in functions if function.is_in(1)])
         return f"{line}; in 2D and 3D {code([function.name for function in functions if not function.is_in(1)])}"
@@ -228,7 +227,7 @@ def package(twin: Twin) -> dict[Path, str]:
 
 
 # ---------------------------------------------------------------------------------------------------------------------
-# The playground. The page has to stay small, so what is not true or not there is left out.
+# The playground. The page has to stay small, so false and missing options are left out.
 
 
 def drawn(catalog: Catalog) -> tuple[list[Noise], list[Sum]]:
@@ -246,7 +245,7 @@ def shown(function: Function) -> str:
 
 
 def may_draw(noise: Noise, option: str) -> bool:
-    """Of points that go round there is nothing: at a phase of 0 they are not those of the noise without one."""
+    """Noise with points that go round is left out: at a phase of 0 it is not the noise without one."""
     return option != "phase" or "jitter" not in noise.options
 
 
@@ -267,7 +266,7 @@ def playground(catalog: Catalog) -> str:
 
     noises, sums = drawn(catalog)
     return "".join([
-        "// Made by tools/make catalog. Of a steep noise there are slopes, and a steep sum needs them.\n",
+        "// Made by tools/make catalog. A steep noise has slopes, and a steep sum needs them.\n",
         "export const kCatalog = {\n", "  noises: {\n",
         rows({noise.name: of_noise(noise) for noise in noises}, "    "), "  },\n", "  sums: {\n",
         rows({sum_.name: of_sum(sum_) for sum_ in sums}, "    "), "  },\n", f"  metrics: {literal(catalog.metrics)},\n", "  settings: {\n",

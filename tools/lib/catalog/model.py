@@ -1,4 +1,4 @@
-"""The catalog: what there is, as catalog/*.toml have it, and what is wrong with them."""
+"""The catalog as catalog/*.toml have it, and its faults."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ OWN = "own"  # the noise of a sum that leaves no choice
 MEANS = ("", "density", "billows", "bounded")  # glsl/hashnoise/detail/octave.glsl
 
 
-# Of the steps of glsl/hashnoise/detail/octave.glsl, that of hn_add, and one that is not public.
+# Two steps of glsl/hashnoise/detail/octave.glsl: the one of hn_add, and one that is not public.
 PLAIN, BOUNDED = "noise", "bounded_size"
 
 
@@ -106,8 +106,8 @@ class Sum(Function):
     range: tuple[float, float] | str  # "noise": that of the noise; its strength's name: all up to that size
     strength: Strength | None
     step: str  # by which it adds an octave to a value; "" if it is none
-    mean: str  # what it makes of the mean
-    adds_words: str  # what the step adds, in words
+    mean: str  # its value from the mean
+    adds_words: str  # the step's work, in words
     error: str  # in words
 
     @property

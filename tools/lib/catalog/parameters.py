@@ -25,7 +25,8 @@ def _read() -> Catalog:
 
 
 def about(function: str, parameter: str, is_fixed: bool) -> About | None:
-    """Of a function such as hn_warp, or a form such as hn_warp2; None where the catalog lacks the parameter."""
+    """The text on a parameter of a function such as hn_warp, or of a form such as hn_warp2; None if the catalog lacks
+    it."""
     of = _read()
     if parameter == "metric":
         listed = ", ".join(f"{number} {name}" for number, name in enumerate(of.metrics, 1))

@@ -18,11 +18,11 @@ PLACE = ("0.5", "0.25", "0.75", "0.125")  # of the examples: as many of them as 
 
 NOISES = '''\
 # Made by tools/make catalog from catalog/noises.toml and settings.toml.
-"""The noises: each is a function of arrays of coordinates. help(hashnoise) describes what they have in common."""
+"""The noises: each is a function of arrays of coordinates. help(hashnoise) describes their common options."""
 '''
 SUMS = '''\
 # Made by tools/make catalog from catalog/sums.toml and settings.toml.
-"""The fractals and the warps, over any noise. help(hashnoise) describes what they have in common."""
+"""The fractals and the warps, over any noise. help(hashnoise) describes their common options."""
 '''
 # Overloads of a grid in a stub: its array has the type of dtype, or of `out`.
 GRID = ("name: _Name, size: _Wholes, *, step: _Numbers, origin: _Numbers = 0.0, cell: _Wholes | None = None, "

@@ -1,6 +1,6 @@
 """GLSL of sums from the catalog: their loops and forms, and the public steps in loops.
 
-tools/make umbrella makes the other dimensions of what this writes for the plane.
+tools/make umbrella makes the other dimensions from this text for the plane.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def named(text: str) -> str:
 
 
 def commented(text: str, heading: str = "") -> str:
-    """A paragraph, or what stands behind a heading."""
+    """A paragraph, or the text behind a heading."""
     first, rest = (f"//   {heading:<11} ", "//" + 15 * " ") if heading else ("// ", "// ")
     return "".join(f"{line}\n" for line in textwrap.wrap(text, WIDTH, initial_indent=first, subsequent_indent=rest,
                                                          break_long_words=False, break_on_hyphens=False))

@@ -1,4 +1,4 @@
-"""Writes what the suite is compiled with: its functions and its settings, as C++, and its settings for CMake.
+"""Writes code for the suite: its functions and its settings, as C++, and its settings for CMake.
 
     python3 -m catalog.suite FOLDER
 
@@ -25,7 +25,7 @@ HEAD_OF_SUMS = HEAD + """\
 //
 //   OCTAVE_SUM(name, noise, most strength or amplitude, least, greatest, is bounded, step, mean): the noise is that which
 //     its GLSL function sums. Values that are not bounded may be as large as the noise, if that is beyond the least or the
-//     greatest. The step is what an octave adds, and the mean what becomes of the mean (sums/bounds.hpp)
+//     greatest. The step adds an octave, and the mean gives the value (sums/bounds.hpp)
 //   SUM_STEP(name), SUM_MEAN(name): each of those steps and means
 //   OCTAVE_STEP(name, the sum s with an octave n more, what it makes of the mean): of a sum of values; the first may take
 //     a strength

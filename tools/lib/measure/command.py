@@ -11,4 +11,5 @@ from base import needs  # noqa: E402
 
 needs.python(3, 11)
 
-sys.exit(importlib.import_module(f"measure.{sys.argv[1]}.command").main(sys.argv[2:]))
+folder = Path(__file__).resolve().parent / sys.argv[1]
+sys.exit(importlib.import_module(f"measure.{sys.argv[1]}{'.command' * folder.is_dir()}").main(sys.argv[2:]))

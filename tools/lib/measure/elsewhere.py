@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
+import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -47,6 +48,8 @@ class Build:
 
     def library(self) -> None:
         """Compiles the library, as users get it, by as many jobs as this process may have cores."""
+        print(f"{self.place.compiler} compiles hashnoise::grid: minutes, unless it has done so before", file=sys.stderr,
+              flush=True)
         self.folder.mkdir(parents=True, exist_ok=True)
         # Read after CMake has found out which compiler it has; to that the flags are unknown. CMake compiles its checks
         # with the first, and with the second the flags are behind those of a build type.

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
+from typing import NamedTuple
 
 import jinja2
 from markupsafe import Markup
@@ -10,6 +12,15 @@ from markupsafe import Markup
 from base.tree import ROOT
 
 STYLE = ROOT / "conformance" / "output" / "style.mustache"  # that of hn-conform's own pages
+
+
+class Section(NamedTuple):
+    """A part of a page by tables.html."""
+    title: str
+    text: str
+    heads: Sequence[str]
+    rows: Sequence[Sequence[object]]
+    kind: str = "table"
 
 
 def write(out: Path, template: Path, **values: object) -> None:

@@ -5,6 +5,7 @@ has the unit. Facts of all rows, such as the date and the driver, stands above t
 from __future__ import annotations
 
 import csv
+import statistics
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -21,6 +22,12 @@ class Quantity(NamedTuple):
 
     def __str__(self) -> str:
         return f"{self.value:.2f} ± {self.spread:.2f}"
+
+
+def ratio(samples: Sequence[float], reference: Sequence[float]) -> Quantity:
+    """The median of the quotients of each round, and half the distance between their quartiles."""
+    low, middle, high = statistics.quantiles(one / other for one, other in zip(samples, reference, strict=True))
+    return Quantity(middle, (high - low) / 2)
 
 
 class Change(NamedTuple):

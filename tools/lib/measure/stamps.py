@@ -29,7 +29,6 @@ from catalog.tables.glsl import files_of
 from catalog.tables.markdown import table
 from measure import record
 from measure.compile.texts import SUBJECTS, WAYS
-from measure.likeness.table import ROWS
 from translate.parsing.preprocessor import Line, Macro, Preprocessor
 from translate.parsing.tokens import Unknown
 from translate.settings import settings_of
@@ -46,8 +45,6 @@ WORDS = re.compile(r"\bhn_(?!bench)\w+|\bHN_\w+")
 # Of C++ and CMake, and what each version has otherwise.
 COMMENT = re.compile(r"//.*|(?s:/\*.*?\*/)|^ *# .*|^#define HN_(?:VERSION_|I_NAMESPACE).*", re.MULTILINE)
 FOREIGN = re.compile(r"[^.]+|table\.\w+[23]")  # ids of subjects: other people's shaders, the empty one, tables
-PAGE = re.compile(r"(?P<by>[^\n]*), hashnoise (?P<hashnoise>[^\n]+?) of the text (?P<text>\w+), (?P<date>[\dTZ:-]+)\.")
-NUMBERS = ("gcc.csv", "clang.csv", "neon.csv")  # of pages, which alone are kept
 Row = Mapping[str, str]
 
 
@@ -130,6 +127,11 @@ def of_calls(calls: str, library: Path, configuration: str = "lattice", axes: in
 
 def of_grid(_: Row, library: Path) -> str:
     """hashnoise::grid: each of its kernels includes all of the library."""
+    return of_sources(library)
+
+
+@functools.lru_cache(maxsize=None)
+def of_sources(library: Path) -> str:
     files = [path for folder in SOURCES for path in sorted((library.parents[1] / folder).rglob("*.*"))
              if "tests" not in path.parts]
     return digest("".join(COMMENT.sub("", path.read_text(encoding="utf-8")).split()) for path in files)
@@ -190,17 +192,16 @@ def of_distribution(row: Row, library: Path) -> str:
                     "lattice" + "+sine" * sines)
 
 
-def of_likeness(row: Row, library: Path) -> str:
-    one = {one.id: one for one in ROWS}[row["id"]]
-    own = {*re.findall(r"\w+ (hn_\w+)\(", one.before)}
-    calls = " ".join(name for name in WORDS.findall(f"{one.statement} {one.ours} {one.before}") if name not in own)
-    return of_calls(calls, library, axes=one.axes)
-
-
 def of_names(row: Row, library: Path) -> str:
     """A function that the row names; and that beside which costs are."""
     names = f"{next(iter(row.values()))} {'hn_perlin' * (row.get('measure') == 'cost')}"
     return of_calls(re.sub(r"^pcg", "hn_hash_pcg", names), library, axes=row["dimensions"])
+
+
+def of_hash(row: Row, library: Path) -> str:
+    """Of a choice of HN_HASH what hashes a lattice point; the controls are hashes of numpy."""
+    name = row["hash"].lower()
+    return of_calls("hn_gradient", library, name, row["dimensions"]) if name in configurations() else NONE
 
 
 def of_integers(row: Row, library: Path) -> str:
@@ -221,7 +222,7 @@ def of_crate(row: Row, library: Path) -> str:
 
 class Kind(NamedTuple):
     command: str  # of tools/measure
-    digest: Callable[[Row, Path], str] | None  # None: the library has no part in it
+    digest: Callable[[Row, Path], str] | None  # None: the library has no part in it, or its values alone, which are frozen
 
 
 KINDS = {"bench.csv": Kind("clock", of_subject), "peers.csv": Kind("peers", of_subject),
@@ -229,10 +230,11 @@ KINDS = {"bench.csv": Kind("clock", of_subject), "peers.csv": Kind("peers", of_s
          "compile.csv": Kind("compile", of_shader), "uniform.csv": Kind("uniform", of_distribution),
          **{f"{name}.csv": Kind("paper", of_paper) for name in ("table", "statistics", "period", "bandwidth")},
          "judged.csv": Kind("noise", of_names), "hashes.csv": Kind("hashes", of_names),
-         "likeness.csv": Kind("likeness", of_likeness), "python.csv": Kind("python", of_package),
+         "quality.csv": Kind("hashes", of_hash), "directions.csv": Kind("hashes", of_names),
+         "likeness.csv": Kind("likeness", None), "python.csv": Kind("python", of_package),
          "rust.csv": Kind("rust", of_crate),
          "silicon.csv": Kind("silicon", of_integers), "languages.csv": Kind("languages", of_integers),
-         **{f"{name}.md": Kind("cpu", of_grid) for name in ("gcc", "clang")}, "neon.md": Kind("neon", of_grid)}
+         **{f"{name}.csv": Kind("cpu", of_grid) for name in ("gcc", "clang")}, "neon.csv": Kind("neon", of_grid)}
 
 
 # --- Records ----------------------------------------------------------------------------------------------------------
@@ -261,13 +263,17 @@ def stamp(path: Path, by: str = "", library: Path = GLSL, kind: str = "") -> Non
     record.write(path, rows, facts=facts)
 
 
+def keep(path: Path, rows: Iterable[Mapping[str, object]], by: str, facts: Mapping[str, object] | None = None,
+         columns: Sequence[str] = (), kind: str = "") -> None:
+    """Writes a record of what was measured just now, and prints where it is."""
+    record.write(path, rows, columns, facts)
+    stamp(path, by, kind=kind)
+    print(path)
+
+
 def read(path: Path) -> record.Record:
-    """Of a page the facts, and one row. ValueError if something does not name its text."""
-    if path.suffix == ".md":
-        found = PAGE.search(path.read_text(encoding="utf-8"))
-        of = record.Record(found.groupdict() if found else {}, [{TEXT: found[TEXT]}] if found else [])
-    else:
-        of = record.read(path)
+    """ValueError if something does not name its text."""
+    of = record.read(path)
     for name in FACTS:
         if not of.facts.get(name):
             raise ValueError(f"{path}: nothing above the rows names the {name}")
@@ -284,8 +290,8 @@ def stale(path: Path, library: Path = GLSL) -> list[Row]:
 
 
 def paths(folder: Path = RESULTS) -> list[Path]:
-    """Of all records; of one with a page the page. ValueError for a file that is none."""
-    found = sorted(path for path in folder.rglob("*.*") if path.name not in ("README.md", *NUMBERS))
+    """All records. ValueError for a file that is none."""
+    found = sorted(path for path in folder.rglob("*.*") if path.name != "README.md")
     for path in found:
         if path.name not in KINDS:
             raise ValueError(f"{path}: no command writes a record of this name (tools/lib/measure/stamps.py)")

@@ -79,14 +79,7 @@ class Texts(unittest.TestCase):
             self.file.write_text(text.replace(old, new))
             with self.subTest(new), self.assertRaisesRegex(ValueError, said):
                 stamps.stale(self.file)
-        page = self.root / "results" / "gcc.md"
-        page.write_text("A processor, hashnoise 1.0.0, 2026-11-26.\n")
-        with self.assertRaisesRegex(ValueError, "names the date"):
-            stamps.stale(page)
-        page.write_text("A processor, hashnoise 1.0.0 at 12, with changes of the text 00000000, 2026-11-26T17:25:13Z.\n")
-        self.assertEqual((stamps.read(page).facts["by"], len(stamps.stale(page))), ("A processor", 1))
-        self.put("gcc.csv", "empty2")
-        self.assertEqual(stamps.paths(self.root / "results"), [self.file, page])
+        self.assertEqual(stamps.paths(self.root / "results"), [self.file])
         self.put("costs.txt", "empty2")
         with self.assertRaisesRegex(ValueError, "costs.txt: no command writes"):
             stamps.paths(self.root / "results")

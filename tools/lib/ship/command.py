@@ -1,4 +1,4 @@
-"""The command line of tools/pack: the name of a package, then what its recipe takes."""
+"""The command line of tools/pack: the name of a package, then its recipe's options."""
 
 from __future__ import annotations
 

@@ -9,7 +9,7 @@ from catalog import asked
 from translate.parsing.syntax import Function
 from translate.pick.command import Choice, picker, read_library
 
-# The arithmetics, with what they add to the names of classes, files and nodes.
+# The arithmetics, with their suffixes in the names of classes, files and nodes.
 ARITHMETICS = {"fast": "", "fixed": "Fixed"}
 # One shader may have both arithmetics, and one program.
 NAMES = {("hlsl", "fixed"): "hn_fixed", ("csharp", "fixed"): "HashNoiseFixed"}
@@ -42,7 +42,7 @@ def port(name: str) -> str:
 
 
 def ports(form: str) -> list[tuple[str, str]]:
-    """The type and the name of what a node takes."""
+    """The type and the name of a node's inputs."""
     taken: list[tuple[str, str]] = []
     for one in forms()[form].parameters:
         if one.type == "hn_place2":
@@ -53,7 +53,7 @@ def ports(form: str) -> list[tuple[str, str]]:
 
 
 def call(form: str, arithmetic: str) -> str:
-    """Of the function, with the ports."""
+    """The call of the function, with the ports."""
     function, begin = forms()[form], NAMES.get(("hlsl", arithmetic), "hn")
     arguments = [f"{begin}_tile(Position, (int2)Period)" if one.type == "hn_place2" else
                  CONVERTED.get(one.type, "{}").format(port(one.at.text)) for one in function.parameters]

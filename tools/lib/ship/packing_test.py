@@ -21,7 +21,7 @@ PACKED = [name for name, recipe in RECIPES.items() if not recipe.command]
 
 
 def call(*arguments: str) -> tuple[int, str, str]:
-    """The status, and what is printed."""
+    """The status, and the output."""
     with contextlib.redirect_stdout(io.StringIO()) as out, contextlib.redirect_stderr(io.StringIO()) as error:
         try:
             status = command.main(arguments)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from base.tree import ROOT, address, version
 
-# A copy of the repository shows what stands behind the comment, and a package what is in it.
+# A copy of the repository shows the text behind the comment, and a package the text in it.
 OF_PACKAGES = re.compile(r"^<!-- in a package:\n(.*?)^-->\n.*?^<!-- end -->\n", re.MULTILINE | re.DOTALL)
 # Code has brackets, too. Links into the page itself lead there in a package as well.
 LINK = re.compile(r"^```.*?^```$|`[^`\n]*`|(?<=\]\()(?![\w+.-]+:|#)([^()\s#]+)(?=[)#])", re.MULTILINE | re.DOTALL)

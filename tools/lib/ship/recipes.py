@@ -6,14 +6,14 @@ from typing import NamedTuple
 
 
 class Option(NamedTuple):
-    """Of one package, whose package() takes what is passed by it."""
+    """An option of one package; its package() takes its value."""
     metavar: str
     help: str
 
 
 class Recipe(NamedTuple):
     """A package is a folder with files, or one zip file of that folder, unless it has a command of its own."""
-    line: str                            # what it makes
+    line: str                            # its product
     name: str = ""                       # of the folder and of the zip file, before -VERSION
     of_zip: str = ""                     # that of the zip file, if it is another one
     more: str = ""                       # the rest of its help

@@ -30,7 +30,6 @@ class Library:
 
     @functools.cached_property
     def functions(self) -> dict[Key, Function]:
-        """All of them."""
         found: dict[Key, Function] = {}
         for item in self.tree:
             if isinstance(item, Function):
@@ -60,7 +59,7 @@ class Library:
         return function
 
     def seeded(self, function: Function) -> Function | None:
-        """Of a public function without a seed the overload that has one."""
+        """The overload that has a seed, for a public function without one."""
         if not is_public(function.name) or any(one.at.text == "seed" for one in function.parameters):
             return None
         ins, outs = ([one.type for one in function.parameters if one.is_set == is_set] for is_set in (False, True))
@@ -81,7 +80,6 @@ class Library:
 
     @functools.cached_property
     def forms(self) -> dict[str, Function]:
-        """The public functions."""
         return {name: function for name, function in self.named.items() if is_public(function.name)}
 
     def form(self, name: str) -> Function | None:

@@ -20,7 +20,6 @@ IMPORT_PATH_HELP = "for Bevy and naga_oil: write #define_import_path NAME, so th
 
 
 def import_path(text: str) -> str:
-    """Of a module."""
     if not re.fullmatch(r"[A-Za-z_]\w*(::[A-Za-z_]\w*)*", text):
         raise argparse.ArgumentTypeError("an import path is made of names with :: between them, such as game::noise, "
                                          f"not {text!r}")
@@ -33,14 +32,13 @@ def imported_as(path: str) -> str:
 
 
 def function_name(text: str) -> str:
-    """Of a function that the user has."""
     if not re.fullmatch(r"[A-Za-z_]\w*", text):
         raise argparse.ArgumentTypeError(f"a function has a name such as my_hash, not {text!r}")
     return text
 
 
 def word(before: str) -> Callable[[str], str]:
-    """An argument in lower case: fixed of Fixed, or of HN_FIXED, which is what the library calls it."""
+    """An argument in lower case: fixed of Fixed, or of HN_FIXED, the library's name."""
     return lambda text: text.lower().removeprefix(before)
 
 

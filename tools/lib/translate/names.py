@@ -3,7 +3,7 @@ they do not move when others are added.
 
 A public function has its name in GLSL, and behind it:
 
-  1 to 4      its dimensions: those of the position, the place, the cell or the words that it takes
+  1 to 4      its dimensions: of the position, the place, the cell or the words that it takes
   _place      if it takes a place
   _phase      if it takes a phase, which it need not: hn_phasor and hn_cellular_phase always do
   _jitter     if it takes a jitter and no phase: of all the settings of cellular noise, there are forms without
@@ -13,8 +13,8 @@ A public function has its name in GLSL, and behind it:
 So hn_perlin(hn_place2 place, uint seed) is hn_perlin2_place. Functions of words or distributions that are not overloaded
 keep their names: hn_hash_pcg, hn_unorm, hn_gradient2, hn_shuffle. So do the hashes of several words that have a name, such
 as hn_hash_pcg2d. So hn_gradient of a cell is hn_gradient_lattice2. A struct that users know keeps its name, too. So
-what makes a hn_place2 is hn_place_of2 of a position, hn_place_in_cell2 of a cell and a fraction, hn_place_at_cell2 of a
-cell, and hn_place_of_units2.
+a function that makes a hn_place2 is hn_place_of2 of a position, hn_place_in_cell2 of a cell and a fraction,
+hn_place_at_cell2 of a cell, and hn_place_of_units2.
 
 An internal function has the types of its parameters behind its name: hn_i_lerp_f32_f32_f32. A struct is called there as
 it is, without the hn_ or hn_i_.

@@ -16,7 +16,6 @@ NO_PRECISE = ("HN_PRECISE is not possible in WGSL, which has no precise: a compi
 
 @dataclass(frozen=True)
 class Settings:
-    """The knobs."""
     arithmetic: str = "HN_FAST"
     hash: str = "LATTICE"
     gradient: str = "OCTAHEDRAL"

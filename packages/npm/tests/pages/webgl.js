@@ -95,7 +95,7 @@ function furthest(pixels, flipped) {
   return most;
 }
 
-/** The same of a material of the documentation. */
+/** Draws a material of the documentation. */
 function ofMaterial(material) {
   renderer.setPixelRatio(1);
   renderer.setSize(SIDE, SIDE, false);

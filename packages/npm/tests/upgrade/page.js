@@ -65,7 +65,7 @@ function drawn(names, points) {
   return names.map((_, row) => points.map((_, i) => pixels[4 * (row * points.length + i)]));
 }
 
-/** The same of the twin in JavaScript. */
+/** The values of the twin in JavaScript. */
 function computed(name, points) {
   const [Type, chosen] = fields[name];
   const field = new Type(2, chosen);

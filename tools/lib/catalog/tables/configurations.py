@@ -53,7 +53,7 @@ class Configuration:
 
     @property
     def has_golden_values(self) -> bool:
-        """Of its own: HN_PRECISE has the exact values of HN_FAST."""
+        """HN_PRECISE has none: it has the exact values of HN_FAST."""
         return self.arithmetic != "precise"
 
     def covers(self, function: Function) -> bool:

@@ -42,7 +42,7 @@ class Column:
 
 @dataclass(frozen=True)
 class Part:
-    """Of what a function takes: a number or a vector, with its words."""
+    """A part of a function's arguments: a number or a vector, with its words."""
     name: str
     type: str
     columns: tuple[str, ...] = ()  # "c*" stands for cx, cy and so on; "" for its name
@@ -62,7 +62,7 @@ def expanded(columns: tuple[str, ...], dimensions: int) -> tuple[str, ...]:
                  for name in ([column.replace("*", axis) for axis in AXES[:dimensions]] if "*" in column else [column]))
 
 
-# Of the names among what a function takes. Where it is comes first, and the period right behind it.
+# The names of a function's arguments. The position comes first, and the period right behind it.
 PARTS = {
     "position": (Part("p", "f32", ("*",)),),
     "cell": (Part("cell", "i32", ("c*",)), Part("f", "f32", ("f*",))),
@@ -116,21 +116,20 @@ def of_words(type_: str, words: list[str]) -> str:
 
 @dataclass(frozen=True)
 class Function:
-    """A row."""
     id: str
     family: str  # functions whose values depend on the same knobs
     bound: str  # "exact", "sine", a noise or a sum
     takes: tuple[str, ...]
     gives: tuple[str, ...]
-    type: str  # of what it gives
+    type: str  # of its results
     dimensions: int = 1
     includes: str = ""
     calls: str = ""  # the function of the library
     returns: str = ""  # the type, if it is no number and no vector
-    members: tuple[str, ...] = ()  # of that, in the order of what the function gives
+    members: tuple[str, ...] = ()  # in the order of the function's results
     sets: str = ""  # "nearest" or "offset", which it is given to set; "" for its value
     always_seeded: bool = False
-    benched: str | None = None  # None: what follows from all of this
+    benched: str | None = None  # None: it follows from the rest
     bench_seed: str = "0u"
     strength: str = ""  # the usual one
     experimental: bool = False  # not frozen from 1.0 on
@@ -194,7 +193,7 @@ class Function:
 
     @property
     def settings(self) -> tuple[str, ...]:
-        """The names of what an octave sum takes between the periods and the seed."""
+        """The arguments of an octave sum between the periods and the seed."""
         return tuple(name for taken in self.takes if taken in OF_SUMS for part in PARTS[taken]
                      for name in part.names(0)) if self.form == "sum" else ()
 
@@ -204,7 +203,7 @@ class Function:
 
     @property
     def has_place(self) -> bool:
-        """Whether what the library takes is a place, and no position."""
+        """Whether the library takes a place, and no position."""
         return self.has_cell or self.has_period or self.form == "place_of_noise"
 
     @property
@@ -249,7 +248,7 @@ class Function:
     @property
     def component(self) -> int | None:
         """Which component of a vector it has with its derivatives: as 1 for noise2d.value_vector_d_y. The noise of such
-        a function is that of a component."""
+        a function is a component's."""
         of_a_vector = self.returns.startswith("hn_derivatives") and self.calls != f"hn_{self.noise}"
         return "xyz".index(self.members[0][-1]) if of_a_vector else None
 
@@ -257,14 +256,14 @@ class Function:
 
     @property
     def types(self) -> tuple[str, ...]:
-        """The types of its arguments, without the seed (but of items) and what it sets."""
+        """The types of its arguments, without the seed (but of items) and its outputs."""
         first = [f"place{self.axes}"] if self.has_place else []
         parts = [part for name in self.takes[bool(first):] if name != "period" for part in PARTS[name]]
         return (*first, *(glsl_type(part.type, len(part.names(self.dimensions))) for part in parts))
 
     @property
     def overloads(self) -> tuple[tuple[str, ...], ...]:
-        """The types without a seed, and with one. Of a candidate a cell may stand for the place."""
+        """The types without a seed, and with one. In a candidate a cell may stand for the place."""
         out = (f"out ivec{self.axes}", f"out vec{self.axes}") if self.sets else ()
         if not self.has_seed:
             return (self.types,)
@@ -275,9 +274,9 @@ class Function:
 
     @property
     def body(self) -> str:
-        """Of uvec4 evaluate(uvec4 a, uvec4 b, uvec4 c, uvec4 d), valid in shaders and as C++. float_of and bits_of
-        reinterpret bits. SEEDED(s) is ", s", or nothing where the overload without a seed is under test; SEED(s) is the
-        seed of what has none."""
+        """The body of uvec4 evaluate(uvec4 a, uvec4 b, uvec4 c, uvec4 d), valid in shaders and as C++. float_of and
+        bits_of reinterpret bits. SEEDED(s) is ", s", or nothing where the overload without a seed is under test;
+        SEED(s) is the seed if there is none."""
         words, lines, taken = iter(WORDS), [], []
         for part in self.parts:
             size = len(part.names(self.dimensions))
@@ -313,7 +312,7 @@ class Function:
         return [f"hn_tile({where[0]}, {rest[0]})", *rest[1:]] if self.has_period else [*where, *rest]
 
     def _words(self) -> list[str]:
-        """Of what comes out, four."""
+        """The four words of the result."""
         of, count = self.sets or "n", len(self.outputs)
         members = self.members or ([""] if count == 1 else AXES[:count])
         cast = {"u": "{}", "i": "uint({})", "f": "bits_of({})"}[self.type[0]]

@@ -14,7 +14,7 @@ FUNCTION = re.compile(r"^HN_FN\s+\w+\s+(hn_(?!i_)\w+)\(((?:[^()]|\([^()]*\))*)\)
 # Definitions of public functions, outside of comments, directives and bodies.
 ANY_FUNCTION = re.compile(r"\b(hn_(?!i_)\w+)\s*\([^;{}]*\{")
 OF_SUMS = re.compile(r'^#include "octaves(\d)d\.glsl"$', re.MULTILINE)  # in the files of sums
-OF_THE_PLANE = re.compile(r"// The same in .* dimensions: tools/make writes it\.")  # names the origin of overloads
+OF_THE_PLANE = re.compile(r"// Generated for .* dimensions from the lines above\.")  # names the origin of overloads
 EXAMPLE = re.compile(r"^   example  +(\S.*(?:\n {6,}\S.*)*)", re.MULTILINE)  # of a call, in a comment
 STATEMENTS = re.compile(r"(?:^   \S+ \S.*;(?: *//.*)?$\n?)+", re.MULTILINE)  # between the sentences of a comment
 NO_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE | re.DOTALL)
@@ -28,7 +28,6 @@ class Comment:
 
     @property
     def examples(self) -> list[str]:
-        """The code in it."""
         text = "\n".join(self.lines)
         return [*STATEMENTS.findall(text), *(re.sub(r"\s+", " ", found) for found in EXAMPLE.findall(text))]
 
@@ -77,7 +76,7 @@ def _comment_above(lines: list[str], line: int) -> Comment | None:
 
 
 def _dimensions_of_sum(text: str, types: tuple[str, ...]) -> int | None:
-    """Of a function in a file of sums, unless it is a step of them, which takes octaves."""
+    """The dimensions of a function in a file of sums, unless it is a step, which takes octaves."""
     found = OF_SUMS.search(text)
     return int(found[1]) if found and not any("octaves" in type_ for type_ in types) else None
 
@@ -145,7 +144,7 @@ def _blank(text: str) -> str:
 
 
 def file_scope(text: str) -> str:
-    """The text with blanks for comments, directives and bodies, so that what is left stays in its place."""
+    """The text with blanks for comments, directives and bodies, so that the rest stays in its place."""
     depth, kept = 0, []
     for part in re.split("([{}])", NO_CODE.sub(lambda match: _blank(match[0]), text)):
         depth -= part == "}"

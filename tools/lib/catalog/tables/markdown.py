@@ -15,5 +15,5 @@ def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 
 
 def with_section(path: str, page: str, name: str, content: str) -> str:
-    """The page with a new content between the comments; the name is that of the first, "tools/make bounds: noises"."""
+    """The page with a new content between the comments; the name is the first's, "tools/make bounds: noises"."""
     return between(path, page, f"<!-- {name} -->", END, content)

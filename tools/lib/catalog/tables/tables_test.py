@@ -1,4 +1,4 @@
-"""Tests of functions.py, configurations.py and glsl.py: they read the catalog, and refuse what they do not know."""
+"""Tests of functions.py, configurations.py and glsl.py: they read the catalog, and refuse unknown entries."""
 
 from __future__ import annotations
 
@@ -189,18 +189,18 @@ HN_FN hn_float hn_four(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return 0.0f; }
         (self.folder / "a.glsl").write_text("""
 //   seed     any
 HN_FN hn_float hn_one(hn_vec2 p) { return 0.0f; }
-// The same in 3 and 4 dimensions: tools/make writes it.
+// Generated for 3 and 4 dimensions from the lines above.
 HN_FN hn_float hn_one(hn_vec3 p) { return 0.0f; }
 HN_FN hn_float hn_one(hn_vec4 p) { return 0.0f; }
 
-// The same.
+// Another.
 HN_FN hn_float hn_two(hn_vec4 p) { return 0.0f; }
 """)
         plane, three, four, two = glsl.declarations(self.folder)
         self.assertEqual(plane.comment, glsl.Comment(2, ("   seed     any",)))
         self.assertIs(three.comment, plane.comment)
         self.assertIs(four.comment, plane.comment)
-        self.assertEqual(two.comment, glsl.Comment(8, (" The same.",)))
+        self.assertEqual(two.comment, glsl.Comment(8, (" Another.",)))
 
     def test_tells_sums_of_octaves_from_their_steps(self) -> None:
         (self.folder / "a.glsl").write_text("""

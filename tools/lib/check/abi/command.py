@@ -1,4 +1,4 @@
-"""Holds the binary interface of hashnoise::grid, as a shared library, to what this major version has promised.
+"""Holds the binary interface of hashnoise::grid, as a shared library, to the promise of this major version.
 
     tools/test abi --check     builds the library, and prints the differences from src/grid/tests/grid.abi
     tools/test abi --write     writes that file anew. Refused if something in it has changed or is gone, and in a patch
@@ -8,7 +8,7 @@ A program that was compiled with 1.2.0 runs with the library of 1.2.3 and of 1.3
 SONAME differs, and so does the namespace of its functions. abidw describes the library, and abidiff compares; both are
 in Debian's abigail-tools. The file is for x86-64, and elsewhere the command is skipped.
 
-Before a release, what was new may change again: begin with the file of the last release, `git checkout TAG
+Before a release, new functions may change again: begin with the file of the last release, `git checkout TAG
 src/grid/tests/grid.abi`.
 
 The library is compiled anew, which takes minutes; FOLDER (build/abi) keeps it.
@@ -121,7 +121,7 @@ def problems(before: Path, now: Path, of: str) -> list[str]:
 
 
 def broken(before: Path, now: Path, of: str) -> str:
-    """A message on what the interface of this version may not change: a minor version adds functions, a patch none."""
+    """A message on forbidden changes of this version's interface: a minor version adds functions, a patch none."""
     if not before.exists() or soname(before.read_text(encoding="utf-8")) != promised(of):
         return ""
     if of.split(".")[2] != "0":

@@ -153,7 +153,6 @@ ERROR = '{"runs": [{"cases": [{"id": "c.d", "status": "error"}]}]}'
 
 class Statuses(unittest.TestCase):
     def body(self, function: str) -> str:
-        """Of a function of the suite."""
         text = (ROOT / "conformance" / "expected" / "verdict.cpp").read_text(encoding="utf-8")
         found = re.search(rf"^[^ ].*\b{function}\(.*\{{\n((?:  .*\n|\n)*)\}}", text, re.MULTILINE)
         self.assertIsNotNone(found, f"verdict.cpp has no function {function} that can be read")

@@ -43,7 +43,7 @@ def files_of(command: str) -> dict[Path, str]:
     """The command, and all of lib/ that it imports, now or later."""
     start = TOOLS / command
     if not start.read_text(encoding="utf-8").startswith("#!/usr/bin/env python3"):
-        start = LIB / command / "command.py"  # what the command of the shell starts
+        start = LIB / command / "command.py"  # started by the command of the shell
     return modules.files_of([start, *(OF_PACK if command == "pack" else ())])
 
 
@@ -115,7 +115,7 @@ def needed(command: str) -> tuple[int, int]:
 
 def of_python() -> list[str]:
     """The commands that begin as Python, and import from lib/."""
-    return [path.name for path in sorted(TOOLS.iterdir()) if path.is_file() and path.name != "costs.csv"
+    return [path.name for path in sorted(TOOLS.iterdir()) if path.is_file()
             and path.read_text(encoding="utf-8").startswith("#!/usr/bin/env python3") and imported(path.read_text())]
 
 

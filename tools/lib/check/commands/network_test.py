@@ -32,7 +32,7 @@ OUTWARD = re.compile(r"connect\(.*AF_INET6?,(?!.*(?:\"127\.|\"::1\")).*")
 
 
 def connections(command: list[str | Path], folder: str) -> tuple[int, list[str]]:
-    """The exit status of a command, and what it and all that it starts connect to, beyond this machine."""
+    """The exit status of a command, and the hosts beyond this machine to which it and its processes connect."""
     record = Path(folder, "strace")
     traced = ["strace", "-f", "--seccomp-bpf", "-qq", "-e", "trace=connect", "-o", record, *command]
     done = subprocess.run(traced, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)

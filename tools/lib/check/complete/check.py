@@ -10,6 +10,7 @@ from pathlib import Path
 import catalog.model
 from base.golden_values import head_of
 from base.tree import BOUNDS, GLSL, GOLDEN, ROOT, glsl_files
+from catalog.asked import snippets
 from catalog.tables import glsl
 from catalog.tables.configurations import Configuration, read_configurations
 from catalog.tables.functions import NOISES, Function, read_functions
@@ -19,6 +20,7 @@ from proof.oracle import words
 
 ROWS, SETTINGS = "catalog/functions.toml", "catalog/configurations.toml"
 KNOBS = "docs/reference/knobs.md"
+SNIPPETS = "docs/reference/snippets"
 SAME_BITS = "docs/guide/same-bits.md"
 OTHERS = ("docs/guide/uniform.md", "docs/guide/random.md")  # have tables of functions, and so has a section of the page of noises
 OF_NOISES, OTHER_FUNCTIONS = "docs/reference/noises.md", "\n## Other functions\n"
@@ -186,6 +188,18 @@ def noises_without_comments(tree: Tree) -> Iterator[str]:
             yield f"{path}: no comment over its functions has a line `{heading}`"
 
 
+def files_without_a_text_to_read(tree: Tree) -> Iterator[str]:
+    """The header of a file names the picked text of one of its functions, if docs/reference/snippets has any."""
+    wanted: dict[Path, set[str]] = {}
+    for declared in tree.declarations:
+        if "phase" not in declared.arguments and (snippet := f"{declared.name}{declared.path.stem[-2]}") in snippets():
+            wanted.setdefault(declared.path, set()).add(snippet)
+    for path, names in wanted.items():
+        lines = {f"// To read it in one piece: {SNIPPETS}/{name}.md" for name in sorted(names)}
+        if not lines & {*tree.text(str(path)).partition("\n\n")[0].splitlines()}:
+            yield f"{path}: its header has no line `{min(lines)}`: write it above the license"
+
+
 def entries_without_a_noise(tree: Tree) -> Iterator[str]:
     noises = {function.noise for function in tree.noises}
     # Functions built on noise may have bounds of their own: hn_curl has. Vectors with derivatives have those of their
@@ -304,10 +318,10 @@ def internal_names_in_pages(tree: Tree) -> Iterator[str]:
 
 
 CHECKS = (functions_without_a_row, functions_in_another_form, rows_without_a_function, functions_without_words,
-          arguments_without_words,
-          noises_without_entries, sums_without_entries, noises_without_comments, entries_without_a_noise,
-          further_values_of_nothing, knobs_without_entries, values_without_settings, hashes_without_entries,
-          missing_golden_values, names_of_two_kinds, internal_names_in_pages)
+          arguments_without_words, noises_without_entries, sums_without_entries, noises_without_comments,
+          files_without_a_text_to_read, entries_without_a_noise, further_values_of_nothing, knobs_without_entries,
+          values_without_settings, hashes_without_entries, missing_golden_values, names_of_two_kinds,
+          internal_names_in_pages)
 
 
 def problems(root: Path = ROOT) -> list[str]:

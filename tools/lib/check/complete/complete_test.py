@@ -83,7 +83,7 @@ class Deletions(unittest.TestCase):
         self.golden.symlink_to(GOLDEN)
 
     def change(self, path: str, pattern: str, new: str = "") -> None:
-        """Replaces what a pattern finds in a file, or in the one of the library that has it."""
+        """Replaces the matches of a pattern in a file, or in the one of the library that has it."""
         files = [file for file in sorted(self.root.glob(path)) if re.search(pattern, file.read_text(), re.MULTILINE)]
         self.assertTrue(files, f"{pattern} is not in {path}")
         text = files[0].read_text()
@@ -204,6 +204,10 @@ class Deletions(unittest.TestCase):
                 self.noticed(rf"^glsl/hashnoise/perlin2d\.glsl:\d+: the comment over hn_perlin\(.*has no line `{heading}`")
         self.change("glsl/hashnoise/perlin3d.glsl", r"^//   period .*\n")
         self.noticed(r"^glsl/hashnoise/perlin3d\.glsl: no comment over its functions has a line `period`")
+
+    def test_the_text_to_read(self) -> None:
+        self.change("glsl/hashnoise/perlin2d.glsl", r"snippets/hn_perlin2", "snippets/hn_perlin3")
+        self.noticed(r"^glsl/hashnoise/perlin2d\.glsl: its header has no line `// To read it .*/hn_perlin2\.md`")
 
     def test_a_function_with_further_values(self) -> None:
         self.change(SETTINGS, r'"noise4d.value"', '"noise2d.perlin", "noise2d.merlin"')

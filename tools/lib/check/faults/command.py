@@ -7,7 +7,7 @@ First the healthy driver must pass the cases, or else everything would count as 
 and a case failed because a value is wrong; a shader that does not compile notices nothing. Each fault prints a line.
 
 --check compares with the file instead of writing it. With names it injects these faults, and takes from the file what
-the others turned red. With --sample N it injects N faults, and compares what a few functions of each kind notice.
+the others turned red. With --sample N it injects N faults, and compares the notices of a few functions of each kind.
 
 Exit status: 0 all were noticed (and the file is up to date), 1 some were not (or it is not), 2 bad usage, 3 the
 unchanged driver does not pass, or hn-conform did not run.
@@ -57,17 +57,8 @@ A case cannot fail where a specification leaves the result open. It gives a warn
 warn here but not on the healthy driver. If a specification allows the fault as it was reported, a worse fault is injected,
 which the column "injected" describes.
 
-"""
+`hn-conform list --about --filter 'bugs*'` prints where each case of `bugs` was reported, and its specification.
 
-BUGS = """
-## The bugs
-
-This table lists the origin of the cases of the file `bugs`, and what they demand (`hn-conform list --about --filter
-'bugs*'` prints it, too). A case is `defined` if the specification fixes the value. Otherwise it is `undefined`: then
-another value than the expected one is only a warning. The expected value follows the word "here".
-
-| case | in | check | reported in | specification |
-| --- | --- | --- | --- | --- |
 """
 
 
@@ -158,26 +149,11 @@ def row(fault: Told, verdict: Verdict, healthy: Verdict) -> str:
     return f"{start_of_row(fault)} {functions(verdict.failed)} | {warned} |\n"
 
 
-def bug_table(cases: list[Told]) -> str:
-    """The faults behind the cases of bugs/; a row for all versions of one."""
-    bugs: dict[tuple[str, str], list[Told]] = {}
-    for case in cases:
-        _, function, _, _, _, _, check = case.name.split(".")
-        bugs.setdefault((function, check), []).append(case)
-    text = BUGS
-    for (function, check), versions in bugs.items():
-        facts = versions[0].facts
-        text += (f"| `{function}` | {', '.join(case.name.split('.')[5] for case in versions)} | {check} "
-                 f"| {facts['reported in']} | {facts['specification']} |\n")
-    return text
-
-
-def table(rows: list[str], warned: str, bugs: list[Told]) -> str:
+def table(rows: list[str], warned: str) -> str:
     text = HEAD.format(filters="`, `".join(FILTERS))
     text += "| fault | reported in | injected | what fails | what else warns |\n| --- | --- | --- | --- | --- |\n"
     text += "".join(rows)
-    text += f"\nOn the healthy driver, warnings are given by {warned}.\n"
-    return text + bug_table(bugs)
+    return text + f"\nOn the healthy driver, warnings are given by {warned}.\n"
 
 
 def noticed(verdict: Verdict) -> bool:
@@ -252,7 +228,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         unknown = set(options.names) - {fault.name for fault in faults}
         if unknown:
             parser.error(f"there is no fault {', '.join(sorted(unknown))}; hn-conform run --inject list prints them")
-        bugs = entries(options.program, "list", "--about", "--filter", "bugs*")
         chosen = [fault for fault in faults if not options.names or fault.name in options.names]
         chosen = sample(chosen, options.sample or len(chosen))
         with ThreadPoolExecutor(max(1, options.jobs)) as pool:
@@ -277,7 +252,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.sample:
         rows = {name: made for name, made in rows.items() if not agrees(kept[name], made, healthy.run)}
     text = table([rows.get(fault.name) or kept[fault.name] for fault in faults],
-                 warnings_of_some_machine(healthy, options.out, bool(options.sample)), bugs)
+                 warnings_of_some_machine(healthy, options.out, bool(options.sample)))
     return settle(text, options.out, options.check)
 
 

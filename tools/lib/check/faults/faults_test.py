@@ -20,10 +20,6 @@ if sys.argv[1:] == ["run", "--inject", "list"]:
     print("one\\n  fault: it is wrong\\n  reported in: a place: 1\\n  injected: this\\n  remark: some")
     print("two\\n  fault: it too\\n  reported in: nowhere\\n  injected: that")
     sys.exit()
-if sys.argv[1] == "list":
-    for version in "gl330", "es300":
-        print(f"bugs.abs.any.exact.fragment.{{version}}.defined\\n  reported in: a place: 2\\n  specification: none")
-    sys.exit()
 fault = sys.argv[sys.argv.index("--inject") + 1] if "--inject" in sys.argv else ""
 status, cases = {{"": {healthy}, "one": {one}, "two": {two}}}[fault]
 out = pathlib.Path(sys.argv[sys.argv.index("--out") + 1])
@@ -103,7 +99,6 @@ class Faults(unittest.TestCase):
         text = self.table.read_text()
         self.assertIn("| `one`: it is wrong | a place: 1 | this (some) | **hash** word, vec2 | **bugs** b |\n", text)
         self.assertIn("warnings are given by **bugs** a.", text)
-        self.assertIn("| `abs` | gl330, es300 | defined | a place: 2 | none |\n", text)
 
     def test_an_old_table_is_noticed(self):
         self.assertEqual(self.call("--check"), 1)

@@ -3,12 +3,12 @@
     tools/make format [--check] [FILE...]    all files, or these; with --check it changes none, and prints what it would
 
 .clang-format and the section tool.ruff of pyproject.toml have the rules. PyPI's packages of the versions that
-requirements.txt names are installed into build/format-environment at first, so each machine formats alike. Of Python
+requirements.txt names are installed into build/format-environment at first, so each machine formats alike. For Python
 ruff mends imports, blanks and empty lines, and finds mistakes. It does not break lines anew: as `ruff format` lays them
 out, the tree has 14,000 lines more.
 
-Exit status: 0 done, or (--check) nothing to do; 1 (--check) a file is not formatted, or ruff found what it cannot mend,
-or the formatters cannot be installed; 2 bad usage, 4 PyPI cannot be reached.
+Exit status: 0 done, or (--check) nothing to do; 1 (--check) a file is not formatted, or ruff found a fault that it
+cannot mend, or the formatters cannot be installed; 2 bad usage, 4 PyPI cannot be reached.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ PYTHON = {".py", ".pyi"}
 
 
 def unformatted(sources: Sequence[Path], check: bool, bin: Path) -> list[str]:
-    """The changes that the formatters would make, in words, and what they could not mend."""
+    """The changes that the formatters would make, in words, and the faults that they could not mend."""
     found = []
     if others := [file for file in sources if file.suffix in BY_CLANG_FORMAT]:
         options = ["--dry-run", "-Werror"] if check else ["-i"]

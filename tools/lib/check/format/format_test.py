@@ -10,7 +10,7 @@ from pathlib import Path
 
 from check.format import command
 
-# An ending of files, what the formatters refuse, and what they make of it.
+# An ending of files, a text that the formatters refuse, and their text for it.
 CHANGED = ((".cpp", "int  f( ) {return 1 ;}\n", "int f() { return 1; }\n"),
            (".glsl", "float f(float x){return x;}\n", "float f(float x) { return x; }\n"),
            (".hlsl", "float f(float x){return x;}\n", "float f(float x) { return x; }\n"),

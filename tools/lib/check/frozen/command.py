@@ -1,7 +1,7 @@
 """Keeps what never changes: names, parameters and defaults, bounds, and checksums of a million values of each function
-with HN_FIXED, and of each hash. docs/reference/frozen.md states what is promised.
+with HN_FIXED, and of each hash. docs/reference/frozen.md states the promise.
 
-    tools/make freeze                        adds what has no entry, and freezes what is not experimental any more
+    tools/make freeze                        adds missing entries, and freezes functions that are no longer experimental
     tools/make freeze --check [--all]        holds the library to the table, at 2,048 points of each function, or at
                                              all
     tools/make freeze --provisional NAME...  makes the entries of these experimental functions anew
@@ -48,7 +48,6 @@ class Library:
         self.program = program
 
     def sums(self, count: int, functions: Sequence[str] = ()) -> dict[Key, Sums]:
-        """Of these functions, or of all."""
         try:
             done = subprocess.run([self.program, str(count), *functions], capture_output=True, text=True, check=False)
         except OSError as error:

@@ -1,4 +1,4 @@
-"""tools/make freeze: what it notices, what it refuses, and what the committed table has."""
+"""tools/make freeze: the faults that it notices and refuses, and the committed table."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ VALUES = {PERLIN: ("11111111", "aaaa0001"), HASHED: ("11111111", "aaaa0002"), WO
 
 
 class Command(unittest.TestCase):
-    """With a program that prints what a library would have."""
+    """With a program that prints a library's values."""
     experimental: Collection[str] = ()
 
     def setUp(self) -> None:
@@ -37,7 +37,7 @@ class Command(unittest.TestCase):
         self.interface, self.names = self.folder / "interface.csv", {("default", "octaves"): "6"}
 
     def write_program(self) -> None:
-        """Of all points the checksums are others than of the first."""
+        """The checksums of all points differ from those of the first."""
         lines = "\n".join(",".join((*key, *sums)) for key, sums in sorted(self.library.items()))
         self.program.write_text(f"""#!/bin/sh
 count=$1; shift

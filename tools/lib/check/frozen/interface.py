@@ -1,5 +1,5 @@
 """The table of the interface, conformance/expected/interface.csv: names, parameters, defaults, nodes and bounds, which
-stay from 1.0 on. They are read from the texts that have them. docs/reference/frozen.md describes what is promised."""
+stay from 1.0 on. They are read from the texts that have them. docs/reference/frozen.md describes the promise."""
 
 from __future__ import annotations
 
@@ -42,6 +42,7 @@ OF_JAVASCRIPT = re.compile(r"^export (?:interface|declare class) (\w+) \{(.*?)^\
 OPTIONAL = re.compile(r"(?:; |(?<=[({]))(\w+\?: [^;,(){}]+)(?=[;)}])")  # a member, or the last parameter
 BOUNDS_OF = re.compile(r'^(\w+)_BOUNDS\((?:"(\w+)", (\d, \w+), )?(.+)\)$', re.M)
 TABLES_OF_BOUNDS = re.compile(r"<!-- tools/make bounds: (?:sums|Jacobians) -->(?:\n[^\n]*){2}\n(.*?)<!-- end -->", re.S)
+PACKAGE = ("packages", "python", "hashnoise")
 # In the row of hn_uniform, the numbers that belong to hn_distribution_fbm.
 OF_DISTRIBUTIONS = (2, 3, 6, 7)
 
@@ -104,11 +105,11 @@ def catalog() -> Iterator[Row]:
     yield from (("default", "wave", f"{found} along x")
                 for found in re.findall(r"\boptions\.wave\[0\] = ([\d.]+)f;", text_at("src", "grid", "plan.cpp")))
     yield from (("default", "arithmetic of tools/bake", found)
-                for found in re.findall(r'\barithmetic = "(\w+)";', text_at("src", "bake", "arguments.hpp")))
+                for found in re.findall(r'"arithmetic": "(\w+)"', text_at(*PACKAGE, "_bake.py")))
 
 
 def cpp() -> Iterator[Row]:
-    """Members in their order, with what they are if nobody sets them."""
+    """Members in their order, with their defaults."""
     for file in ("points.hpp", "field.hpp", "hashnoise.hpp"):
         text = re.sub("//.*", "", text_at("include", "hashnoise", file))
         yield from (("c++", macro, "") for macro in re.findall(r"^#define (HN_ONLY\w+)", text, re.M))
@@ -124,7 +125,7 @@ def python() -> Iterator[Row]:
     """Parameters: their place, unless they are passed by name alone, and their default, of the first overload."""
     for module in ("__init__", "dask"):
         prefix = "" if module == "__init__" else f"{module}."
-        for function in ast.parse(text_at("packages", "python", "hashnoise", f"{module}.pyi")).body:
+        for function in ast.parse(text_at(*PACKAGE, f"{module}.pyi")).body:
             if isinstance(function, ast.FunctionDef):
                 of = function.args
                 ordered = [*of.posonlyargs, *of.args]
@@ -154,7 +155,7 @@ def javascript() -> Iterator[Row]:
 
 
 def nodes() -> Iterator[Row]:
-    """Of packages for engines; those of Blender are in shaders()."""
+    """The nodes of packages for engines; Blender's are in shaders()."""
     for form in materialx.FORMS:
         for one in materialx.inputs(form):
             usual = re.search(r'(?:value|defaultgeomprop)="([^"]*)"', one.said)

@@ -18,7 +18,7 @@ from translate.pick import program
 TEXT_OF = Path.read_text
 STAYS = "It stays from 1.0 on"
 REMEDY = ": restore it, or give what is new another name"
-CHANGES = (  # of a file; what is reported
+CHANGES = (  # of a file; the report
     ("catalog/settings.toml", "default = 6", "default = 5",
      f"default octaves: it was 6, and is 5. {STAYS}{REMEDY}"),
     ("catalog/settings.toml", "default = 6", "default = 5", "blender billow2.octaves: it was int 6, and is int 5."),
@@ -62,7 +62,7 @@ CHANGES = (  # of a file; what is reported
      "javascript Field.points 2: it was ( coordinates: Coordinates"),
     ("packages/npm/package.json", "./tsl/fixed\"", "./tsl/exact\"",
      "javascript hashnoise/tsl/fixed: it was import, and is gone."),
-    ("src/bake/arguments.hpp", 'arithmetic = "fixed"', 'arithmetic = "fast"',
+    ("packages/python/hashnoise/_bake.py", '"arithmetic": "fixed"', '"arithmetic": "fast"',
      "default arithmetic of tools/bake: it was fixed, and is fast."),
     ("src/grid/plan.cpp", "wave[0] = 3.0f", "wave[0] = 2.0f", "default wave: it was 3.0 along x, and is 2.0 along x."),
     ("packages/blender/nodes.py", "SCALE = 5.0", "SCALE = 4.0", "blender Scale: it was 5.0, and is 4.0."),

@@ -23,7 +23,7 @@ Key = tuple[str, str]  # a function and a setting
 
 @dataclass(frozen=True)
 class Sums:
-    """Checksums of what goes in at some points, and of what comes out."""
+    """Checksums of the inputs at some points, and of the results."""
 
     points: str
     values: str
@@ -91,7 +91,7 @@ def parse_sums(text: str) -> dict[Key, Sums]:
 
 
 def changed(entries: Mapping[Key, Entry], computed: Mapping[Key, Sums], count: int) -> Iterator[str]:
-    """Of the entries that were computed, at so many points: what is not as it was, and at the end what to do."""
+    """The entries that changed among those computed at so many points, and at the end what to do."""
     remedy = False
     for key, sums in sorted(computed.items()):
         if key not in entries:

@@ -1,20 +1,20 @@
-"""Makes what a change made stale.
+"""Makes the files that a change made stale.
 
     tools/make                    all that is stale, in order; it prints what and why
-    tools/make --check            makes nothing, and prints what is stale
+    tools/make --check            makes nothing, and prints the stale parts
     tools/make PART PART...       these parts, in order, whether they are stale or not; with --check, which are stale
     tools/make PART [OPTION...]   a part, with options of its own, which tools/make PART --help lists
 
-A part is stale if a file that it is made of, the code that makes it, or what it wrote is not as it was when it was last
-made; build/make/ records that. Where there is no record, as in a new clone, the part itself compares what is there with
-what it would write. Of golden, freeze and faults that is a sample, as in tools/test, so --check takes six
+A part is stale if a file that it is made of, the code that makes it, or its product is not as it was when it was last
+made; build/make/ records that. Where there is no record, as in a new clone, the part itself compares the file with
+its own text. For golden, freeze and faults that is a sample, as in tools/test, so --check takes six
 minutes at first, and seconds when it is run again. Parts that run a program of build/ are left out of --check where
 there is none.
 
 {parts}
 
 Exit status: 0 done, or nothing is stale; 1 a part could not be made, or (--check) one is stale; 2 bad usage; 4 there is
-no ninja. With one part it is that of the part, which its --help lists.
+no ninja. With one part it is the part's, which its --help lists.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Finds what is stale, and makes it: ninja walks the graph, which is written for it into build/make/.
+"""Finds stale parts, and makes them: ninja walks the graph, which is written for it into build/make/.
 
     python3 -m check.make.graph look|make PART    what ninja runs, in tools/lib
 
@@ -22,10 +22,10 @@ from base import modules
 from base.tree import ROOT, TOOLS
 from check.make.parts import PARTS, Part
 
-NOTHING_OF_IT = ("needs.py", "tree.py", "usage.py")  # what is written does not depend on these modules
+NOTHING_OF_IT = ("needs.py", "tree.py", "usage.py")  # no product depends on these modules
 STATE = ROOT / "build" / "make"
 GRAPH = """\
-# Made by tools/make: what it makes, in order.
+# Made by tools/make: its parts, in order.
 rule look
   command = cd {lib} && {python} -B -m check.make.graph look $part
   restat = 1
@@ -53,14 +53,13 @@ def inputs(part: Part) -> set[Path]:
 
 
 def own(part: Part, text: bytes) -> bytes:
-    """Of a product what the part writes there: what stands between its marks, or all of it."""
+    """The part of a product that this part writes: the text between its marks, or all of it."""
     mark = rf"tools/make {part.name}: ".encode()
     between = re.findall(mark + rb"(?!end\b)[^\n]*\n(.*?)(?:<!-- end -->|" + mark + rb"end\b)", text, re.DOTALL)
     return b"".join(between) or text
 
 
 def products(part: Part) -> dict[str, str]:
-    """The checksums of what is made."""
     return {path.relative_to(ROOT).as_posix(): hashlib.sha256(own(part, path.read_bytes())).hexdigest()
             for path in found(part.products)}
 
@@ -72,7 +71,7 @@ def state(part: Part) -> dict[str, str]:
 
 
 def needs(parts: Sequence[Part]) -> dict[str, list[Part]]:
-    """For each part the ones above it that write what it reads or writes."""
+    """For each part the ones above it that write its inputs or outputs."""
     above: list[tuple[Part, set[Path]]] = []
     needed = {}
     for part in parts:
@@ -83,7 +82,7 @@ def needs(parts: Sequence[Part]) -> dict[str, list[Part]]:
     return needed
 
 
-# --- The record of what was right ---
+# --- The record of right products ---
 
 def path(part: Part, ending: str) -> Path:
     return STATE / f"{part.name}.{ending}"
@@ -124,7 +123,7 @@ def few(items: Sequence[str], count: int = 1) -> str:
 # --- To look, and to make ---
 
 def call(part: Part, *options: str, quiet: bool = False) -> tuple[int, str]:
-    """The exit status of the part's own command, and, if it is quiet, what it printed."""
+    """The exit status of the part's own command, and, if it is quiet, its output."""
     done = subprocess.run([TOOLS / "make", part.name, *options], cwd=ROOT, text=True, check=False,
                           stdout=subprocess.PIPE if quiet else None, stderr=subprocess.STDOUT if quiet else None)
     return done.returncode, done.stdout or ""
@@ -219,7 +218,7 @@ def graph(parts: Sequence[Part]) -> str:
 
 
 def walk(parts: Sequence[Part]) -> int:
-    """Makes what is stale, each part behind those that it needs."""
+    """Makes the stale parts, each behind those that it needs."""
     ninja = shutil.which("ninja")
     if ninja is None:
         print("tools/make: there is no ninja; Debian's package is ninja-build", file=sys.stderr)

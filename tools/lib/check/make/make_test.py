@@ -1,4 +1,4 @@
-"""Tests of tools/make: its table, and that it makes what is stale and nothing else."""
+"""Tests of tools/make: its table, and that it makes the stale parts alone."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def texts() -> Iterator[Path]:
 
 
 def backward(parts: list[Part]) -> list[str]:
-    """Parts that read what a part below them writes: among them would be every cycle."""
+    """Parts that read the products of a part below them: among them would be every cycle."""
     reads = [graph.inputs(part) for part in parts]
     written = [graph.found(part.products) for part in parts]
     return [f"{part.name} reads what {other.name} writes" for number, part in enumerate(parts)
@@ -181,7 +181,7 @@ class Toy(unittest.TestCase):
         self.put("tools/lib/check/make/parts.py", real + TOY.format(two=two))
 
     def make(self, *arguments: str, status: int = 0) -> tuple[str, str]:
-        """Which parts were made, and what was printed."""
+        """Which parts were made, and the output."""
         (self.root / "calls").write_text("")
         done = subprocess.run([sys.executable, "-B", self.root / "tools/make", *arguments], capture_output=True,
                               text=True, check=False)

@@ -1,4 +1,4 @@
-"""The table of what is made, and but for some of build/ committed: each part, what it is made of, and what makes it. A
+"""The table of generated files, which but for some of build/ are committed: each part, its inputs, and its maker. A
 part stands below those that it needs."""
 
 from __future__ import annotations
@@ -32,11 +32,11 @@ SUITE = (*(f"{room}/*.[ch]pp" for room in ("src/base", "conformance/library", "c
          "conformance/expected/*.inc", "catalog/*.toml")
 PAGES = ("README.md", "docs/guide/gallery/README.md",
          *(f"docs/{page}.md" for page in (
-             "guide/cellular", "guide/conformance", "guide/engines", "guide/languages", "guide/moving", "guide/uniform",
+             "guide/cellular", "guide/engines", "guide/languages", "guide/uniform",
              "measured/default-hash", "measured/gpu-operations", "measured/hashes", "measured/judge",
-             "measured/measuring", "measured/results/README", "measured/silicon", "reference/fractals",
-             "reference/noises")))
-RECORDS = ("docs/measured/results/**/*.csv", "docs/measured/results/cpu/*.md", "src/grid/*.*")
+             "measured/measuring", "measured/quality", "measured/results/README", "measured/silicon",
+             "reference/fractals", "reference/knobs", "reference/noises")))
+RECORDS = ("docs/measured/results/**/*.csv", "src/grid/*.*")
 
 PARTS = (
     Part("catalog", "what the library, packages and pages have of catalog/, the version and the address", "a second",
@@ -48,10 +48,10 @@ PARTS = (
           "playground/catalog.js", "src/grid/catalog.inc", *LINES)),
     Part("umbrella", "files of glsl/ that only include others, and what other dimensions have of the plane's text",
          "a second", "translate.dimensions.command", (),
-         # config.glsl is by hand, and what is above this part is made of it.
+         # config.glsl is by hand, and the products above this part are made of it.
          ("glsl/hashnoise/[!c]*.glsl", "glsl/hashnoise/c[!o]*.glsl", "glsl/hashnoise/detail/*"), python=(3, 9)),
     Part("readme", "pictures, numbers and tables of pages", "half a minute", "ship.readme.command",
-         (*PAGES, *LIBRARY, *RECORDS, "tools/costs.csv", "tools/lib/ship/readme/*.[ch]pp",
+         (*PAGES, *LIBRARY, *RECORDS, "tools/lib/ship/readme/*.[ch]pp",
           "catalog/*.toml", "packages/blender/nodes.py"),
          (*PAGES, "docs/images/*.png", "docs/guide/gallery/*.png", "packages/*/README.md")),
     Part("bounds", "ranges, slopes and errors, proven: bounds.inc, and the tables of docs/measured/accuracy.md",

@@ -20,7 +20,7 @@ those are counted apart.
 The unchanged library must pass the cases that kill, or else they would show nothing. Some are tried first, and at the
 end all that killed a mutant.
 
-Some mutants compute the same, or nothing that the contract distinguishes from what is right.
+Some mutants compute the same, or nothing that the contract distinguishes from the right values.
 tools/lib/check/mutation/equivalent.py has them, with the proof; they are shown and not run, and no sample has them.
 
 Exit status: 0 all were killed, 1 some survived the default run, 2 bad usage, 3 the program could not judge some, or not
@@ -110,7 +110,7 @@ def judge(program: Path, sources: Sources, stages: Sequence[Sequence[str]], thor
     """Runs the suite on these sources with the filters of each stage in turn, until one notices something."""
     with tempfile.TemporaryDirectory(prefix="mutate-") as scratch:
         glsl = Path(scratch, "glsl")
-        shutil.copytree(LIBRARY, glsl)  # with what other languages need, which no rule changes
+        shutil.copytree(LIBRARY, glsl)  # with the files for other languages, which no rule changes
         for name, text in sources.items():
             (glsl / name).write_text(text, encoding="utf-8")
         verdicts = (run_suite(program, glsl, Path(scratch, "out"), filters, thorough) for filters in stages)
@@ -156,7 +156,7 @@ def stages_of(file: str) -> tuple[tuple[str, ...], ...]:
 
 
 def thorough_stages_of(file: str) -> tuple[tuple[str, ...], ...]:
-    """The same of the product of settings, versions and stages."""
+    """The stages in the product of settings, versions and stages."""
     own, near = judges_of(file)
     return tuple(filter(None, (tuple(f"{function}.*" for function in own), tuple(f"{function}.*" for function in near))))
 
@@ -173,7 +173,7 @@ def judge_mutant(program: Path, sources: Sources, mutant: Mutant, thorough: bool
 
 
 def table(title: str, rows: Iterable[tuple[str, str]]) -> str:
-    """The verdicts by what they are about, both as (about, kind): a line each, and a line of sums."""
+    """The verdicts by their subjects, both as (about, kind): a line each, and a line of sums."""
     counts = Counter(rows)
     names = dict.fromkeys(name for name, _ in counts)
     lines = [f"{title:<16}{'mutants':>9}" + "".join(f"{kind:>12}" for kind in KINDS)]

@@ -1,4 +1,5 @@
-"""The mutants that compute the same as the library, or nothing that the contract distinguishes from what is right."""
+"""The mutants that compute the same as the library, or nothing that the contract distinguishes from the right
+values."""
 
 from __future__ import annotations
 
@@ -120,7 +121,7 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     *(each for file in ("cell_border3d.glsl", "detail/feature_points3d.glsl")
       for each in alike(file, ("s(u, v, w)", "s(-u, v, w)", "s(u, -v, w)", "s(u, v, -w)", "s(v, u, w)"))),
 
-    # So is that of a falloff, modulo 2^32: uint(-t) is 2^32 - t.
+    # So is a falloff's, modulo 2^32: uint(-t) is 2^32 - t.
     *alike("detail/falloff.glsl", ("hn_i_falloff_square(t)", "hn_i_falloff_square(-t)")),
 
     # Only the first component is taken.
@@ -132,7 +133,7 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     *alike("detail/arithmetic.glsl", ("+ 4u, 524287u)", "+ 4u, 524286u)"), ("1572864u", "1572865u"),
            ("(square + 32768u)", "(square + 32767u)", "(square + 32769u)")),
 
-    # Of the second argument the highest bit alone counts.
+    # Only the highest bit of the second argument counts.
     *(each for file in ("detail/phasor.glsl", "detail/direction_turning.glsl")
       for each in alike(file, ("0x40000000u, 0u)", "0x40000000u, 1u)"), ("hn_i_wave(angle, 0u)", "hn_i_wave(angle, 1u)"))),
 
@@ -177,7 +178,7 @@ EQUIVALENT: tuple[Equivalence, ...] = (
            ("(a.z, b.x, a.x, b.z)", "(b.x, a.z, a.x, b.z)", "(a.z, b.x, b.z, a.x)"),
            ("(a.x, b.y, a.y, b.x)", "(b.y, a.x, a.y, b.x)", "(a.x, b.y, b.x, a.y)")),
     *alike("detail/feature_points3d.glsl", ("(axis == 0", "(-axis == 0"),
-           # Of numbers in place of words it is called with 0 alone.
+           # With numbers in place of words it is called with 0 alone.
            ("hn_i_vector(hn_i_select(axis == which", "hn_i_vector(hn_i_select(-axis == which")),
     *alike("detail/feature_points.glsl", ("(d == 0", "(-d == 0")),
     *alike("cellular_three2d.glsl", ("(axis == 0", "(-axis == 0")),

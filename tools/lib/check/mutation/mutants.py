@@ -19,7 +19,7 @@ class Mutant:
     file: str
     rule: str
     original: str  # the whole file
-    start: int  # what is changed
+    start: int  # the change
     end: int
     new: str
 

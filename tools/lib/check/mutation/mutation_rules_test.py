@@ -10,7 +10,6 @@ from check.mutation import rules
 
 
 def changed(rule: rules.Rule, body: str, head: str = "") -> list[str]:
-    """The body after each change."""
     return [body[:change.start] + change.new + body[change.end:] for change in rule(rules.Code(body, head))]
 
 

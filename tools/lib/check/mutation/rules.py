@@ -2,8 +2,8 @@
 trying.
 
 A rule is a function from Code, which is the body of a function, the value of a macro or the condition of an #if, to
-Changes. It looks at tokens, so it needs no grammar, and it avoids what would not compile: such a mutant proves nothing
-about the suite. A rule tries where it cannot know.
+Changes. It looks at tokens, so it needs no grammar, and it avoids changes that would not compile: such a mutant proves
+nothing about the suite. A rule tries where it cannot know.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ TOKEN = re.compile(rf"(?P<number>{NUMBER})|(?P<name>{WORD})|(?P<operator>{SIGN}|
 
 
 def blank(text: str) -> str:
-    """As many blanks, in as many lines: every offset and line stays what it is."""
+    """As many blanks, in as many lines: every offset and line stays."""
     return re.sub(r"[^\n]", " ", text)
 
 
@@ -221,7 +221,7 @@ def change_constants(code: Code) -> Iterator[Change]:
 
 # --- Operators ---
 
-# With | for a ^ only the bits in common change, with + only what they carry: to notice takes more than a few points.
+# With | for a ^ only the bits in common change, with + only their carries: to notice takes more than a few points.
 OTHER_OPERATORS = {
     "+": ("-",), "-": ("+",), "*": ("+",), "/": ("*",), "%": ("/",), "&": ("|",), "|": ("&",), "^": ("|", "+"),
     "+=": ("-=", "="), "-=": ("+=", "="), "*=": ("+=", "="), "/=": ("*=", "="), "&=": ("|=", "="),
@@ -253,9 +253,9 @@ def change_comparisons(code: Code) -> Iterator[Change]:
 # --- Signs ---
 
 def change_signs(code: Code) -> Iterator[Change]:
-    """Drops each unary minus and "!", and negates what stands first in an expression; elsewhere the operator changes.
+    """Drops each unary minus and "!", and negates the first operand of an expression; elsewhere the operator changes.
 
-    Words have no sign, so of those nothing is negated but what a function returns.
+    Words have no sign, so only a function's result is negated.
     """
     for i, token in enumerate(code.tokens):
         before, following = code.token(i - 1).text, code.token(i + 1).text

@@ -1,6 +1,7 @@
 """Finds words that make a reader read a sentence twice, in pages, comments, docstrings and messages.
 
     python3 -B -m check.words.lint [PREFIX]    prints each with its place; exit status 1 if there is one
+    python3 -B -m check.words.lint --count     prints how often comments have each of the words of CEILINGS
 """
 
 from __future__ import annotations
@@ -8,6 +9,7 @@ from __future__ import annotations
 import fnmatch
 import re
 import sys
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -19,13 +21,12 @@ NOT_YET: tuple[str, ...] = ()
 EXCEPTIONS: dict[str, str] = {
     "tools/lib/check/words/*": "*",    # the patterns, and the faults that tests plant
     "conformance/bench/bench_*": "tell",           # "too fast to tell" is a value in records
-    "tools/lib/measure/clock/*_test.py": "tell",
+    "tools/lib/measure/clock_test.py": "tell",
     "*/bench_*": "told",               # as "cannot be told" is
     "*/ratio*": "told",
     "*/record*": "told",
     "tools/lib/measure/c[lp]*": "told",
     "tools/lib/measure/paper/*": "told",
-    "tools/lib/measure/hashes/texts.py": "What",  # headings that pages link to
     "*/asked.*": "asked"}              # the name of files
 LONGEST_CELL = 250  # letters
 PATTERNS = {
@@ -33,6 +34,13 @@ PATTERNS = {
     r"\b(?:[Ss]ays?|said|[Tt]ells?|told|asks|asked)\b": "programs print, write, return and read; pages list, state and document",
     r"(?:^[>*\-\d. ]*|[.:;!?][)\"]? |\| |\*\*)(?:What|That|Those) (?![^.]*\?)": "begin with the subject: the reader or the code",
     r"\b[Dd]earer\b": "costs more"}
+# Words that comments of code may have so often. A ceiling may only fall: lower it if --count prints less.
+CEILINGS = {
+    r"\b[Ww]rit(?:es|ten) (?:it|them) of\b": (0, "generated from"),
+    r"^(?:The same|Likewise)(?: (?:of|for|in|as|by|with|at|where)\b|[.,])": (9, "name the thing"),
+    r"(?:^|[.:;!?]\)? )Of (?!course\b)": (66, "begin with the subject: the reader or the code"),
+    r"\b(?:[Tt]hat|[Tt]hose) of\b": (346, "repeat the noun, or write a possessive"),
+    r"\b[Ww]hat (?:is|are|was|it|they|the|an?|each|has)\b": (468, "write the noun")}
 ANY = re.compile(r"[Oo]f (?:which|whose)|[Ss]ays?|said|[Tt]ells?|told|asks|asked|What|That|Those|[Dd]earer")
 MADE_FILES = re.compile(r"^docs/(?:reference/snippets|measured/results)/|(?:^|/)(?:forms|bounds|facts|catalog)\.inc$|corpus")
 MADE = re.compile(r"^<!-- (?!tools/make catalog: |end )[^\n]* -->\n.*?^<!-- end -->$", re.MULTILINE | re.DOTALL)
@@ -48,6 +56,7 @@ TEXTS = {
         rf"R\"(\w*)\(.*?\)\1\"|{STRINGS}|`[^`]*`|//[^\n]*|/\*.*?\*/", re.DOTALL),
     ("html", "mustache", "md"): re.compile(r".+", re.DOTALL)}
 BY_ENDING = {ending: pattern for endings, pattern in TEXTS.items() for ending in endings}
+STRING = re.compile(r"[rbfRu]*(?:\"(?!\"\")|'(?!'')|`)")
 MARKS = re.compile(r"^[rbfRu]*[\"'`]+|^[#/*!\s]+|^ *\*+ ")
 
 
@@ -91,21 +100,51 @@ def faults_of_code(name: str, text: str) -> Iterator[str]:
                 yield from faults_of_line(name, number, QUOTED.sub("``", MARKS.sub("", line)))
 
 
+def counts_of_code(name: str, text: str) -> Counter[str]:
+    """How often comments have the words of CEILINGS."""
+    counts: Counter[str] = Counter()
+    for found in BY_ENDING[ending(name)].finditer(text):
+        for line in () if STRING.match(found[0]) else found[0].split("\n"):
+            words = QUOTED.sub("``", MARKS.sub("", line))
+            counts.update({pattern: len(re.findall(pattern, words)) for pattern in CEILINGS})
+    return counts
+
+
 def ending(name: str) -> str:
     return Path(name).suffix[1:]
 
 
-def faults_of_tree(root: Path = ROOT, prefix: str = "") -> Iterator[str]:
+def texts(root: Path, prefix: str) -> Iterator[tuple[str, str]]:
     for name in files(root):
         if name.startswith(prefix) and not name.startswith(NOT_YET) and not MADE_FILES.search(name) and ending(name) in BY_ENDING:
-            text = (root / name).read_text(encoding="utf-8", errors="replace")
-            if name.endswith(".md") or name == "llms.txt":
-                yield from faults(name, text)
-            elif ANY.search(text):
-                yield from faults_of_code(name, text)
+            yield name, (root / name).read_text(encoding="utf-8", errors="replace")
+
+
+def is_page(name: str) -> bool:
+    return name.endswith(".md") or name == "llms.txt"
+
+
+def counts_of_tree(root: Path = ROOT, prefix: str = "") -> Counter[str]:
+    return sum((counts_of_code(name, text) for name, text in texts(root, prefix) if not is_page(name) and not allowed(name, "")),
+               Counter())
+
+
+def faults_of_tree(root: Path = ROOT, prefix: str = "") -> Iterator[str]:
+    for name, text in texts(root, prefix):
+        if is_page(name):
+            yield from faults(name, text)
+        elif ANY.search(text):
+            yield from faults_of_code(name, text)
+    counts = counts_of_tree(root, prefix)
+    for pattern, (ceiling, remedy) in CEILINGS.items():
+        if counts[pattern] > ceiling:
+            yield f"comments have '{pattern}' {counts[pattern]} times, and may {ceiling} times: {remedy}"
 
 
 if __name__ == "__main__":
+    if "--count" in sys.argv:
+        print("\n".join(f"{count} {pattern}" for pattern, count in counts_of_tree().items()))
+        sys.exit()
     messages = list(faults_of_tree(prefix=sys.argv[1] if len(sys.argv) > 1 else ""))
     print("\n".join(messages) or "no such words")
     sys.exit(bool(messages))

@@ -3,6 +3,7 @@
 import subprocess
 import tempfile
 import unittest
+from collections import Counter
 from pathlib import Path
 from unittest import mock
 
@@ -70,6 +71,22 @@ class Words(unittest.TestCase):
         for name, text in (("x.py", "told = asks['says']  # a name"), ("x.cpp", "bool told = says; // as `told` is"), ("x.sh", "echo $#  says"),
                            ("x.py", "# What is it?")):
             self.assertEqual(list(lint.faults_of_code(name, text)), [], text)
+
+    def test_words_of_comments_have_a_ceiling(self) -> None:
+        for text, words, remedy in (
+                ("# tools/make writes it of a.glsl.", "rit(?:es|ten)", "generated from"), ("x = 1  # The same of b.", "The same", "name the thing"),
+                ('"""Likewise."""', "Likewise", "name the thing"), ("# It ends. Of two one is red.", " )Of ", "begin with the subject"),
+                ("# The error is that of b.", "hat|", "repeat the noun"), ("# It returns what is left.", "hat (?:is", "write the noun")):
+            with self.subTest(text=text), tempfile.TemporaryDirectory() as folder:
+                subprocess.run(["git", "init", "-q", folder], check=True)
+                (Path(folder) / "a.py").write_text(f'print("Of that of what is left")\n{text}\n', encoding="utf-8")
+                pattern, = lint.counts_of_tree(Path(folder)) + Counter()
+                self.assertIn(words, pattern)
+                for ceiling, found in ((0, [f"comments have '{pattern}' 1 times, and may 0 times: {remedy}"]), (1, [])):
+                    with mock.patch.dict(lint.CEILINGS, {pattern: (ceiling, lint.CEILINGS[pattern][1])}):
+                        messages = list(lint.faults_of_tree(Path(folder)))
+                        self.assertEqual([message[:len(one)] for message, one in zip(messages, found)], found)
+                        self.assertEqual(len(messages), len(found))
 
     def test_exceptions_and_folders(self) -> None:
         with tempfile.TemporaryDirectory() as folder:

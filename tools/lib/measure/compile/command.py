@@ -25,14 +25,14 @@ from tempfile import TemporaryDirectory
 
 from base.debian import Missing
 from base.tree import ROOT
-from base.usage import Parser
+from base.usage import Parser, whole
 from catalog.tables.markdown import table
 from measure import record as records
 from measure import stamps
 from measure.compile.compilers import COMPILERS, Compiler, Failed, Place
 from measure.compile.texts import EMPTY, FIXED, OTHERS, SUBJECTS, WAYS, Job
 from measure.gpu.command import DRIVERS
-from measure.peers.copies import add_options, given
+from measure.peers import add_options, given
 
 RECORD = ROOT / "docs" / "measured" / "results" / "llvmpipe" / "compile.csv"
 COLUMNS = ("noise", "way", "compiler", "bytes", "ms")
@@ -48,11 +48,6 @@ def measured(compiler: Compiler, place: Place, rounds: int) -> dict[Job, float]:
                 least[job] = min(least[job], milliseconds)
     empty = next((found for job, found in least.items() if job.way == EMPTY), math.nan)
     return {job: max(found - empty, 0.0) for job, found in least.items() if job.way != EMPTY}
-
-
-def rows_of(name: str, times: Mapping[Job, float]) -> list[dict[str, str]]:
-    return [{"noise": job.noise, "way": job.way, "compiler": name, "bytes": str(len(job.library.encode())),
-             "ms": f"{milliseconds:.1f}"} for job, milliseconds in times.items()]
 
 
 def page_table(rows: Rows) -> str:
@@ -91,15 +86,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = Parser("tools/measure compile", __doc__)
     parser.add_argument("--compiler", action="append", choices=tuple(COMPILERS), metavar="NAME",
                         help=f"only this one: {', '.join(COMPILERS)}; may be repeated")
-    parser.add_argument("--rounds", type=int, default=5, metavar="N", help="from 1 to 100 (default: %(default)s)")
+    parser.add_argument("--rounds", type=whole, default=5, metavar="N", help="(default: %(default)s)")
     add_options(parser, OTHERS)
     parser.add_argument("--drivers", type=Path, metavar="DIR", default=DRIVERS,
                         help="where tools/measure gpu has put them (build/gpu-drivers)")
     parser.add_argument("--out", type=Path, default=Path("compile.csv"), metavar="FILE",
                         help="the record (default: %(default)s)")
     options = parser.parse_args(arguments)
-    if not 1 <= options.rounds <= 100:
-        parser.error(f"--rounds: {options.rounds} is not from 1 to 100")
     rows, used, status = [], [], 0
     try:
         peers = {name: path.absolute() for name, path in given(options, OTHERS).items()}
@@ -114,12 +107,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
                     print(f"{name} is missing: {why}", flush=True)
                     status = status or 3
                     continue
-            rows += rows_of(name, times)
+            rows += [{"noise": job.noise, "way": job.way, "compiler": name, "bytes": str(len(job.library.encode())),
+                      "ms": f"{milliseconds:.1f}"} for job, milliseconds in times.items()]
             if sum(not job.is_foreign for job in times) < 2 * len(WAYS) * len(SUBJECTS):
                 status = 1
         if rows:
-            records.write(options.out, rows, COLUMNS, {"rounds": options.rounds})
-            stamps.stamp(options.out, "; ".join(dict.fromkeys(used)), kind=RECORD.name)
+            stamps.keep(options.out, rows, "; ".join(dict.fromkeys(used)), {"rounds": options.rounds}, kind=RECORD.name)
     except Failed as error:
         print(f"{parser.prog}: {error}", file=sys.stderr)
         return 1

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from base.tree import GLSL
 from measure.gpu.pages import LETTERS
-from measure.peers.table import CALLS, PEERS
+from measure.peers import CALLS, PEERS
 from translate.pick.command import Choice, picked
 from translate.settings import settings_of
 from translate.single_file.files import text

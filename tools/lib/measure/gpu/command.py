@@ -44,8 +44,7 @@ from measure.gpu.compiling import Compiled, Device, compile_all
 from measure.gpu.drivers import Drivers
 from measure.gpu.kernels import compile_all as compile_kernels
 from measure.gpu.kernels import translated
-from measure.peers.copies import add_options, given
-from measure.peers.table import PEERS, against
+from measure.peers import PEERS, add_options, against, given
 
 ARITHMETICS = ("*.lattice", "*.lattice+precise", "*.lattice+fixed", "*.any")
 DRIVERS = ROOT / "build" / "gpu-drivers"

@@ -10,7 +10,7 @@ from statistics import fmean
 from catalog.tables.markdown import table
 from measure.gpu.chips import APPLE, NVIDIA, SHOWN, chip_named
 from measure.gpu.record import Row
-from measure.peers.table import CALLS
+from measure.peers import CALLS
 
 FLOATS, FIXED = ".lattice", ".lattice+fixed"
 Rows = Mapping[tuple[str, str], Row]

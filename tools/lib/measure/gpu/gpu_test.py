@@ -20,7 +20,7 @@ from measure import record as records
 from measure.gpu import chips, command, comparing, drivers, operations, pages, record, stripes
 from measure.gpu.chips import CHIPS, chip_named
 from measure.gpu.compiling import Compiled, compile_all
-from measure.peers.table import CALLS, dimensions, subject
+from measure.peers import CALLS, dimensions, subject
 
 # hn-conform as far as it is called. A shader costs what its file states: 7 cycles for each word of it, or trouble.
 STAND_IN = """#!/bin/sh

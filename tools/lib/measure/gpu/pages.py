@@ -13,7 +13,7 @@ from measure.gpu import comparing, stripes
 from measure.gpu.chips import chip_named
 from measure.gpu.operations import OPERATIONS
 from measure.gpu.record import COSTS, OPERATION_COSTS, Row, read_costs
-from measure.peers.table import CALLS, dimensions, subject
+from measure.peers import CALLS, dimensions, subject
 
 RECORD = ROOT / "docs" / "measured" / "results" / "gpu"
 # Functions that show the cost of a hash: the hash alone, and noises that are little more than hashes.

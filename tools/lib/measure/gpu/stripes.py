@@ -10,7 +10,7 @@ import re
 from collections.abc import Mapping
 from pathlib import Path
 
-from measure.peers.table import Call, Peer, subject
+from measure.peers import Call, Peer, subject
 
 PEERS = (
     Peer("terrain-erosion", "AdvancedTerrainErosion.cs", "AdvancedTerrainErosion", ""),

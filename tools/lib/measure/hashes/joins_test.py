@@ -10,7 +10,7 @@ import numpy as np
 from base.thorough import THOROUGH, in_thorough_runs
 from base.tree import ROOT
 from measure.hashes.joins import Joins, Repeat, keeps_the_sum, of_one_change, on_the_plane, shares, steps_of
-from measure.hashes.near_returns import REACH
+from measure.hashes.lags import REACH
 from proof.oracle.words import point_word
 
 LEAST = 0.01

@@ -1,38 +1,30 @@
-"""Hashes of shaders that are not ours, judged as lattices of words: rendered from their GLSL by Mesa's llvmpipe.
+"""Hashes of shaders that are not ours, judged in windows: rendered from their GLSL by Mesa's llvmpipe.
 
 A hash is an expression of `c`, the cell as integers, or of `p`, the same as floats. A uint counts as a word. Of a
-float, which should be in [0, 1), the ten highest bits count, since shaders use a float as a direction or a colour. The
-next one, bit 21, is a sign of our gradients and would be judged like the highest bit, but Hoskins' hash has a
-correlation of 0.18 in it, and of 0.02 in each of the ten. So the parity of the ten stands there, which is equal where
-they are. All other bits are random.
+float, which should be in [0, 1), the ten highest bits count, since shaders use a float as a direction or a colour.
 """
 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from base.renderer import NotCompiled, Renderer
-from measure import record, stamps
-from measure.hashes import gate
+from measure.hashes import gate, windows
 from measure.hashes.judgement import Finding
-from measure.hashes.library import Twin
-from measure.hashes.report import HashResult, describe
-from measure.likeness.ports import source
+from measure.likeness import source
 
 SIDE = 1024  # of what is rendered at once
-PARITY = 1 << 21  # below the ten bits
-# Words of floats have 31 bits and the parity: twice as many are equal, and ten bits choose one of twelve gradients
-# unevenly.
-OF_WORDS = {"equal words", "directions: frequencies"}
 # Around the origin; as far as scenes go; where a float has an eighth of a cell left; and far out.
 ORIGINS = {2: ((-512, -512), (10000, 20000), (1000000, -2000000), (8000000, 7000000)),
            3: ((-64, -64, -64), (10000, 20000, 5000), (1000000, -2000000, 500000), (8000000, 7000000, 6000000))}
-RECORD = ("hash", "dimensions", "origin", "failed", "of", "worst", "statistic", "allowed", "p")
+# How a value becomes a word, and the bits of it that are judged.
+KINDS = {"uint": ("value", windows.BITS),
+         "float": ("uint(clamp(value, 0.0, 0.99999994) * 1024.0) << 22u", windows.BITS[:10])}
 
 # The pixel's cell: along x its column; the rows count the other axes.
 FRAGMENT = """
@@ -49,7 +41,6 @@ void main() {{
   halves = vec4(float(word >> 16u), float(word & 65535u), 0.0, 0.0);
 }}
 """
-KINDS = {"uint": "value", "float": "uint(clamp(value, 0.0, 0.99999994) * 1024.0) << 22u"}
 
 
 class BadExpression(ValueError):
@@ -79,7 +70,7 @@ class Other:
 def shader(text: str, expression: str, n: int, kind: str) -> str:
     slices = n == 3
     return "#version 450\n" + text + FRAGMENT.format(
-        n=n, part="" if slices else ".xy", kind=kind, expression=expression, word=KINDS[kind],
+        n=n, part="" if slices else ".xy", kind=kind, expression=expression, word=KINDS[kind][0],
         row="row % int(side.x)" if slices else "row",
         slice="row / int(side.x) * (1024 / int(side.x)) + int(gl_FragCoord.x) / int(side.x)" if slices else "0")
 
@@ -96,15 +87,8 @@ def compiled(renderer: Renderer, other: Other, n: int) -> tuple[int, str]:
                         f"c and p: {logs[-1]}")
 
 
-def parity(words: np.ndarray) -> np.ndarray:
-    """Whether an odd number of the bits is set, as 0 or 1."""
-    for shift in (16, 8, 4, 2, 1):
-        words = words ^ words >> np.uint32(shift)
-    return words & np.uint32(1)
-
-
-def words_of(renderer: Renderer, program: int, kind: str, origin: tuple[int, ...]) -> np.ndarray:
-    """The words of the window at that origin, as the gate takes it: axis 0 is x."""
+def words_of(renderer: Renderer, program: int, origin: tuple[int, ...]) -> np.ndarray:
+    """The words of the window at that origin: axis 0 is x."""
     n = len(origin)
     side = gate.SIDES[n]
     rows = side ** n // SIDE
@@ -118,58 +102,14 @@ def words_of(renderer: Renderer, program: int, kind: str, origin: tuple[int, ...
     if n == 3:  # rows of a slice, and slices side by side
         beside = SIDE // side
         words = words.reshape(side // beside, side, beside, side).transpose(0, 2, 1, 3).reshape(side, side, side)
-    if kind == "float":
-        random = np.random.default_rng(0).integers(0, 1 << 32, words.shape, np.uint32) & np.uint32(PARITY - 1)
-        words = words | parity(words) * np.uint32(PARITY) | random
     return np.ascontiguousarray(words.transpose())
 
 
-@dataclass(frozen=True)
-class Judged:
-    """The measures of the window of a hash at an origin."""
-    origin: tuple[int, ...]
-    result: HashResult
-
-    @property
-    def place(self) -> str:
-        return ", ".join(map(str, self.origin))
-
-
-def findings_of(words: np.ndarray, kind: str, twin: Twin) -> list[Finding]:
-    return [finding for finding in gate.judge_words(words, twin) if kind == "uint" or finding.test not in OF_WORDS]
-
-
-def judge(other: Other, dimensions: Sequence[int], twin: Twin, renderer: Renderer) -> list[Judged]:
-    """Every window."""
-    found = []
+def judge(other: Other, dimensions: tuple[int, ...], renderer: Renderer) -> Iterator[tuple[int, str, list[Finding]]]:
+    """The findings of every window, with the dimensions and the origin."""
     for n in dimensions:
         if n in other.dimensions:
             program, kind = compiled(renderer, other, n)
-            found += [Judged(origin, HashResult(other.name, n, findings_of(
-                words_of(renderer, program, kind, origin), kind, twin), None)) for origin in ORIGINS[n]]
-    return found
-
-
-def lines(found: Sequence[Judged]) -> list[str]:
-    """For the terminal."""
-    printed = []
-    for judged in found:
-        result = judged.result
-        wrong = sorted((f for f in result.worst.values() if not f.passed), key=lambda f: f.p)
-        head = f"{result.name} {result.dimensions}D at {judged.place}: "
-        printed.append(head + (f"fails {len(wrong)} of {len(result.worst)} tests, such as {describe(wrong[0])}" if wrong
-                            else f"passes {len(result.worst)} tests"))
-    return printed
-
-
-def write(found: Sequence[Judged], path: Path, by: str) -> None:
-    rows = []
-    for judged in found:
-        result = judged.result
-        findings = result.worst.values()
-        worst = min(findings, key=lambda f: f.p)
-        rows.append(dict(zip(RECORD, (
-            result.name, result.dimensions, judged.place, sum(not f.passed for f in findings), len(findings), worst.test,
-            f"{worst.statistic:.4g}", f"{worst.threshold:.4g}", f"{worst.p:.3g}"))))
-    record.write(path, rows, RECORD)
-    stamps.stamp(path, by)
+            for origin in ORIGINS[n]:
+                window = windows.Window(words_of(renderer, program, origin), "", KINDS[kind][1])
+                yield n, ", ".join(map(str, origin)), windows.judge(window)

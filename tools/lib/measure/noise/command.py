@@ -18,7 +18,7 @@ import numpy as np
 from base.renderer import NoRenderer, NotCompiled
 from base.tree import TOOLS
 from base.usage import Parser
-from measure.likeness.ports import version
+from measure.likeness import version
 from measure.noise import measures, page, record
 from measure.noise.measures import Finding, Measured
 from measure.noise.noise import Sampler, Subject, read

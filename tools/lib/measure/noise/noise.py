@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from base.renderer import Renderer
-from measure.likeness.ports import source
+from measure.likeness import source
 
 COUNT = 512 * 512  # places in one drawing
 # To measure what a value costs, there are more of them in a drawing, elsewhere, whose sum is drawn.

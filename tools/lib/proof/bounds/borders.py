@@ -8,7 +8,7 @@ outside of the block, and D(y) the smallest of the largest distances to the octa
     |y' - P| <= D(y') for all y' within r of x,    and N(y) < |y - P| <= D(y) for a y within r of x.
 
 So with U = {y: |y - P| > D(y)} and W = {y: N(y) < |y - P| <= D(y)} the block is right if no W is nearer to x than U,
-for all places x and P. D and N depend on y only: the points of all cells but that of P are gone.
+for all places x and P. D and N depend on y only: the points of all cells but P's are gone.
 
 One case is left out: where two points touch, U may be empty. In the middle of a cell D is 1/2. If two centres of cells
 that are 1 apart are within r of x, then P is within 1/2 of both, and so it is in the middle between them. But no point
@@ -31,7 +31,7 @@ from proof.bounds import features
 from proof.bounds.boxes import Boxes
 from proof.bounds.features import Cell
 
-REACH = 0.8125  # what is farther from a place does not matter: r is less, as the proof finds, too
+REACH = 0.8125  # a point farther from a place does not matter: r is less, as the proof finds, too
 
 
 def block(dims: int) -> frozenset[Cell]:
@@ -160,7 +160,7 @@ def octahedron(dims: int, steps: int) -> np.ndarray:
 def cut_off(cells: Iterable[Cell], dims: int, x: np.ndarray, p: np.ndarray, steps: int) -> np.ndarray:
     """The length of a block's border that a point outside of the block cuts off, for places x and nearest points P.
     Points
-    of different cells are independent: those of the block are where their borders are farthest, as far as is tried, and
+    of different cells are independent: the block's are where their borders are farthest, as far as is tried, and
     the
     one outside is where its border is nearest. A positive length is a fault of the block."""
     points, cells = octahedron(dims, steps), frozenset(cells)
@@ -218,7 +218,7 @@ def border(f: np.ndarray, cells: np.ndarray, u: np.ndarray) -> np.ndarray:
 
 
 def climb(dims: int, rounds: int = 150, count: int = 256, seed: int = 2) -> float:
-    """A large distance to a border. Points of different cells are independent; each round moves some of those of the
+    """A large distance to a border. Points of different cells are independent; each round moves some points of the
     best places, and keeps these."""
     rng, best_of = np.random.default_rng(seed), count // 8
     cells = np.array(list(itertools.product(range(-2, 3), repeat=dims)), float).T

@@ -1,4 +1,4 @@
-"""Tests of what is proven of cellular noise: blocks of cells that are one smaller are refuted, ranges are nearly
+"""Tests of the proofs for cellular noise: blocks of cells that are one smaller are refuted, ranges are nearly
 attained, and the text of the library stays within the bounds."""
 
 import functools
@@ -64,7 +64,7 @@ def words_around(home, reach=2):
 
 
 def homes(rng, dims, count, touching, of=100_000):
-    """Cells: so many have a point that nearly touches that of the next one along x: the nearest of many."""
+    """Cells: so many have a point that nearly touches the next one's along x: the nearest of many."""
     home = rng.integers(-2**31, 2**31, (dims, of))
     own, other = (model.directions(dims, lattice_word([home[0] + step, *home[1:]], np.int64(SEED))) for step in (0, 1))
     gap = np.linalg.norm((other - own) / 1024 + np.eye(dims)[0][:, None], axis=0)
@@ -144,7 +144,7 @@ class Blocks(unittest.TestCase):
 
 class Borders(unittest.TestCase):
     def test_a_climb(self):
-        """It finds what the page states, and more than the largest borders that are known of the library."""
+        """It finds the page's number, and more than the largest borders that are known of the library."""
         known = {2: ((-567291, 57828), (0.5342983, 0.7685160), 233433071),
                  3: ((974166, -68968, 352045), (0.5813425, 0.4050027, 0.2685761), 2892670609)}
         for dims, place in known.items():
@@ -157,7 +157,7 @@ class Borders(unittest.TestCase):
 
 class Ranges(unittest.TestCase):
     def test_distances_to_octahedra(self):
-        """Of places of them, in a grid."""
+        """The farthest places of octahedra, in a grid."""
         rng = np.random.default_rng(33)
         for dims in DIMS:
             grid = np.array(list(itertools.product(np.linspace(-0.5, 0.5, 41), repeat=dims)))
@@ -242,7 +242,7 @@ class Errors(unittest.TestCase):
             self.assertTrue(bound * least[name] < error < bound, (name, dims, error, bound))
 
     def test_floats(self):
-        """Borders are compared with a bound for points that nearly touch, which those of hashes seldom do."""
+        """Borders are compared with a bound for points that nearly touch, which points of hashes seldom do."""
         least = {"cellular": 1 / 15, "cellular_three": 1 / 15, "cellular_smooth": 1 / 30, "cell_border": 1 / 8000,
                  "cellular_d": 1 / 12, "slope": 1 / 30}
         for dims in DIMS:
@@ -302,7 +302,7 @@ class Errors(unittest.TestCase):
 
 
 def phases(rng, count):
-    """Of any angle, or near an eighth of a turn."""
+    """The phase is any angle, or near an eighth of a turn."""
     near = rng.integers(-8, 9, count) / 8 + rng.uniform(-1, 1, count) * 2.0 ** -rng.integers(3, 26, count)
     return np.clip(np.where(rng.random(count) < 0.5, near, rng.uniform(-1, 1, count)), -1, 1).astype(
         np.float32).astype(float)

@@ -1,4 +1,4 @@
-"""Tests of what is proven of fixed arithmetic: the text of the library in integers stays within the bounds, and reaches
+"""Tests of the proofs for fixed arithmetic: the text of the library in integers stays within the bounds, and reaches
 a part of them. Here are the noises and the octave sums; bounds_integers_test.py has the steps."""
 
 import functools
@@ -72,7 +72,7 @@ class Noises(floats.Errors, unittest.TestCase):
                         self.assertLessEqual(abs(found).max(), slope.fixed_limit)
 
     def test_where_a_difference_of_ramps_wraps(self):
-        """In space, at corners without a weight, of 1 in 144 cells: what it is then does not matter."""
+        """In space, at corners without a weight, of 1 in 144 cells: its value then does not matter."""
         rng, count = np.random.default_rng(5), 20_000
         cells, f = list(rng.integers(-2**31, 2**31, (3, count))), [np.full(count, x) for x in (0.25, 1.0, 1.0)]
         value, slopes = exact.perlin(OCTAHEDRAL, exact.words_at(OCTAHEDRAL, cells), f)
@@ -89,7 +89,7 @@ class Noises(floats.Errors, unittest.TestCase):
     def test_range_is_proven(self):
         for dims in DIMS:
             room = 1 - range_bound(dims, OCTAHEDRAL) - perlin.range_loss(dims, OCTAHEDRAL)
-            self.assertGreater(room, 32 * 2 * integers.UNIT)  # also that of octave sums
+            self.assertGreater(room, 32 * 2 * integers.UNIT)  # also the room of octave sums
             self.assertEqual(proven(OCTAHEDRAL, dims).fixed_limit, 1)
         for dims in (2, 3):
             limit = range_bound(dims, SINE) + perlin.range_loss(dims, SINE)

@@ -1,4 +1,4 @@
-"""Tests of what is proven of floats, of the noises, their derivatives, the sine and the sums: the text of the library
+"""Tests of the proofs for floats, of the noises, their derivatives, the sine and the sums: the text of the library
 over floats of any rounding mode stays within the bounds."""
 
 import functools
@@ -63,7 +63,7 @@ def random_fractions(rng, dims, count):
 
 
 class Errors:
-    """Of noises from a cell and a fraction, as the text computes them with these macros."""
+    """Noises from a cell and a fraction, as the text computes them with these macros."""
     MACROS: tuple[str, ...] = ()
 
     def computed(self, name, dims, kind, rounding, cells, fractions):
@@ -127,7 +127,7 @@ class FloatError(Errors, unittest.TestCase):
                     self.assertGreater(seen, bound, noise)
 
     def test_limits(self):
-        """Of derivatives, and of value noise where the fade is computed above 1."""
+        """Derivatives, and value noise where the fade is computed above 1."""
         for dims in DIMS:
             rng = np.random.default_rng(9)
             f = random_fractions(rng, dims, COUNT[dims])
@@ -221,7 +221,7 @@ class Sine(unittest.TestCase):
 
 
 class OctaveErrors:
-    """Of octave sums, as the text computes them with these macros."""
+    """Octave sums, as the text computes them with these macros."""
     NOISES = tuple((kind, dims) for dims, kind in CASES)
     MACROS: tuple[str, ...] = ()
     tolerance = staticmethod(float_sums.octave_tolerance)
@@ -287,7 +287,7 @@ class Octaves(OctaveErrors, unittest.TestCase):
         self.assert_near(self.check(self.random_sum), 1 / 100)
 
     def test_first_octave(self):
-        """Where positions are exact: what is left are the steps of the sum. A single octave hardly has any."""
+        """Where positions are exact: only the steps of the sum are left. A single octave hardly has any."""
         self.assert_near(self.check(lambda rng, name: self.random_sum(rng, name, octaves=1)), 1 / 15)
 
     @in_thorough_runs

@@ -42,7 +42,7 @@ def places(seed, count):
 
 
 def slopes(seed, count, steep):
-    """Of about that length, or of less where it is 0: flat ground."""
+    """Slopes about as long as that, or shorter where it is 0: flat ground."""
     rng = np.random.default_rng(seed)
     angle, size = rng.uniform(0, 2 * np.pi, count), steep * rng.uniform(0.99, 1.0, count) + 1e-3 * (steep == 0)
     return (size * [np.cos(angle), np.sin(angle)]).astype(np.float32).astype(float)
@@ -70,7 +70,7 @@ def exactly(case, seed):
 
 
 def ratios(case, seed, found, tolerance_of):
-    """Of the largest errors of the height and of a slope to their tolerances."""
+    """The largest errors of the height and of a slope, over their tolerances."""
     s, depth, _ = case
     slope, _, _, expected = exactly(case, seed)
     errors, size, worst = abs(np.array(found) - expected), np.hypot(*np.clip(slope, -8, 8)), np.zeros(2)
@@ -82,7 +82,7 @@ def ratios(case, seed, found, tolerance_of):
 
 class Bounds(unittest.TestCase):
     def test_of_waves(self):
-        """Nothing at random places is steeper, or rotates faster, than what is proven; and it comes near."""
+        """Nothing at random places is steeper, or rotates faster, than proven; and it comes near."""
         rng, bounds, count, kernel = np.random.default_rng(1), read_gullies(), 4000, KERNELS[2]
         words = {tuple(kernel_model.halves(point)): rng.integers(0, 2**32, count)
                  for point in kernel_model.points(kernel)}
@@ -105,7 +105,6 @@ class Bounds(unittest.TestCase):
 
 
 def smaller(times):
-    """Than what is proven."""
     proven = read_gullies()
     return replace(proven, **{field.name: getattr(proven, field.name) / times for field in fields(proven)})
 

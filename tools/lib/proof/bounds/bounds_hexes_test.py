@@ -1,4 +1,4 @@
-"""Tests of what is proven of hex tiling: the text of the library over floats of any rounding mode stays within the
+"""Tests of the proofs for hex tiling: the text of the library over floats of any rounding mode stays within the
 bounds, and reaches a part of them. A wrong constant is noticed."""
 
 import functools

@@ -1,4 +1,4 @@
-"""Tests of what is proven of the steps of fixed arithmetic, and that nothing wraps: the integers of the proofs are
+"""Tests of the proofs for the steps of fixed arithmetic, and that nothing wraps: the integers of the proofs are
 those of the library's text."""
 
 import functools
@@ -20,7 +20,7 @@ from proof.bounds.table import bounds_of
 
 CASES = noises.find("perlin").CASES
 ONE = 2**20  # of fractions
-# Steps of the library, by what they are called with.
+# Steps of the library, by their arguments.
 STEPS = {"fade": "hn_i_fade(int(a.x))", "slope": "hn_i_d_fade(int(a.x))", "sine": "hn_i_sine(a.x)",
          "lerp": "hn_i_lerp(int(a.x), int(a.y), int(a.z))",
          **{f"spline{axis}": f"hn_i_spline(int(a.x)).{axis}" for axis in "xyzw"}}
@@ -132,7 +132,7 @@ class Integers(unittest.TestCase):
             self.assertGreater(value_noise.largest_intermediates(2, None)["difference"], 2**31)
 
     def test_differences_reach_their_bound(self):
-        """Of ramps in space, and what is interpolated of them along x, at places that are whole along z."""
+        """Ramps in space, and their interpolation along x, at places that are whole along z."""
         rng = np.random.default_rng(13)
         x, y = rng.random((2, 100_000))
         x[0], y[0] = 0.5, 0.0
@@ -156,7 +156,7 @@ class Integers(unittest.TestCase):
 
 class Sums(unittest.TestCase):
     def test_ridges(self):
-        """An error of every d, at its worst: the bound of r is reached but for a factor, and what does not count that
+        """An error of every d, at its worst: the bound of r is reached but for a factor, and a count without that
         it grows from octave to octave is exceeded."""
         rng, size, count = np.random.default_rng(4), 2.0**-8, 6
         d = rng.random((count, 500_000)) * (1 - size)
@@ -181,7 +181,7 @@ class Sums(unittest.TestCase):
             self.assertEqual(sums.product(x, y), x * y >> 18)
 
     def test_parts_of_a_rotation(self):
-        """25 X - 20 Y of fractions of up to 2^24, and of what is left of cells, are what they are bounded by."""
+        """25 X - 20 Y of fractions of up to 2^24, and of the rest of cells, reach their bounds."""
         r, m = np.array([0, 2**24]), np.array([0, 31])
         largest = sums.largest_octave_intermediates(1.0)
         for part, name in ((r, "rotation"), (m, "rest of a rotation")):

@@ -44,7 +44,6 @@ def proven(kind, dims):
 
 
 def tolerances(s, dims, is_fixed):
-    """Of each number of a result."""
     noise, slope = proven(s.kind, dims)
     own = jacobians.TOLERANCES[s.kind][is_fixed](s, noise, slope)
     of_value = (octave_tolerance, sums.fixed_octave_tolerance)[is_fixed]
@@ -74,7 +73,7 @@ def row_of(kind, dims, form):
 
 
 class Errors:
-    """Of the text of the library with these macros."""
+    """The errors of the library's text with these macros."""
     MACROS: tuple[str, ...] = ()
     SIMULATED = roundings(3)
 
@@ -114,7 +113,7 @@ class Errors:
 
 
 class Floats(Errors, unittest.TestCase):
-    """Of any rounding mode."""
+    """Floats in any rounding mode."""
 
     @in_thorough_runs
     def test_simulated(self):
@@ -165,7 +164,7 @@ class Fixed(Errors, unittest.TestCase):
 
     @in_thorough_runs
     def test_usual_arguments(self):
-        """Of 6 octaves, as the tables have them. The worst case of a progressive warp is rare."""
+        """Sums have 6 octaves, as in the tables. The worst case of a progressive warp is rare."""
         for kind, least, others in (("fbm_d", 1 / 12, {}), ("eroded", 1 / 20, {"strength": 1.0}),
                                     ("warp", 1 / 8, {"amplitude": 0.5}),
                                     ("warp_progressive", 1 / 30, {"amplitude": 0.25}),
@@ -213,7 +212,6 @@ class Fixed(Errors, unittest.TestCase):
             self.check(kinds, **others)
 
     def test_what_is_left_out_is_noticed(self):
-        """Of the bounds."""
         self.must_fail("fixed_effects", lambda s, *_: [0.0] * s.count, ("fbm_d",))
         self.must_fail("fixed_fall_errors", lambda s, *_: [0.0] * s.count, ("eroded",), strength=16.0)
         self.must_fail("fixed_shift_effects", lambda s, *_: [0.0] * s.count, ("warp_progressive",))
@@ -273,7 +271,7 @@ class Steps(unittest.TestCase):
                 self.assertGreater(max(jacobians.largest_intermediates(3).values()), 2**31)
 
 
-# Noises that fit a loop with slopes, and what they take behind the place.
+# Noises that fit a loop with slopes, and their arguments behind the place.
 FITTING = {name: "0.375f, " if name.endswith("_phase") else "" for name in jacobians.FITTING}
 NO_NOISES = {"hn_fbm_d", "hn_uniform_d"}  # functions that end in _d: a sum, and one of a value
 CUTS = {ROOT / "docs" / "reference" / "contract.md": r"`g = trunc\(clamp\(g, -(\d+), (\d+)\) \* 2\^19\)`",

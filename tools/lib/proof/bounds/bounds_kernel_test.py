@@ -1,4 +1,4 @@
-"""Tests of what is proven of simplex noise, of gradients that rotate and of curl: the library's text stays within the
+"""Tests of the proofs for simplex noise, of gradients that rotate and of curl: the library's text stays within the
 bounds, and reaches a part of them. A wrong constant is noticed."""
 
 import functools
@@ -43,7 +43,6 @@ def random_case(rng, kernel, rotating, count):
 
 
 def largest_differences(computed, expected):
-    """Of the values and of the derivatives."""
     (value, along), (exact_value, exact_along) = computed, expected
     return abs(value - exact_value).max(), max(abs(a - b).max() for a, b in zip(along, exact_along))
 
@@ -106,7 +105,7 @@ class Exact(unittest.TestCase):
                 self.assertLess(abs(rise - derivative).max(), 1e-6, noise)
 
     def test_second_derivatives(self):
-        """Of random gradients, in small boxes: they are within what is assumed."""
+        """Random gradients in small boxes are within the assumptions."""
         rng, step = np.random.default_rng(4), 1e-4
         for kernel in (*SIMPLEX.values(), *SMOOTH.values()):
             boxes = Boxes(5, rng.integers(0, 16, (kernel.dims, 200)))
@@ -141,11 +140,11 @@ ROTATION = Body.of("phase:f32", "cosine:f32 sine:f32", "hn_vec2 r = hn_i_rotatio
 
 
 class Errors:
-    """Of the text of the library with these macros."""
+    """The errors of the library's text with these macros."""
     MACROS: tuple[str, ...] = ()
 
     def errors(self, noise, dims, exactly, rotating, some, count=5000):
-        """The largest of the value and of the derivatives; `exactly` are those of cells, fractions and phases."""
+        """The largest of the value and of the derivatives; `exactly` are for cells, fractions and phases."""
         rng = np.random.default_rng(8)
         f = list(rng.random((dims, count)).astype(np.float32).astype(float))
         cells = list(rng.integers(-2**31, 2**31, (dims, count)))
@@ -173,7 +172,7 @@ class Errors:
 
 
 class Floats(Errors, unittest.TestCase):
-    """Of any rounding mode."""
+    """Floats in any rounding mode."""
 
     def test_any_rounding(self):
         for noise, kernel, rotating in NOISES:
@@ -288,7 +287,7 @@ class Curl(unittest.TestCase):
         self.assertGreater(at_a_point, 1.4 * bounds_of("curl", 3, "octahedral").limit)
 
     def test_symmetries(self):
-        """Of a largest product of derivatives along a direction and along another, at any place."""
+        """The largest product of derivatives along two directions is the same at symmetrical places."""
         rng, around = np.random.default_rng(11), [point for half in (0.0, 0.5) for point in
                                                   np.array(list(itertools.product(range(-1, 3), repeat=3))) + half]
         move = np.array(curl.MOVE)
@@ -311,7 +310,7 @@ class Curl(unittest.TestCase):
                 self.assertNotAlmostEqual(product(no_symmetry @ place, no_symmetry @ u, no_symmetry @ v), expected)
 
     def test_second_derivatives(self):
-        """Of random gradients along random directions, in small boxes: they are within what is assumed."""
+        """Random gradients along random directions, in small boxes, are within the assumptions."""
         rng, step = np.random.default_rng(12), 1e-4
         boxes = Boxes(5, rng.integers(0, 16, (3, 200)))
         middle, angle = (boxes.lo + boxes.hi) / 2, rng.uniform(0, math.pi, 200)
@@ -369,7 +368,7 @@ class Curl(unittest.TestCase):
 
 class Rotations(unittest.TestCase):
     def test_support(self):
-        """Of the gradients at many phases: none is beyond, and nearly all of it is reached."""
+        """No gradient at many phases is beyond the support, and nearly all of it is reached."""
         rng = np.random.default_rng(15)
         for dims in (2, 3):
             words = np.arange(0, 2**32, 2**20)
@@ -397,7 +396,7 @@ class Rotations(unittest.TestCase):
             self.assertAlmostEqual(max(abs(a).max(), abs(b).max()), rotations.LARGEST_SHARE[dims])
 
     def test_errors_of_two_sums(self):
-        """Two sums that are off as far as they may, a cosine and a sine that are, and in space what is made of them:
+        """Two sums that are off as far as they may, a cosine and a sine that are, and in space their results:
         one of them is nearly off by the bound."""
         rng = np.random.default_rng(17)
         angle, part = rng.uniform(0, 2 * math.pi, (2, 100_000))

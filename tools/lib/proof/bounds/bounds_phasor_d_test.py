@@ -1,4 +1,4 @@
-"""Tests of what is proven of the derivatives of phasor noise: the text of the library stays within the bounds, and
+"""Tests of the proofs for the derivatives of phasor noise: the text of the library stays within the bounds, and
 reaches a part of them. A wrong constant is noticed."""
 
 import unittest
@@ -76,7 +76,7 @@ class Exact(unittest.TestCase):
             self.assertTrue(0.95 * bound < slopes.max() < bound, (slopes.max(), bound))
 
     def test_first_derivatives(self):
-        """Of second derivatives of waves at random angles, in small boxes: they are within what is assumed."""
+        """Second derivatives of waves at random angles, in small boxes, are within the assumptions."""
         rng, step = np.random.default_rng(3), 1e-5
         for dims, kernel in KERNELS.items():
             boxes, angle = Boxes(5, rng.integers(0, 16, (dims, 200))), rng.uniform(0, 2 * np.pi, 200)
@@ -122,7 +122,7 @@ class Fixed(unittest.TestCase):
                     self.assertGreater(self.errors(dims), proven(dims).fixed_error, (dims, name))
 
     def test_no_product_overflows(self):
-        """The largest wave and the ends of values and of offsets reach nearly what is proven."""
+        """The largest wave and the ends of values and of offsets nearly reach the bounds."""
         turns = phasor_d.whole_turns(KERNELS[2])
         self.assertLess(abs(turns).max(), 2**20)
         for dims in KERNELS:

@@ -1,4 +1,4 @@
-"""Tests of what is proven of phasor noise: the text of the library stays within the bounds, and reaches a part of them.
+"""Tests of the proofs for phasor noise: the text of the library stays within the bounds, and reaches a part of them.
 A wrong constant is noticed."""
 
 import functools
@@ -65,8 +65,8 @@ def exactly(dims, cells, f, wave, phase):
 # --- The text of the library ------------------------------------------------------------------------------------------
 
 def body(dims, from_cell, what):
-    """From a position, or a cell and a fraction; then the wave and the phase. Of hn_phasor, or with `what` a part of
-    hn_phasor_d."""
+    """From a position, or a cell and a fraction; then the wave and the phase. It calls hn_phasor, or with `what` a part
+    of hn_phasor_d."""
     axes = AXES[dims]
     inputs = [f"c{axis}:i32" for axis in axes * from_cell] + [f"{'f' * from_cell}{axis}:f32" for axis in axes]
     inputs += [f"k{axis}:f32" for axis in axes] + ["phase:f32"]
@@ -83,7 +83,7 @@ def body(dims, from_cell, what):
 
 @functools.cache
 def text(*macros):
-    """With the derivatives, for bounds_phasor_d_test.py: reading the library is half of what a text costs."""
+    """With the derivatives, for bounds_phasor_d_test.py: reading the library is half of a text's cost."""
     forms = [(dims, form, what) for dims in KERNELS for form in ("cell", "position")
              for what in ("", "value", *(f"d{axis}" for axis in AXES[dims]))]
     weights = {name: Body.of("t:i32 m:i32", "n:i32", f"return uvec4(uint({step}), 0u, 0u, 0u);") for name, step in (
@@ -143,7 +143,7 @@ class Exact(unittest.TestCase):
             self.assertTrue(0.3 < phasor.error_bound(slower) / phasor.error_bound(kernel) < 0.5)
 
     def test_weight_by_its_slope(self):
-        """The slope is that of the weight, and both are within the ends for each range of t."""
+        """The slope is the weight's, and both are within the ends for each range of t."""
         rng, step, weight = np.random.default_rng(11), 1e-6, KERNELS[3].weight
         low, high = np.sort(rng.uniform(0, 1, (2, 4000)), axis=0)
         between = low + (high - low) * np.linspace(0, 1, 65)[:, None]
@@ -157,7 +157,7 @@ class Exact(unittest.TestCase):
             self.assertLess(np.mean(largest - least) / np.mean(values.max(axis=0) - values.min(axis=0)), 1.001)
 
     def test_second_derivatives(self):
-        """Of waves at random angles, in small boxes: they are within what is assumed."""
+        """Waves at random angles, in small boxes, are within the assumptions."""
         rng, step = np.random.default_rng(3), 1e-4
         for dims, kernel in KERNELS.items():
             boxes, angle = Boxes(5, rng.integers(0, 16, (dims, 200))), rng.uniform(0, 2 * np.pi, 200)
@@ -199,7 +199,7 @@ class Weights(unittest.TestCase):
         return abs(t - exactly), abs(w - exact_w), abs(fall - 2 * kernel.fall * exact_slope)
 
     def float_ratios(self, off, lost=1.0):
-        """The largest of errors over what is proven, of both. With `lost` above 1 the bounds are for finer floats."""
+        """The largest of errors over the proven ones, of both. With `lost` above 1 the bounds are for finer floats."""
         rng, worst = np.random.default_rng(12), np.zeros(2)
         for kernel, fuse in itertools.product(KERNELS.values(), (False, True)):
             exactly = rng.uniform(0, kernel.radius, 200_000)
@@ -264,7 +264,7 @@ class Fixed(unittest.TestCase):
                     self.assertGreater(self.errors(dims), bounds_of("phasor", dims, "none").fixed_error, (dims, name))
 
     def test_no_product_overflows(self):
-        """Of the largest wave, the ends of offsets and all sines: they reach the sizes that are proven."""
+        """The largest wave, the ends of offsets and all sines reach the sizes that are proven."""
         k, d = int(WAVES * 2**16), np.array([-2**20, -1, 2**20 - 1, 2**20])
         ramp = fixed_sines().max() * 2**13
         for dims in KERNELS:

@@ -1,4 +1,4 @@
-"""Tests of what is proven of the exact noise and its derivatives: how large they can be, and how fast they can
+"""Tests of the proofs for the exact noise and its derivatives: how large they can be, and how fast they can
 change."""
 
 import itertools
@@ -71,7 +71,7 @@ class Search(unittest.TestCase):
             self.assertLess(abs(rise - fade_derivative(order, lo)).max(), 1e-4)
 
     def test_supremum(self):
-        """Of a function with a known one, and a must-fail check: a box that is left out is missed."""
+        """A known supremum is found, and a must-fail check: a box that is left out is missed."""
         def bound(boxes: Boxes):
             upper = np.maximum(boxes.lo, boxes.hi).prod(axis=0)
             return upper, boxes.lo.prod(axis=0)
@@ -142,7 +142,7 @@ class Range(unittest.TestCase):
         self.assertEqual(SCALE, exact.SCALE)
 
     def test_derivatives_of_the_model(self):
-        """By differences: the quantities are about what the contract calls a derivative."""
+        """By differences: the quantities are about the contract's derivatives."""
         rng, step = np.random.default_rng(21), 1e-5
         for dims, kind in CASES:
             f = rng.uniform(0.1, 0.9, (dims, 200))

@@ -1,4 +1,4 @@
-"""Tests of what is proven of uniform values and spreads of sums: the text of the library over floats of any rounding
+"""Tests of the proofs for uniform values and spreads of sums: the text of the library over floats of any rounding
 mode, and fixed arithmetic, stay within the bounds, and reach a part of them. Fewer bits are noticed."""
 
 import functools

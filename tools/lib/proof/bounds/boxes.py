@@ -23,7 +23,7 @@ def fade(t):
 
 
 def fade_derivative(order, t):
-    """Of order 0 (the fade itself) to 4."""
+    """The derivative of an order from 0 (the fade itself) to 4."""
     if order == 0:
         return fade(t)
     if order == 1:
@@ -122,7 +122,6 @@ Bound = Callable[[Boxes], tuple[np.ndarray, ...]]
 
 
 def in_chunks(bound: Bound, boxes: Boxes) -> list[np.ndarray]:
-    """The results of `bound` for all of the boxes."""
     count = boxes.index.shape[1]
     chunks = [bound(boxes.only(slice(start, start + CHUNK))) for start in range(0, count, CHUNK)]
     return [np.concatenate(column) for column in zip(*chunks)]
@@ -130,7 +129,7 @@ def in_chunks(bound: Bound, boxes: Boxes) -> list[np.ndarray]:
 
 def supremum(bound: Bound, boxes: Boxes, levels: int, tolerance: float = 1e-6, exchange: int | None = None,
              most: int = 200_000) -> float:
-    """An upper bound over the boxes. `bound` gives one for each box, and what the supremum is at least: a box
+    """An upper bound over the boxes. `bound` gives one for each box, and a lower bound of the supremum: a box
     whose bound is above the largest of these by more than the tolerance is halved, down to a level or until there are
     too many boxes. Every box that is not halved counts with its bound. From the axis `exchange` on, axes may be
     exchanged."""

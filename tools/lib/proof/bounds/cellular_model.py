@@ -80,7 +80,7 @@ MOST = {2: 28 / 32, 3: 25 / 32}  # of the jitter, of points that move
 
 
 class MovingExact(Exact):
-    """Of points that go round."""
+    """Points go round."""
 
     def __init__(self, cells, words, f, jitter, phase):
         dims, a = len(f), 2 * np.pi * np.asarray(phase)

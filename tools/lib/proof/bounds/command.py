@@ -1,7 +1,7 @@
 """Proves the numbers that the documentation quotes about noise and octave sums: range, Lipschitz constant, errors.
 
     tools/make bounds            writes bounds.inc, which the suite includes, and the tables of docs/measured/accuracy.md
-    tools/make bounds --check    compares these, and every bound that a comment or a page quotes, with what is derived
+    tools/make bounds --check    compares these, and every bound that a comment or a page quotes, with the derived one
     tools/make bounds --table    prints all that is derived
     tools/make bounds --json     prints the same as JSON
 
@@ -81,7 +81,7 @@ def derive_family(name: str) -> list[ProvenBounds]:
 
 
 def derive() -> Everything:
-    """All of it, on all cores: each family in one process, which computes once what its noises share."""
+    """All of it, on all cores: each family in one process, which computes once the parts that its noises share."""
     families = {name: [key for key in keys() if family(key) == name] for name in map(family, keys())}
     with ProcessPoolExecutor() as pool:
         derived = {key: of_key for of_family, some in zip(families.values(), pool.map(derive_family, families))
@@ -128,7 +128,7 @@ def without_proof() -> list[str]:
 
 
 def refusals(name: str) -> list[str]:
-    """Of the proofs in floats and in integers of a sum, for an octave on the plane."""
+    """The refusals of the proofs in floats and in integers for a sum, for an octave on the plane."""
     try:
         s, noise = Sum(name, 1.0, 1, 2.0, 0.5), sums.CATALOG[name].noise
     except LookupError as error:
@@ -146,7 +146,6 @@ def refusals(name: str) -> list[str]:
 
 
 def differences(derived: Everything, root: Path = ROOT) -> list[str]:
-    """The differences from the derived numbers."""
     old = [f"{path}: not up to date; run tools/make bounds" for path, text in files(derived, root).items()
            if not path.is_file() or path.read_text(encoding="utf-8") != text]
     of_all = catalog.model.read(root / "catalog")

@@ -1,4 +1,4 @@
-"""The errors of cellular noise: of the distances to feature points, of what is made of them, and of derivatives.
+"""The errors of cellular noise: of the distances to feature points, of numbers made of them, and of derivatives.
 
 FLOATS. As elsewhere an operation returns one of the two floats around its exact result (floats.py). GLSL leaves more
 room to a square root and to a division: here a root is taken to be within ROOT_ULPS and a quotient within
@@ -55,7 +55,7 @@ def components(dims: int, reach: float, ulps: float) -> tuple[float, float]:
 
 
 def from_points(dims: int, reach: float, centre: float, product: float, ulps: float) -> tuple[float, float]:
-    """The same, where a component of the offset from the centre of a cell, and the product of a direction and the
+    """The norm where a component of the offset from the centre of a cell, and the product of a direction and the
     jitter, are off by so much. HN_PRECISE may take a jitter as 0."""
     length, point = 2 * reach, product + 2.0**-32
     along = centre + point + f32(length * 1.001, ulps)
@@ -66,12 +66,12 @@ def from_points(dims: int, reach: float, centre: float, product: float, ulps: fl
 
 
 def length_error(dims: int, reach: float, ulps: float) -> float:
-    """Of an offset, before its length is computed, in half cells."""
+    """The error of an offset, before its length is computed, in half cells."""
     return length_of(*components(dims, reach, ulps))
 
 
 def length_of(across: float, along: float) -> float:
-    """Of two components; of three, two are rotated, and longer by sqrt(2)."""
+    """Two components. Where there are three, two are rotated, and longer by sqrt(2)."""
     return math.hypot(across, along)
 
 
@@ -80,7 +80,7 @@ def relative(operations: float, ulps: float) -> float:
 
 
 def square_error(dims: int, reach: float, ulps: float) -> float:
-    """Of the square of a length, in squares of half cells."""
+    """The error of the square of a length, in squares of half cells."""
     length, err = 2 * reach, length_error(dims, reach, ulps)
     return (length + err) ** 2 * (1 + relative(OPERATIONS[dims], ulps)) - length**2 + 3 * TINY
 
@@ -90,7 +90,7 @@ def distance_error(dims: int, reach: float, ulps: float = 1.0) -> float:
 
 
 def root_error(dims: int, reach: float, err: float, ulps: float) -> float:
-    """Of the length of an offset, in cells, given the error of the offset in half cells."""
+    """The error of the length of an offset, in cells, given the error of the offset in half cells."""
     length = 2 * reach
     computed = (length + err) * (1 + relative(OPERATIONS[dims] / 2, ulps)) * (1 + UNIT * ROOT_ULPS)
     return (computed - length + 2.0**-60) / 2 * SAFE
@@ -103,7 +103,7 @@ def euclidean_reach(metric: str, dims: int, largest: float) -> float:
 
 
 def manhattan_reach(metric: str, dims: int, largest: float) -> float:
-    """The same in the Manhattan metric."""
+    """The reach in the Manhattan metric."""
     if metric == "hybrid":
         return dims * (math.sqrt(1 + 4 * largest / dims) - 1) / 2
     if metric == "manhattan":
@@ -112,7 +112,7 @@ def manhattan_reach(metric: str, dims: int, largest: float) -> float:
 
 
 def metric_error(metric: str, dims: int, largest: float, ulps: float = 1.0) -> float:
-    """Of a distance up to the largest, in cells."""
+    """The error of a distance up to the largest, in cells."""
     reach = euclidean_reach(metric, dims, largest)
     across, along = components(dims, reach, ulps)
     if metric == "euclidean":
@@ -138,15 +138,17 @@ def metric_slope(metric: str, dims: int, largest: float) -> float:
 
 
 def direction_error(dims: int, reach: float, ulps: float = 1.0) -> float:
-    """Of a component of an offset divided by its length, times that length. If the offset is off by e and longer than
-    e, then its direction rotates by an angle of a sine of at most e over the length. Below a right angle no chord is
-    longer than sqrt(2) times the sine. If it is shorter, the component may be off by 2. Hence 2 e, for both."""
+    """The error of a component of an offset divided by its length, times that length. If the offset is off by e and
+    longer than e, then its direction rotates by an angle of a sine of at most e over the length. Below a right angle no
+    chord is longer than sqrt(2) times the sine. If it is shorter, the component may be off by 2. Hence 2 e, for
+    both."""
     steps = relative(1 + OPERATIONS[dims] / 2, ulps) + UNIT * (ROOT_ULPS + QUOTIENT_ULPS) + UNIT**2 * 100
     return (2 * length_error(dims, reach, ulps) / 2 + steps * reach) * SAFE
 
 
 def offset_error(dims: int, fixed: bool) -> float:
-    """Of a component of the offset of a point that is nearest in any metric, from a position or a cell, in cells."""
+    """The error of a component of the offset of a point that is nearest in any metric, from a position or a cell, in
+    cells."""
     if fixed:
         return 2.5 * PLACE
     largest = {metric: features.largest_distance(dims, 1, metric) for metric in features.METRICS}
@@ -157,8 +159,8 @@ def offset_error(dims: int, fixed: bool) -> float:
 
 
 def smooth_error(dims: int, ulps: float = 1.0) -> float:
-    """Of hn_cellular_smooth. (W + 1/4096)^(1/4) is a norm of the 1 - distance and 1/8, so if each of these is off by
-    e, it is off by e times the fourth root of their number."""
+    """The error of hn_cellular_smooth. (W + 1/4096)^(1/4) is a norm of the 1 - distance and 1/8, so if each of these is
+    off by e, it is off by e times the fourth root of their number."""
     of_weight = distance_error(dims, 1.0, ulps) + f32(0.99, ulps)
     largest = (features.largest_weights(dims) + 1 / 4096) ** 0.25 + 1e-4
     steps = relative(3 + CLOSENESS[dims] + 1, ulps) / 4 + 1.5 * UNIT * ROOT_ULPS + UNIT**2 * 1000
@@ -174,7 +176,7 @@ BLOCK_REACH = {dims: math.sqrt(2.5**2 + (dims - 1) * 1.5**2) for dims in (2, 3)}
 
 
 def border_error(dims: int, ulps: float = 1.0, apart: float | None = None) -> float:
-    """Of points that are at least so far apart."""
+    """The error for points that are at least so far apart."""
     largest, first = features.largest_border(dims), features.largest_distance(dims, 1)
     of_offset = length_error(dims, BLOCK_REACH[dims], ulps) / 2
     squares = relative(OPERATIONS[dims] + 1, ulps)
@@ -201,7 +203,7 @@ def fixed_point(dims: int) -> float:
 
 
 def fixed_parts(dims: int) -> dict[str, float]:
-    """Of the Euclidean distance."""
+    """The parts of the Euclidean distance."""
     return {"cut": fixed_place(dims), "points": fixed_point(dims), "rank": math.sqrt(RANK), "scaling": 2.0**-18}
 
 
@@ -213,17 +215,18 @@ def fixed_metric_error(metric: str, dims: int, largest: float) -> float:
 
 
 def fixed_direction_parts(dims: int) -> dict[str, float]:
-    """Of a derivative, times the distance. An offset D that is made longer, to k D, is at least 2^17 long then. Its
-    root, in units of 4, rounds down by less than 4 / |k D| of it. This times |D| is at most 4 units of 2^-20."""
+    """The parts of a derivative, times the distance. An offset D that is made longer, to k D, is at least 2^17 long
+    then. Its root, in units of 4, rounds down by less than 4 / |k D| of it. This times |D| is at most 4 units of
+    2^-20."""
     reach = features.largest_distance(dims, 1)
     return {"cut": 2 * fixed_place(dims), "points": 2 * fixed_point(dims), "rank": 2.0**-26,
             "scaling": 2.0**-18 * (1 + 2.0**-13) + 2.0**-21 * reach}
 
 
 def fixed_smooth_parts(dims: int) -> dict[str, float]:
-    """Of hn_cellular_smooth. A weight rounds down: t by less than 2^-16, t * t by 2^-16, and its square by 2^-30. These
-    take less than 2^-15 t^2 + 2^-30 from a weight. The squares of t sum to at most the root of their number times the
-    sum of weights W, which is halved from step to step here."""
+    """The parts of hn_cellular_smooth. A weight rounds down: t by less than 2^-16, t * t by 2^-16, and its square by
+    2^-30. These take less than 2^-15 t^2 + 2^-30 from a weight. The squares of t sum to at most the root of their
+    number times the sum of weights W, which is halved from step to step here."""
     number, unit = features.most_within(dims), 2.0**-16
     root = number**0.25
     edges = features.largest_weights(dims) * 1.01 * 0.999 ** np.arange(40_000)
@@ -260,7 +263,7 @@ def largest_square(dims: int) -> float:
 
 
 def square_intermediates(largest: float) -> dict[str, float]:
-    """Of a square of so many cells, and of what is left of it after a root."""
+    """The words of a square of so many cells, and of its rest after a root."""
     return {"half of a square": largest * 2**28 / 2, "rest of a square": 2 * math.sqrt(largest) * 2**18 + 2}
 
 

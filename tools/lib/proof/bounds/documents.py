@@ -41,12 +41,12 @@ def name_of(key: Key) -> str:
 
 
 def values_of(derived: Everything) -> Everything:
-    """Without the noises that return derivatives, whose values are those of another, or only what derivatives make."""
+    """Without the noises that return derivatives, with values of another, or only what derivatives make."""
     return {key: of_noise for key, of_noise in derived.items() if of_noise.promise and not of_noise.slope}
 
 
 def slopes_of(derived: Everything) -> Everything:
-    """The derivatives, and what is made of them."""
+    """The derivatives, and results made of them."""
     return {key: of_noise.slope or of_noise for key, of_noise in derived.items()
             if of_noise.slope or not of_noise.promise}
 
@@ -193,12 +193,12 @@ def overflow(derived: Everything) -> float:
 
 
 def jacobians_overflow() -> float:
-    """The same of the sums with slopes, and of warps, in the domain of their bounds."""
+    """The largest of sums with slopes and of warps, in the domain of their bounds."""
     return float(rounded_up(max(jacobians.largest_intermediates(3).values()) / 2**31, 3))
 
 
 def quotes(derived: Everything) -> list[tuple[str, str]]:
-    """Pairs of a file and what must stand in it."""
+    """Pairs of a file and a text that must stand in it."""
     plane, space = (derived[NOISE_OF_SUMS, dims, GRADIENTS[0]] for dims in (2, 3))
     stated = [(KNOBS, f"| {scientific(plane.error)} | {scientific(space.error)} |"),
               (KNOBS, f"| {scientific(plane.fixed_error)} | {scientific(space.fixed_error)} |"),
@@ -217,14 +217,11 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
         f"{jacobians_overflow():g} * 2^31 in a sum of slopes",
         f"{scientific(-fade_errors().min())} too small",
         f"{scientific(fade_errors().max())} too large",
-        *(f"{c:.8f}" for c in sine.SINE_DECIMALS), f"{round(sine.SINE_ARGUMENT_ERROR * 2**30)} / 2^30",
-        f"times that, {scientific(math.pi / 2 * sine.SINE_ARGUMENT_ERROR)}",
-        f"\n{scientific(sine.sine_truncation_bound())} at most", f"|s - sin| <= {scientific(sine.sine_bound())}",
+        f"|s - sin| <= {scientific(sine.sine_bound())}",
         f"2^-19 = {scientific(SINE.component_error)}", f"which is {scientific(sine.fixed_sine_error())}:",
         f"at most 1 - {math.floor((1 - sine.sine_largest()) * 1e9) / 1e9:.2e}".replace("e-0", "e-"),
         f"adds {scientific(sums.cloud_error())} ",
         f"within {scientific(rotations.float_error())} of those of the phase",
-        f"by at most {scientific(rotations.float_rounding(3))} for each unit of its range",
         f"which adds {scientific(rotations.fixed_rounding(3))} for each unit")]
     stated += [(ACCURACY, text) for text in (*uniform.quotes(), *gullies.quotes())]
     return stated + [quote for name in noises.names() for quote in getattr(noises.find(name), "quotes", list)()]
@@ -245,9 +242,9 @@ def missing_quotes(derived: Everything, root: Path = ROOT) -> list[str]:
 
 # The kind of a number, in reading order: a heading, a knob, or a number.
 # The range of a derivative has few decimals, and is known by its brackets. "of the offset": the errors after it are
-# those of the out parameter. "From a cell": those after it are of places that hn_place makes of a cell and a fraction,
-# which are smaller than those of positions. Under `error` any other number with a point or a power is an error as well,
-# but not a position "2^-20 below" another.
+# for the out parameter. "From a cell": those after it are for places that hn_place makes of a cell and a fraction,
+# and smaller than for positions. Under `error` any other number with a point or a power is an error as well, but not a
+# position "2^-20 below" another.
 WORD = re.compile(r"^   ?(?P<heading>[a-z]+)  |HN_FIXED|HN_GRADIENT_SINE|(?P<offset>of the offset)"
                   r"|(?P<cell>[Ff]rom a cell)|(?P<error>\d\.\d+e-\d+)"
                   r"|(?P<range>\d\.\d{3,}|(?<=\[-)\d+\.\d+|\d+\.\d+(?=\]))"
@@ -294,7 +291,7 @@ def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gr
             ends = module.ends(dims)
             return ends[place] if place < len(ends) else None
         of_noise = of_function(function, gradient, derived)
-        of_noise = of_noise.slope or of_noise  # the value is that of another noise
+        of_noise = of_noise.slope or of_noise  # the value is another noise's
         if kind == "range":
             return of_noise.range if of_noise.promise else max(of_noise.largest, of_noise.fixed_largest)
         return of_noise.fixed_error if fixed else of_noise.cell_error if kind == "in a cell" else of_noise.error
@@ -312,7 +309,7 @@ def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gr
 
 
 def beyond_fbm(kind: str) -> float:
-    """The error of a sum beyond that of an fBm: that of no octaves."""
+    """The error of a sum beyond an fBm's: the error of no octaves."""
     return octave_tolerance(Sum(kind, 0.0, 0, 2.0, 0.5), Bounds(NOISE_OF_SUMS, 2, "none", *[0.0] * 6))
 
 
@@ -352,7 +349,6 @@ def wrong_numbers(function: glsl.Declaration, derived: Everything) -> dict[tuple
 
 
 def _significant(number: str) -> str:
-    """Its significant digits."""
     return number.partition("e")[0].replace(".", "").lstrip("0")
 
 

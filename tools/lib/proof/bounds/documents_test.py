@@ -1,5 +1,5 @@
 """Tests of documents.py, table.py and command.py: what quotes a bound follows the derivation, and another number is an
-error with its place. The derivation itself is not run: RAW is what it gave of a noise and of the one with its
+error with its place. The derivation itself is not run: RAW is its result for a noise and of the one with its
 derivatives, and others are left out."""
 
 import contextlib
@@ -64,7 +64,7 @@ class Rounding(unittest.TestCase):
     def test_a_row(self):
         self.assertEqual(table.noise_row(RAW["perlin", 3, SINE].bounds("perlin", 3, SINE)),
                          'NOISE_BOUNDS("perlin", 3, sine, 7.70e-6, 8.12e-6, 6.94, 1.50001, 1.40e-4, 1.50002)\n')
-        # Within what the contract promises, the limit is that.
+        # Within the contract's promise, the limit is that.
         self.assertEqual(table.noise_row(RAW["perlin", 2, OCTAHEDRAL].bounds("perlin", 2, None)),
                          'NOISE_BOUNDS("perlin", 2, none, 2.44e-6, 2.67e-6, 3.77, 1.0, 4.30e-5, 1.0)\n')
         # A derivative has no promise.
@@ -168,7 +168,7 @@ class Tree(unittest.TestCase):
             (noise2d, "at most 2.44e-6", "at most 1e-9", r"1e-9 of hn_perlin\(place2, uint\) should be 3e-6"),
             (noise2d, "at most 2.44e-6", "at most 2^-30", r"2\^-30 of hn_perlin\(place2, uint\) should be 2\^-18"),
             (noise2d, "at most 2.44e-6", "at most 0.01", r"0.01 of hn_perlin\(place2, uint\) should be 3e-6"),
-            (clouds, "of hn_turbulence", "of hn_turbulence, plus 2^-30", r"2\^-30 of hn_billow.* is derived nowhere"),
+            (clouds, "twice hn_turbulence's", "twice hn_turbulence's, plus 2^-30", r"2\^-30 of hn_billow.* is derived nowhere"),
             (first, "at most 6.57e-6", "at most 6.56e-6",
              r"6.56e-6 of hn_perlin_d\(place1, uint\) should be 6.57e-6"),
             (first, "at most 7.47e-6", "at most 7.46e-6", r"7.46e-6 of hn_perlin_d\(place1, uint\) should be 7.47e-6"),
@@ -210,7 +210,8 @@ class Tree(unittest.TestCase):
 
 
 class Phases(unittest.TestCase):
-    """The forms of a noise with a phase have bounds of their own, and those of a cell share a comment with the rest."""
+    """The forms of a noise with a phase have bounds of their own, and the forms of a cell share a comment with the
+    rest."""
 
     def test_names(self):
         def named(*types, name="hn_perlin"):
@@ -311,8 +312,8 @@ class New(unittest.TestCase):
             self.entry("sums.toml", "ridged", "narrow", ("range = [0, 1]", "range = [0.4, 0.5]"),
                        ('returns = "[0, 1]', 'returns = "[0.4, 0.5], proven'))
             for name, error in (("tiny", "at most 1e-9"), ("tinier", "2^-30"), ("vague", "hardly any"),
-                                ("twofold", "twice that of `fbm`"), ("unlike", "that of `ridges`")):
-                self.entry("sums.toml", "turbulence", name, ("that of `fbm`", error))
+                                ("twofold", "twice `fbm`'s"), ("unlike", "`ridges`'s")):
+                self.entry("sums.toml", "turbulence", name, ("\"`fbm`'s\"", f'"{error}"'))
             for file, old, new in (("catalog/settings.toml", '"hybrid"]', '"hybrid", "minkowski"]'),
                                    ("tools/lib/catalog/model.py", 'MEANS = ("", ', 'MEANS = ("", "veil", ')):
                 text = (self.root / file).read_text(encoding="utf-8")
@@ -320,16 +321,16 @@ class New(unittest.TestCase):
                 (self.root / file).write_text(text.replace(old, new), encoding="utf-8")
             done = subprocess.run([sys.executable, "-B", "-m", "proof.bounds.command", "--check"], cwd=self.root / "tools/lib",
                                   env={**os.environ, "PYTHONPATH": "."}, capture_output=True, text=True, check=False)
-        of_turbulence = [f"catalog/sums.toml: {name}: error is '{error}', and has to be one of {claims.FORMS}"
+        of_turbulence = [f"catalog/sums.toml: {name}: the error {error} has to be one of {claims.FORMS}"
                          for name, error in (("tinier", "2^-30"), ("tiny", "at most 1e-9"))]
         self.assertEqual((done.stdout.splitlines(), done.returncode), ([
             "catalog/sums.toml: narrow: range is (0.4, 0.5), and (0.0, 1.0) is derived",
             "catalog/sums.toml: narrow: use has [0, 1], which is not its range",
             *of_turbulence,
-            "catalog/sums.toml: twofold: error is 'twice that of `fbm`', "
-            "and proven are 1 times that, with HN_FIXED 1 times",
-            f"catalog/sums.toml: unlike: error is 'that of `ridges`', and has to be one of {claims.FORMS}",
-            f"catalog/sums.toml: vague: error is 'hardly any', and has to be one of {claims.FORMS}",
+            "catalog/sums.toml: twofold: the error twice `fbm`'s is not proven: "
+            "proven are 1 times that, with HN_FIXED 1 times",
+            f"catalog/sums.toml: unlike: the error `ridges`'s has to be one of {claims.FORMS}",
+            f"catalog/sums.toml: vague: the error hardly any has to be one of {claims.FORMS}",
             "tools/lib/proof/bounds has no proof of the sum billow_d",
             "tools/lib/proof/bounds/features.py has no proof of the metric minkowski",
             "tools/lib/proof/bounds/noises has no proof of spots: write spots.py",

@@ -155,7 +155,7 @@ def weights(corner, fractions):
 
 
 def perlin(kind, words_of, fractions, gradient_of=gradient):
-    """The value, and the derivatives, of what a function makes of the kind, the dimensions and the words."""
+    """The value, and the derivatives, that a function makes of the kind, the dimensions and the words."""
     dims = len(fractions)
     value, derivatives = 0.0, [0.0] * dims
     for corner in corners(dims):
@@ -201,7 +201,7 @@ def perlin_at(kind, p, seed=np.int64(0)):
 
 
 def rotate(q):
-    """Of section 7."""
+    """See section 7."""
     q = list(q)
     for axis, (c, s) in enumerate(ROTATIONS[:len(q) - 1]):
         q[axis:axis + 2] = (c * q[axis] - s * q[axis + 1]) / 32, (s * q[axis] + c * q[axis + 1]) / 32

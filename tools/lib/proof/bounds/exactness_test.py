@@ -31,7 +31,7 @@ def columns_of(id, seed=1):
 class Fixed(unittest.TestCase):
     @staticmethod
     def differing(text, ids, others):
-        """The functions whose bits are others than those of floats that round to nearest."""
+        """The functions with other bits than floats that round to nearest."""
         found = []
         for id in ids:
             columns = columns_of(id)
@@ -66,7 +66,7 @@ class Ramps(unittest.TestCase):
         return sorted({sign * x for x in near if 0 <= x <= largest for sign in (1, -1)})
 
     def wrong(self, terms, start, unit):
-        """Which sums of some of the terms and the start are no floats, whether that of all is beyond the floats that
+        """Which sums of some of the terms and the start are no floats, whether the sum of all is beyond the floats that
         have this unit, and whether its bits are another integer than that of the terms."""
         every = [*terms, start]
         sums = [sum(some) for count in range(1, len(every) + 1) for some in itertools.combinations(every, count)]

@@ -3,7 +3,7 @@ the nearest ones, and how large the distances can be.
 
 The point of a cell lies in an octahedron (on the plane a square): the places that are not farther than 1/2 from the
 centre of the cell, in sum along the axes. Points of different cells are independent. So at a place x the largest that
-the k-th smallest distance can be is the k-th smallest of what the farthest places of the octahedra have, and everything
+the k-th smallest distance can be is the k-th smallest distance to the farthest places of the octahedra, and everything
 that falls with each distance is largest where each point is nearest. A jitter below 1 only makes the octahedra smaller.
 
 BLOCKS. Let S_k(v) be the sum of the k largest magnitudes of the components of v. It is a norm, and S_k(u) <= 1/2 for
@@ -107,7 +107,7 @@ def farthest(c: Cell, places: np.ndarray, metric: str = "euclidean") -> np.ndarr
 
 
 def nearest(c: Cell, places: np.ndarray) -> np.ndarray:
-    """The smallest Euclidean distance to the octahedron of the cell: what is cut off from each component is at most
+    """The smallest Euclidean distance to the octahedron of the cell: the cut of each component is at most
     `cut`, so that the rest has the sum 1/2."""
     v = -np.sort(-_from_centre(c, places), axis=0)
     sums = np.cumsum(v, axis=0)

@@ -170,8 +170,8 @@ def approx_derivatives(values, fractions, of_gradient):
 
 
 def approx_number_derivatives(values, fractions, offset):
-    """The same of numbers, with no gradients. In the plane, what climbs along x is interpolated along y first. The
-    rises have no offset, and those of the corners' numbers are exact."""
+    """The derivatives of numbers, without gradients. In the plane, what climbs along x is interpolated along y first.
+    The rises have no offset, and the corners' numbers rise exactly."""
     t, slopes = [approx_fade(f) for f in fractions], [approx_slope(f) for f in fractions]
     rises = [Approx(-a.size() - b.size(), a.size() + b.size(), a.err + b.err, a.ulps) for a, b in pairs(values)]
     if len(fractions) == 1:
@@ -189,7 +189,8 @@ def approx_number_derivatives(values, fractions, offset):
 # --- The cubic spline -------------------------------------------------------------------------------------------------
 
 def spline_weight(t):
-    """Of the points 2 and 0 at a fraction t, exactly: b_2 and b_0. The errors of -1 and 1 are the same at 1 - t."""
+    """The exact weights of points 2 and 0 at a fraction t: b_2 and b_0. The errors of -1 and 1 are the same at 1 -
+    t."""
     return t**3 / 6, 2 / 3 - t**2 + t**3 / 2
 
 
@@ -238,5 +239,5 @@ def error_supremum(error: Callable[[Sequence[np.ndarray], Sequence[np.ndarray]],
 
 
 def position_error(cell_error, lipschitz, ulps=1.0):
-    """The same from a position: the fraction is up to 2^-24 (to nearest: half of it) off."""
+    """The error from a position: the fraction is up to 2^-24 (to nearest: half of it) off."""
     return cell_error + lipschitz * ulps * 2.0**-24

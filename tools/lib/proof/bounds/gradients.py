@@ -11,7 +11,7 @@ with another one. On the plane these are all vectors that are as long as they ar
 the edge e, 60 degrees apart, are both perpendicular to g x e, which is 1 or -1 along each axis: so g goes along the
 circle of the radius sqrt(2) that is perpendicular to a diagonal s of the cube. Each of the four has six edges on its
 circle, and a reflection only exchanges diagonals. On a circle the largest g.v is sqrt(2) times the length of v without
-its part along s, sqrt(|v|^2 - (s.v)^2 / 3); h is that of the diagonal with the least |s.v|. With the magnitudes a >= b
+its part along s, sqrt(|v|^2 - (s.v)^2 / 3); h belongs to the diagonal with the least |s.v|. With the magnitudes a >= b
 >= c of the components, |s.v| is one of a + b + c, a + b - c, a - b + c and |a - b - c|. The last is the least: the
 third is more by 2 c or 2 (a - b).
 
@@ -31,7 +31,7 @@ LENGTH = {1: LARGEST_1D, 2: math.sqrt(10) / 4, 3: math.sqrt(2), 4: math.sqrt(2)}
 
 
 def two_largest(v):
-    """Magnitudes, the largest ones first. Of four they are found as the larger of pairs, which is faster than to
+    """Magnitudes, the largest ones first. Four are compared as the larger of pairs, which is faster than to
     sort."""
     v = np.abs(np.asarray(v, float))
     if len(v) == 2:
@@ -68,7 +68,7 @@ def sine_support(v):
 class Gradient:
     name: str
     support: Callable
-    component_error: float = 0.0  # of floats: what the contract allows
+    component_error: float = 0.0  # of floats: the contract's limit
 
     def reach(self, dims: int) -> float:
         """The largest |g.v| for |v_i| <= 1."""

@@ -1,6 +1,6 @@
 """hn_gullies on arrays with LATTICE, without periods: exactly, in doubles. Written from docs/reference/contract.md,
 section 24, for bounds_gullies_test.py. A sum is a bounds.sums.Sum in a tile, and gives the height and
-what is added to both slopes, in floats."""
+the sums for both slopes, in floats."""
 
 import math
 

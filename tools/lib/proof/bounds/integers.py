@@ -1,5 +1,5 @@
-"""Bounds what the fixed arithmetic (HN_FIXED, docs/reference/contract.md, sections 8 to 11) does to a noise of lattice
-points.
+"""Bounds the effect of fixed arithmetic (HN_FIXED, docs/reference/contract.md, sections 8 to 11) does to a noise of
+lattice points.
 
 Numbers of a single fraction are computed here for each of the 2^20 + 1 fractions F, in the integers of the
 contract: the fade t of F, its slope, the weights of the spline, and how much a product with each of them rounds. The
@@ -150,7 +150,7 @@ def lerp_roundings():
 
 @functools.cache
 def mirrored_lerp_roundings():
-    """The larger one of those of f and 1 - f."""
+    """The larger one at f and at 1 - f."""
     return np.maximum(lerp_roundings(), lerp_roundings()[::-1])
 
 
@@ -215,7 +215,7 @@ def fade_effect(boxes: Boxes, gradient: Gradient | None) -> np.ndarray:
         curvature = curvature + 2 * curve[axis] * others * (gradient.reach(dims) if gradient else 1.0)
         if gradient:
             curvature = curvature + 4 * slope[axis] * others * gradient.component(dims)
-    # DOUBLE * 2^n corners: what the rounding of the exact fade may add.
+    # DOUBLE * 2^n corners: the rounding of the exact fade may add that.
     return effect + curvature / 8 * boxes.side**2 + DOUBLE * 2**dims * dims
 
 
@@ -292,25 +292,25 @@ def largest_slope_fade_effect(dims: int, gradient: Gradient) -> float:
 
 @functools.cache
 def largest_joint_effect(dims: int, gradient: Gradient | None, one: int, of_corner: float = 0) -> float:
-    """Of FADE and LERP together; `one` is the unit of the corners' values."""
+    """The effect of FADE and LERP together; `one` is the unit of the corners' values."""
     def both(boxes):
         return fade_effect(boxes, gradient) + rounding_effect(boxes, of_corner) / one
     return largest_effect(both, dims)
 
 
 def largest_rounding(dims: int, of_corner: float = 0) -> float:
-    """Of LERP alone."""
+    """The effect of LERP alone."""
     return (dims * float(lerp_roundings().max()) + of_corner) * (1 + 2 * overshoot()) ** dims
 
 
 # --- Derivatives ------------------------------------------------------------------------------------------------------
 
 def slope_rounding(dims: int, gradients: bool) -> float:
-    """A bound of what derivatives round by, in units four times as large as those of the ramps, or numbers. Every shift
+    """A bound of what derivatives round by, in units four times as large as for the ramps, or numbers. Every shift
     by 2 rounds down by at most 3/4. After k interpolations a ramp is rounded down by at most k lambda, lambda the
     largest rounding of LERP, and so a rise is off by that at most, up or down. Components of gradients are multiples of
     2^18 in their units, so their first interpolation is exact, and k of them round by less than k lambda. The product
-    with the slope has its own rounding, and what is made is interpolated along the axes behind. For numbers, the rise
+    with the slope has its own rounding, and the result is interpolated along the axes behind. For numbers, the rise
     along x is first interpolated along y."""
     lerp, product = float(lerp_roundings().max()), float(part_roundings(slopes()).max())
     steepest, worst = slopes().max() / FADE_ONE, 0.0
@@ -362,7 +362,7 @@ def interpolation_intermediates(corner: float, dims: int, difference: float | No
 
 
 def slope_intermediates(rise: float, gradient: float, dims: int, difference: float | None = None) -> dict[str, float]:
-    """The same of the derivatives that are interpolated with the values. Components of gradients are at most
+    """The words of the derivatives that are interpolated with the values. Components of gradients are at most
     `gradient`, and rises of values, before they are shifted, at most `rise`. Two derivatives differ by at most
     `difference`, but for their rounding."""
     climb = part_intermediate(rise / 4 + 1, slopes())

@@ -5,7 +5,7 @@ The Jacobian of an octave is a matrix K. Its columns, which a derivative is a pr
 is, are lengthened by no more than the rotations stretch lengths. Integers of a Jacobian do not depend on the position,
 and so they are compared with the exact numbers as they are.
 
-Lengths are bounded, as those of positions are; with a period nothing rotates, and each coordinate is bounded on its
+Lengths are bounded, as for positions; with a period nothing rotates, and each coordinate is bounded on its
 own. L of a noise is the largest sum of the magnitudes of its derivatives. It bounds the lengths of gradients, and with
 them how far noise changes with the length of a step: less than L times the step."""
 
@@ -45,11 +45,11 @@ LARGEST_AMPLITUDE = max(LARGEST_STRENGTH[kind] for kind in SHIFTS)
 FITTING = tuple(noise.name + phase for noise in catalog.model.read().noises  # what hn_add takes
                 if noise.shape in ("slopes", "distance_with_slopes") for phase in ("", "_phase")[:1 + ("phase" in noise.options)])
 DOUBLES = 1e-12  # more than the rounding errors of 32 Jacobians of up to 64, computed in doubles
-COARSE = 127  # what a large result loses at most, in its units
+COARSE = 127  # the largest loss of a large result, in its units
 
 
 def stretch(s: Sum, dims: int) -> float:
-    """Of a length, by the rotations between two octaves."""
+    """How much the rotations between two octaves stretch a length."""
     return math.prod(ROTATIONS[:dims - 1]) if s.rotates else 1.0
 
 
@@ -111,7 +111,8 @@ def exact_jacobians(s: Sum, dims: int) -> Iterator[np.ndarray]:
 
 
 def fixed_jacobians(s: Sum, dims: int) -> Iterator[list[list[int]]]:
-    """The same in units of 2^-18, by rows. In the plane (c, s) is the first column, from which the second follows."""
+    """The Jacobians in units of 2^-18, by rows. In the plane (c, s) is the first column, from which the second
+    follows."""
     columns = 1 if dims == 2 else dims
     rows = [[FADE_ONE * (row == column) for column in range(columns)] for row in range(dims)]
     growth = math.trunc(s.gain * FADE_ONE) * math.trunc(s.lacunarity * 2**23) >> 23
@@ -124,7 +125,7 @@ def fixed_jacobians(s: Sum, dims: int) -> Iterator[list[list[int]]]:
 
 
 def jacobians(s: Sum, dims: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Of each octave, the fixed Jacobian and the exact one."""
+    """The fixed Jacobian and the exact one of each octave."""
     for _, fixed, exact in zip(range(s.count), fixed_jacobians(s, dims), exact_jacobians(s, dims)):
         yield np.array(fixed) / FADE_ONE, exact
 
@@ -169,12 +170,10 @@ def fixed_slope_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
 # ----------------------------------------------------------------------------------------------------------
 
 def fixed_fall_errors(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
-    """Of the factors 1 / (1 + strength |e|^2). A slope is rounded down to 2^-12, and so are two coordinates by each
-    rotation;
-    a clamp brings no two vectors further apart. The square times the strength rounds down by less than 2^-16 of a
-    number
-    from 1 on, and the quotient by 2^-18. The cut of the strength changes a factor by up to
-    d r^2 / (1 + strength r^2)^2, which is largest where strength r^2 = 1."""
+    """The errors of the factors 1 / (1 + strength |e|^2). A slope is rounded down to 2^-12, and so are two coordinates
+    by each rotation; a clamp brings no two vectors further apart. The square times the strength rounds down by less
+    than 2^-16 of a number from 1 on, and the quotient by 2^-18. The cut of the strength changes a factor by up to d r^2
+    / (1 + strength r^2)^2, which is largest where strength r^2 = 1."""
     dims, axes = noise.dimensions, math.sqrt(noise.dimensions)
     strength, cut = fixed_strength(s)
     longest = longest_gradient(noise, slope) + axes * slope.fixed_error
@@ -245,29 +244,28 @@ def fixed_warp_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
 def largest_intermediates(dims: int) -> dict[str, float]:
     """By name, bounds of the magnitudes that must stay below 2^31 where the bounds are promised, for any noise with
     derivatives: gain * lacunarity is then at most 63, since the first octave adds 1 to the sum. In a Jacobian a number
-    is rounded down by less than 5 units for each octave, and what was lost before grows as the Jacobian does."""
+    is rounded down by less than 5 units for each octave, and earlier losses grow as the Jacobian does."""
     stretched = stretch(Sum("fbm_d", 0.0, 32, 1.0, 1.0), dims)**31
     jacobian = stretched * ((LARGEST_GROWTH - 1) * FADE_ONE + 5 * LARGEST_GROWTH)
     slope, vector = math.sqrt(dims) * SLOPE_LIMIT, math.sqrt(dims) / UNIT
     moved = jacobian / FADE_ONE * vector + dims
     lost = 32 * dims
     return {"Jacobian": jacobian, "rotation of a Jacobian": 32 * ROTATIONS[0] * jacobian,
-            "sum of slopes": stretched * (LARGEST_RISE + 5 * 32 * LARGEST_GROWTH / FADE_ONE * slope) / SLOPE_UNIT + lost,
-            "step": moved, "rotation of a fall": (25 + 20) * FALL_LIMIT / FALL_UNIT,
-            "sum of falls": ((25 + 20) / 32) ** (dims - 1) * FALL_LIMIT / FALL_UNIT + SLOPE_LIMIT / FALL_UNIT,
-            "step of a position": LARGEST_SHIFT * stretched * (1 + 5 * LARGEST_GROWTH / FADE_ONE) * vector
-            + LARGEST_AMPLITUDE * dims + 1,
-            "shift": LARGEST_AMPLITUDE / UNIT}
+            "sum of slopes": stretched * (LARGEST_RISE + 5 * 32 * LARGEST_GROWTH / FADE_ONE * slope) / SLOPE_UNIT +
+            lost, "step": moved, "rotation of a fall": (25 + 20) * FALL_LIMIT / FALL_UNIT, "sum of falls": ((25 + 20) /
+            32) ** (dims - 1) * FALL_LIMIT / FALL_UNIT + SLOPE_LIMIT / FALL_UNIT, "step of a position": LARGEST_SHIFT *
+            stretched * (1 + 5 * LARGEST_GROWTH / FADE_ONE) * vector + LARGEST_AMPLITUDE * dims + 1, "shift":
+            LARGEST_AMPLITUDE / UNIT}
 
 
 def largest_words(dims: int) -> dict[str, float]:
-    """The same of words, below 2^32."""
+    """The largest words, which are below 2^32."""
     squares, strength = dims * (FALL_LIMIT / FALL_UNIT)**2, LARGEST_STRENGTH["eroded"]
     return {"squares": squares, "divisor": 2.0**16 + squares * strength * FADE_ONE / 2**26}
 
 
 TOLERANCES = {  # in floats and fixed, from a sum and the bounds of its noise and of the derivatives of that
-    "fbm_d": (slope_tolerance, fixed_slope_tolerance),  # of a derivative; the value has those of fbm
+    "fbm_d": (slope_tolerance, fixed_slope_tolerance),  # for a derivative; the value has fbm's
     "eroded": (octave_tolerance, fixed_eroded_tolerance),
     "warp": (octave_tolerance, fixed_warp_tolerance),
     "warp_progressive": (octave_tolerance, fixed_warp_tolerance)}

@@ -16,7 +16,7 @@ GOLDEN = 0x9E3779B9
 
 
 def words_of_components(cells, seed):
-    """For each component of hn_value_vector, those of the corners."""
+    """The numbers of the corners, for each component of hn_value_vector."""
     words = exact.words_at(OCTAHEDRAL, cells, np.int64(seed))
     return [exact.words_of_component(words, axis) for axis in range(len(cells))]
 

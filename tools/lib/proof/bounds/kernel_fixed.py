@@ -1,5 +1,5 @@
-"""Bounds what the fixed arithmetic (HN_FIXED, docs/reference/contract.md, sections 8 and 13) does to a sum over lattice
-points.
+"""Bounds the effect of fixed arithmetic (HN_FIXED, docs/reference/contract.md, sections 8 and 13) does to a sum over
+lattice points.
 
 A coordinate is cut to a multiple of 2^-20 cells, which moves the value by at most L * 2^-20 (CUT), and likewise a
 derivative. There the offsets are exact, and so are ramps and gradients. The rest is bounded over boxes of places, for
@@ -15,7 +15,7 @@ The value adds h(d) times the error of W, and what part(R, W) rounds down by. A 
 
 the error of E, what both parts round by, and up to 3 units of D that are lost.
 
-SCALE is that of Perlin noise.
+SCALE is as for Perlin noise.
 """
 
 from __future__ import annotations
@@ -41,20 +41,20 @@ def ramp_one(dims: int) -> int:
 # --- A box of places --------------------------------------------------------------------------------------------------
 
 def part_rounding(factor, negative=False):
-    """Of part(d, t) for |t| up to the factor, a real number in units of 2^-18: see integers.py. If no t is above 0, the
-    two products round to different sides."""
+    """The rounding of part(d, t) for |t| up to the factor, a real number in units of 2^-18: see integers.py. If no t is
+    above 0, the two products round to different sides."""
     units = np.ceil(factor * FADE_ONE)
     high, low = 511 / 512 * (units / 512 + 1), np.minimum(units, 511)
     return np.where(factor > 0, np.where(negative, np.maximum(high, low), high + low), 0.0)
 
 
 def near_error(kernel: Kernel, t):
-    """Of t, if it is up to that."""
+    """The error of t up to that number."""
     return HALF_NEAR + kernel.fall * 2.0**-30 + np.where(t > 1 - 1 / NEAR_ONE, HALF_NEAR, 0.0)
 
 
 class Weighted:
-    """The largest of what a lattice point has in each box, whatever its weight is multiplied with: a ramp, which is
+    """A lattice point's largest number in each box, whatever its weight is multiplied with: a ramp, which is
     less than 2^31 in units of 1 / one."""
 
     def __init__(self, kernel: Kernel, boxes: Boxes, point, one: int):
@@ -65,7 +65,6 @@ class Weighted:
         self.weight_error = kernel.weight.fixed(self.offsets.least, t, self.near_error)
 
     def added(self, ramp, ramp_error):
-        """How far what it adds is off."""
         error = ((ramp + ramp_error) * self.weight_error + ramp_error * self.weight
                  + part_rounding(self.weight + self.weight_error) / self.one)
         return np.where(self.counts, error, 0.0)
@@ -96,7 +95,7 @@ LEVELS, TOLERANCE = {2: 10, 3: 8, 4: 7}, 0.01
 
 
 def error_supremum(kernel: Kernel, of_boxes) -> float:
-    """Of what is given for each box."""
+    """The supremum of the error that is given for each box."""
     def bound(boxes: Boxes):
         # The value in the middle of a box is no bound, but no box around it can have less.
         return of_boxes(boxes), of_boxes(Boxes(30, (boxes.index * 2 + 1) << (29 - boxes.level)))
@@ -112,7 +111,7 @@ def rounding_effect(kernel: Kernel) -> float:
 
 @functools.cache
 def slope_rounding_effect(kernel: Kernel) -> float:
-    """The same of a derivative, per step."""
+    """The effect on a derivative, per step."""
     def of_boxes(boxes: Boxes):
         points = [Point(kernel, boxes, point) for point in kernel.points]
         return np.maximum.reduce([sum(point.derivative(axis) for point in points)
@@ -156,11 +155,11 @@ def pieces(kernel: Kernel) -> tuple[np.ndarray, np.ndarray]:
 
 
 def weighted_intermediates(kernel: Kernel, ramp: float) -> dict[str, float]:
-    """Of ramps up to that size. The value is at most 1. No offset from a point that is visited is more than 1 along an
-    axis: so the squares sum to at most 2 steps on the plane, and elsewhere to 1, or 3/2 with the larger kernel, of
-    which m is 1. The word m q is then at most 2^31. The products in the weights of simplex noise fit 32 bits, since
-    t < 2^16, and t (98304 - t) is at most 49152^2. A sum of the parts of some of the points is as large as that of all
-    can be."""
+    """The words of ramps up to that size. The value is at most 1. No offset from a point that is visited is more than 1
+    along an axis: so the squares sum to at most 2 steps on the plane, and elsewhere to 1, or 3/2 with the larger
+    kernel, where m is 1. The word m q is then at most 2^31. The products in the weights of simplex noise fit 32
+    bits, since t < 2^16, and t (98304 - t) is at most 49152^2. A sum of the parts of some of the points is as large as
+    that of all can be."""
     weight = kernel.weight.size(0, *pieces(kernel)).max() * FADE_ONE + 1
     return {"half of the word of a square": 2.0**30, "ramp": ramp,
             "attenuated": part_intermediate(ramp, np.array([math.ceil(weight)])),
@@ -172,9 +171,9 @@ def largest_intermediates(kernel: Kernel) -> dict[str, float]:
 
 
 def largest_slope_intermediates(kernel: Kernel) -> dict[str, float]:
-    """The same of a derivative. Where E is not 0, m d^2 <= r - t: so the length of an offset is at most
+    """The words of a derivative. Where E is not 0, m d^2 <= r - t: so the length of an offset is at most
     sqrt((r - t) / m), from which k = R E and the product with the offset, for t in each of many ranges. On the plane
-    Q (73728 - t) is less than 4/27 of 73728^3 / 2^16. Of a sum of points more is known: each is at
+    Q (73728 - t) is less than 4/27 of 73728^3 / 2^16. For a sum of points more is known: each is at
     most its share of the largest derivative."""
     dims, one, whole = kernel.dims, ramp_one(kernel.dims), np.array([FADE_ONE])
     low, high = pieces(kernel)

@@ -65,7 +65,7 @@ def squared(offsets: Offsets) -> Approx:
 
 
 def to_neighbour(sizes: Offsets, axes: list[int], base: Approx, smooth: bool, is_centre: bool) -> Approx:
-    """The square of the distance of a point behind those axes, from that of the nearest of its kind."""
+    """The square of the distance of a point behind those axes, from the nearest one's of its kind."""
     one, size, ulps = Approx(1.0, 1.0, 0.0, base.ulps), sizes[axes[0]], base.ulps
     twice = Approx(2 * size.lo, 2 * size.hi, 2 * size.err, ulps)
     if not smooth:
@@ -128,7 +128,7 @@ def value_error(kernel: Kernel, ulps, lo, hi):
 
 
 def slope_error(kernel: Kernel, ulps, lo, hi):
-    """The same of the derivatives, per step."""
+    """The error of the derivatives, per step."""
     component = OCTAHEDRAL.component(kernel.dims)
     along, g = [[] for _ in range(kernel.dims)], Approx(-component, component, 0.0, ulps)
     for own, q in distances(kernel, lo, hi, ulps):
@@ -148,7 +148,7 @@ SKEWED = 2.0**-22 + 2.0**-24  # in steps: how far the place moves on the plane
 
 
 def error_supremum(error, kernel: Kernel) -> float:
-    """Of an error that is given for boxes by their ends."""
+    """The supremum of an error that boxes give by their ends."""
     def bound(boxes: Boxes):
         middle = (boxes.lo + boxes.hi) / 2
         return error(boxes.lo, boxes.hi), error(middle, middle)
@@ -173,6 +173,6 @@ def error_bound(kernel: Kernel, ulps: float = 1.0) -> float:
 
 @functools.cache
 def slope_error_bound(kernel: Kernel, ulps: float = 1.0) -> float:
-    """The same of the derivatives, per cell."""
+    """The bound of the error of the derivatives, per cell."""
     moved = max(_moved(kernel, Quantity((axis,)), ulps) for axis in kernels.axes(kernel))
     return kernel.steps * (error_supremum(functools.partial(slope_error, kernel, ulps), kernel) + moved)

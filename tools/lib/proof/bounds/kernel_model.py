@@ -1,6 +1,6 @@
 """Sums over lattice points, gradients that rotate, and waves, on arrays: exactly, in doubles. Written from
 docs/reference/contract.md, sections 13, 14 and 23, for bounds_kernel_test.py, bounds_phasor_test.py and
-bounds_phasor_d_test.py. Floats are those of the library's text (rounded.py).
+bounds_phasor_d_test.py. Floats come from the library's text (rounded.py).
 
 A noise takes the fractions along its axes, and a function from a lattice point, as coordinates in half steps, to its
 words. A phase is a word in units of 2^-32 turns, or None."""
@@ -99,7 +99,7 @@ def phasor(kernel, words_of, fractions, wave, phase):
 
 
 def phasor_d(kernel, words_of, fractions, wave, phase):
-    """The same with the derivatives per cell, each with its quadrature as the imaginary part: first the value."""
+    """The noise with its derivatives per cell, each with its quadrature as the imaginary part: first the value."""
     place = np.array([x * kernel.steps for x in fractions])
     waves, falls = np.clip(wave, -16, 16), np.zeros(place.shape, complex)
     for point, near, d, t in near_points(kernel, place):

@@ -131,7 +131,7 @@ class Jet:
 
 @dataclass(frozen=True)
 class Offsets:
-    """Of one lattice point, in each box: the middle of d, half a side, the largest |d_i|, the least and largest t."""
+    """One lattice point in each box: the middle of d, half a side, the largest |d_i|, the least and largest t."""
     kernel: Kernel
     middle: np.ndarray
     half: float
@@ -161,14 +161,14 @@ class Offsets:
 
 
 def weight_jet(offsets: Offsets, axis: int, order: int = 0) -> Jet:
-    """Of a derivative of the weight by t. t has the derivatives -2 m d and -2 m along the axis."""
+    """The jet of a derivative of the weight by t. t has the derivatives -2 m d and -2 m along the axis."""
     sizes = [offsets.weight_size(order + i) for i in range(3)]
     m, d = offsets.kernel.fall, offsets.size[axis]
     return Jet(sizes[0], 2 * m * d * sizes[1], (2 * m * d) ** 2 * sizes[2] + 2 * m * sizes[1])
 
 
 def jet(kernel: Kernel, quantity: Quantity, gradient: Gradient, offsets: Offsets, axis: int) -> Jet:
-    """Of g.v along an axis, for any gradient."""
+    """The jet of g.v along an axis, for any gradient."""
     m, unit = kernel.fall, tuple(float(i == axis) for i in range(kernel.dims))
     ramp = Jet(gradient.support(offsets.size), gradient.along(unit))
     if not quantity.along:
@@ -235,7 +235,7 @@ def signs(kernel: Kernel, first: int = 0) -> Iterator[tuple[tuple[float, ...], i
 
 
 def range_of(kernel: Kernel, gradient: Gradient) -> float:
-    """Of the sum, not scaled."""
+    """The range of the sum, not scaled."""
     return largest(kernel, VALUE, gradient)
 
 

@@ -12,14 +12,14 @@ is,
 The left side is linear in x, and the right side is convex. So, as in features.py, the corners of the simplex are
 enough, and two such cells c of the block for each o outside. Both sides are nearest at the corner of 2^n cells.
 
-DISTANCES. In the simplex the nearest centre is that of the cell itself, and the next one that of its neighbour along
+DISTANCES. In the simplex the nearest centre is the cell's own, and the next one its neighbour's along
 the first axis. Both distances are convex, so with RADIUS they are largest at corners. On the plane the points of four
 cells are that far from the corner where these meet, if they are rotated by 1/8. In any dimension those of the
 neighbours of a cell are that far from its centre, if they are not rotated. But in space no rotation takes directions to
 all diagonals of a cube. There the first distance is bounded over boxes of places and angles, as that to the farthest
 corner of an octahedron that is rotated. For a constant angle this is convex in the place. With the angle a corner
 moves, and is off a chord of its way by no more than 1/2 k times 4 (see below) times 1/8 of the square of the chord's
-angle. Half a turn, and a rotation backwards, only reflect what there is. So angles up to a quarter of a turn are
+angle. Half a turn, and a rotation backwards, only reflect the rest. So angles up to a quarter of a turn are
 enough.
 
 FLOATS. With B, the transpose of M, an offset is, in units of half a cell,
@@ -115,7 +115,7 @@ def rotation_error(dims: int, ulps: float) -> float:
 
 
 def components(dims: int, reach: float, ulps: float) -> tuple[float, float]:
-    """As those of distances.py, but without ROTATION."""
+    """As in distances.py, but without ROTATION."""
     away = 2 * (reach + RADIUS[dims]) * 1.001
     projected = dims * f32(1.0, ulps) + sum(f32(math.sqrt(axes) * 1.001, ulps) for axes in range(2, dims + 1))
     centre = math.sqrt(dims) * 1.001 * f32(1.0, ulps) + projected + dims * f32(away, ulps)
@@ -129,12 +129,12 @@ def length_error(dims: int, reach: float, ulps: float) -> float:
 
 
 def distance_error(dims: int, reach: float, ulps: float = 1.0) -> float:
-    """Of a distance up to `reach`, in cells."""
+    """The error of a distance up to `reach`, in cells."""
     return distances.root_error(dims, reach, length_error(dims, reach, ulps), ulps)
 
 
 def float_offset_error(dims: int, ulps: float = 1.0) -> float:
-    """Of a component, from a position or a cell, in cells."""
+    """The error of a component, from a position or a cell, in cells."""
     reach = largest_distance(dims, 1)
     length, rotation = 2 * reach, rotation_error(dims, ulps)
     err = length_error(dims, reach, ulps)
@@ -158,7 +158,7 @@ def quarter() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def quarters():
-    """The same of the other quarters, in turn."""
+    """The other quarters, in turn."""
     angle, cosine, sine = quarter()
     for _ in range(4):
         yield angle, cosine, sine
@@ -174,12 +174,12 @@ def rows(dims: int, cosine, sine, product):
 
 
 def fixed_product(a, b):
-    """Of two sines in units of 2^-16."""
+    """The product of two sines in units of 2^-16."""
     return ((a >> 1) * b + 2**14) >> 15
 
 
 def largest_norm(matrices: np.ndarray) -> float:
-    """Of n by n by many. The Frobenius norm is not less, and most are ruled out by it."""
+    """The largest norm of n by n matrices. The Frobenius norm is not less, and rules out most."""
     bound = np.sqrt((matrices**2).sum(axis=(0, 1)))
     least = np.linalg.norm(matrices[..., bound.argmax()], 2)
     return float(np.linalg.norm(matrices[..., bound >= least].transpose(2, 0, 1), 2, axis=(1, 2)).max())
@@ -223,8 +223,8 @@ def fixed_distance_error(dims: int) -> float:
 
 
 def fixed_offset_error(dims: int) -> float:
-    """Of a component. The nearest point that is found may be farther than the nearest one, by as much as both are
-    off."""
+    """The error of a component. The nearest point that is found may be farther than the nearest one, by as much as both
+    are off."""
     reach = largest_distance(dims, 1) + 2.0**-10
     return (fixed_offset_before(dims, reach) * (1 + fixed_rotation_error(dims)) + fixed_rotation_error(dims) * reach
             + 2 * dims * PLACE) * SAFE
@@ -235,8 +235,8 @@ def offset_error(dims: int, fixed: bool) -> float:
 
 
 def largest_intermediates(dims: int) -> dict[str, float]:
-    """An offset is rotated forwards if it is the nearest. A square is that of one to a cell at a corner of the block.
-    In space the half of a sine is multiplied with that of another."""
+    """An offset is rotated forwards if it is the nearest. A square belongs to an offset to a cell at a corner of the
+    block. In space the half of a sine is multiplied with another one's."""
     length = 1.5 * math.sqrt(dims) + RADIUS[dims] + 2.0**-10
     largest = int(fixed_sines().max())
     products = {"product of two sines": (largest // 2 + 1) ** 2 + 2.0**15} if dims == 3 else {}

@@ -6,8 +6,8 @@ N(0) + sin(a) N(1/4 turn). The exact noise is bounded with all gradients at all 
 is how fast it changes. So the length of (N(0), N(1/4 turn)) is at most the range R. A cosine and a sine that are off by
 d move the noise by at most sqrt(2) d R.
 
-It is computed as A n + B m, where n is the noise of the gradients g, and m that of other gradients of the same set: all
-bounds of n hold for m, too.
+It is computed as A n + B m, where n is the noise of the gradients g, and m the noise of other gradients of the same
+set: all bounds of n hold for m, too.
 
 ON THE PLANE these are the g', A the cosine and B the sine. |A| + |B| is at most sqrt(2), and so is that times e what
 the noise is moved by if n and m are off by e.
@@ -17,9 +17,9 @@ sqrt(3) times a cosine, of angles that are 120 degrees apart: so |A| + |B| is at
 rounded, by b, and A, by a' beside the cosine and B / 2: this moves the noise by b (m - n / 2) + a' n = b sqrt(3)/2
 N(1/4 turn) + a' n, at most (sqrt(3)/2 b + a') R.
 
-IN FLOATS the cosine and the sine are off by that of a sine, and by the angle that is cut off. In space B is a product
-with the float FACTOR, and A a difference; B / 2 is exact. Two products round, their sum and what is scaled. The
-products are at most R in sum on the plane, where (n, m) is no longer than R, and 2 R in space.
+IN FLOATS the cosine and the sine are off by the error of a sine, and by the angle that is cut off. In space B is a
+product with the float FACTOR, and A a difference; B / 2 is exact. Two products round, their sum and the scaled result.
+The products are at most R in sum on the plane, where (n, m) is no longer than R, and 2 R in space.
 
 IN INTEGERS they are off likewise. In space B is 2 sin(a) / sqrt(3) with 20277 / 2^15 for 4 (2 / sqrt(3) - 1), rounded
 down to a multiple of 2^-18, and B >> 1 rounds down to one. All parts of an error but the cut of the place and SCALE are
@@ -44,14 +44,14 @@ IN_SUM = {2: math.sqrt(2), 3: 2.0}  # |A| + |B|, by the number of dimensions
 OFF_IN_SUM = {2: 2.0, 3: 3.0}  # how far they are off, by the error of a cosine and a sine
 LARGEST_SHARE = {2: 1.0, 3: 2 / math.sqrt(3)}  # of A and of B
 PRODUCTS = {2: 1.0, 3: 2.0}  # |A n| + |B m|, by R
-# Of two parts, in units of what they are parts of.
+# Two parts, each in units of its whole.
 MIXED_ROUNDING = {dims: 511 * in_sum + 2 + 2 * 511 for dims, in_sum in IN_SUM.items()}
 FACTOR = 1.15470054
 
 
 @functools.cache
 def float_error(ulps: float = 1.0) -> float:
-    """Of the cosine and the sine of a phase."""
+    """The error of the cosine and the sine of a phase."""
     return sine.sine_bound(ulps) + ANGLE_CUT
 
 
@@ -69,7 +69,7 @@ def float_rounding(dims: int, ulps: float = 1.0) -> float:
 
 
 def fixed_rounding(dims: int) -> float:
-    """The same in integers, where a sine is at most 2^16."""
+    """The rounding in integers, where a sine is at most 2^16."""
     if dims == 2:
         return 0.0
     b = (1 + abs(20277 / 2**15 - 4 * (LARGEST_SHARE[3] - 1)) * 2**16) / FADE_ONE
@@ -84,15 +84,15 @@ def moved(dims: int, error: float, off: float, largest: float, rounding: float =
 
 
 def mixed(dims: int, error: float, largest: float, ulps: float = 1.0) -> float:
-    """The error of a noise in floats, from that of n and m."""
+    """The error of a noise in floats, from the errors of n and m."""
     err = moved(dims, error, float_error(ulps), largest, float_rounding(dims, ulps))
     return err + (PRODUCTS[dims] + 2) * ulps * UNIT * (1 + UNIT)**3 * (largest + err) + 4 * dims * TINY
 
 
 def rotated(still: ProvenBounds, dims: int, largest: float, lipschitz: float, unit: float,
             ratio: float = 1.0) -> ProvenBounds:
-    """Of a noise, or its derivatives. In integers n has this unit, times the scale, which is so much of that without a
-    phase, and no more than it: SCALE is no more, either."""
+    """Bounds of a noise, or of its derivatives. In integers n has this unit, times the scale, which is so much of that
+    without a phase, and no more than it: SCALE is no more, either."""
     parts = {name: IN_SUM[dims] * ratio * value for name, value in still.fixed_parts.items()}
     parts |= {"cut": still.fixed_parts["cut"] / still.lipschitz * lipschitz, "scaling": still.fixed_parts["scaling"]}
     beside = ratio * sum(value for name, value in still.fixed_parts.items() if name not in ("cut", "scaling"))
@@ -102,7 +102,7 @@ def rotated(still: ProvenBounds, dims: int, largest: float, lipschitz: float, un
 
 
 def largest_intermediates(name: str, dims: int, value: float, scale: int) -> dict[str, float]:
-    """Of what is scaled: n and m are as large as it, or as they are without a phase."""
+    """The words that are scaled: n and m are as large as it, or as they are without a phase."""
     share = math.ceil(LARGEST_SHARE[dims] * FADE_ONE) + 32
     mixture = IN_SUM[dims] * value * sine.fixed_sine_largest() + 2 * MIXED_ROUNDING[dims]
     return {f"part of a turned {name}": part_intermediate(value, np.array([share])), f"rotated {name}": mixture,

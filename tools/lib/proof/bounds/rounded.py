@@ -20,7 +20,7 @@ from catalog.tables.functions import Column, read_functions
 
 SOURCE = Path(__file__).with_suffix(".cpp")
 MODES = ("nearest", "down", "up", "random")
-FIXED = "HN_ARITHMETIC=HN_FIXED"  # a macro: then nothing rounds but what comes in and out
+FIXED = "HN_ARITHMETIC=HN_FIXED"  # a macro: then only inputs and outputs round
 
 
 @dataclass(frozen=True)
@@ -74,7 +74,6 @@ class Text:
         return [words.view(np.float32).astype(float) for words in self.words(id, rounding, **columns)]
 
     def words(self, id: str, rounding: Rounding, **columns: np.ndarray | float) -> list[np.ndarray]:
-        """The same as words."""
         function = self.bodies[id]
         words = packed(id, function.inputs, columns)
         head = struct.pack("iiiIdi", list(self.bodies).index(id), MODES.index(rounding.mode), rounding.lost_bits,

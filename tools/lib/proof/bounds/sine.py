@@ -24,8 +24,7 @@ from proof.bounds.integers import DOUBLE, word
 
 # --- In floats --------------------------------------------------------------------------------------------------------
 
-SINE_DECIMALS = (1.57079090, -0.64589171, 0.07943160, -0.00433127)  # of x, x^3, x^5, x^7
-SINE_COEFFICIENTS = tuple(map(to_float, SINE_DECIMALS))
+SINE_COEFFICIENTS = tuple(map(to_float, (1.57079090, -0.64589171, 0.07943160, -0.00433127)))  # of x, x^3, x^5, x^7
 SINE_ARGUMENT_ERROR = (3 + 2**6 - 1) / 2**30  # of x in quarter turns: 3 units of the reduction, 63 of the shift
 DOUBLE_SINE = 2.0**-48  # more than the rounding errors of the few double operations below, on numbers up to 2
 
@@ -76,7 +75,7 @@ def sine_bound(ulps=1.0):
 
 
 def sine_truncation_bound():
-    """A proven upper bound of what the polynomial alone is off by."""
+    """A proven upper bound of the error of the polynomial alone."""
     return _largest(smooth(sine_truncation, lambda boxes: sine_curvature()[1])) + DOUBLE_SINE
 
 
@@ -112,7 +111,7 @@ def fixed_sines():
 
 
 def fixed_sine_largest():
-    """1, or what a component exceeds it to."""
+    """1, or the end to which a component exceeds it."""
     return max(1.0, fixed_sines().max() / 2**16)
 
 

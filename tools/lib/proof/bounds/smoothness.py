@@ -1,5 +1,5 @@
 """Measures how smooth slopes are with HN_FIXED, at random points; nothing here is proven. The slope of a pixel differs
-from that of its neighbour because the noise bends, and because both are rounded."""
+from its neighbour's because the noise bends, and because both are rounded."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def text() -> Text:
 
 
 def measure(noise: str, dims: int, pitch: int) -> tuple[Steps, Steps]:
-    """Of slopes by differences of the values of neighbouring pixels, and of the derivative that is returned."""
+    """The steps of slopes that are differences of neighbouring pixels, and of the derivative that is returned."""
     rng = np.random.default_rng(1)
     cells = list(rng.integers(-2**31, 2**31, (dims, POINTS)))
     words_of = exact.words_at(OCTAHEDRAL, cells)

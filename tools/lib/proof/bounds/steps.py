@@ -1,5 +1,5 @@
-"""The steps by which sums add an octave (glsl/hashnoise/detail/octave.glsl): what each does to the noise, and by how
-much the integers of it may be off."""
+"""The steps by which sums add an octave (glsl/hashnoise/detail/octave.glsl): the effect of each on the noise, and by
+how much the integers of it may be off."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Step(Protocol):
         """The number that an octave adds, and the rest for the next."""
 
     def fixed_errors(self, errs: list[float], strength: float, cut: float) -> list[float]:
-        """The errors of octaves in integers, before their weights, given those of the noise; the strength is cut by so
+        """The errors of octaves in integers, before their weights, given the noise's; the strength is cut by so
         much. The errors of floats are in tools/lib/proof/sums/bounds.cpp."""
 
 
@@ -100,7 +100,7 @@ class Wave:
 
 
 class Bent(Noise):
-    """The noise as it is; what it makes of the next octave's weight is in sums.py."""
+    """The noise as it is; its effect on the next octave's weight is in sums.py."""
     clamps = True
 
 

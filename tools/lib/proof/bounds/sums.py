@@ -1,5 +1,5 @@
-"""Octave sums, and how far they may be off in fixed arithmetic, from the bounds of their noise. Of floats float_sums.py
-has the same."""
+"""Octave sums, and how far they may be off in fixed arithmetic, from the bounds of their noise. For floats
+float_sums.py has the same."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ CATALOG = {sum_.name: sum_ for sum_ in catalog.model.read().sums}
 KINDS = tuple(name for name, sum_ in CATALOG.items() if sum_.is_of_values)
 SLOPED, SHIFTS = ("fbm_d", "eroded"), ("warp", "warp_progressive")  # sums with slopes, and of vectors: jacobians.py
 SHIFT_MAX = {1: 11 / 32, 2: 19 / 32, 3: 23 / 32, 4: 27 / 32}  # the largest component of the shift between octaves
-# By how much the rotations of a position make a length larger at most: in the plane of x and y, then in that of y and
-# z, then in that of z and w. The second makes lengths in its plane smaller, but not that along x.
+# By how much the rotations of a position make a length larger at most: in the plane of x and y, then of y and
+# z, then of z and w. The second makes lengths in its plane smaller, but not along x.
 ROTATIONS = (math.hypot(25, 20) / 32, max(math.hypot(29, 13) / 32, 1.0), math.hypot(25, 20) / 32)
 WHOLE = 2.0**-24  # the unit of whole positions
 
@@ -117,7 +117,7 @@ def first_whole_position(s: Sum, dims: int) -> tuple[float, float]:
 
 
 def next_whole_position(s: Sum, dims: int, position: float, error: float) -> tuple[float, float]:
-    """Of the next octave, from those of one."""
+    """The bounds of the next octave from those of one."""
     ratio, shift = math.trunc(s.lacunarity * 2**23) / 2**23, SHIFT_MAX[dims]
     axes, rotations = lengths(s, dims), ROTATIONS[:dims - 1] if s.rotates else ()
     error = ratio * error + (s.lacunarity - ratio) * position + axes * WHOLE
@@ -174,13 +174,13 @@ def fixed_strength(s: Sum) -> tuple[float, float]:
 
 
 def fixed_terms(s: Sum, noise_errs: list[float]) -> list[float]:
-    """The errors of what an octave adds."""
+    """The errors of an octave's addition."""
     return step_of(s.kind).fixed_errors(noise_errs, *fixed_strength(s))
 
 
 def weighted_errors(s: Sum, noise_errs: list[float]) -> list[float]:
-    """By how much B_i of a bent step is off, beyond what the contract's product of exact factors is: M is off by half of
-    the noise, a rounding of (1 - n) / 2 and one of the product with the strength; two products more round down."""
+    """By how much B_i of a bent step is off, beyond the contract's product of exact factors: M is off by half
+    of the noise, a rounding of (1 - n) / 2 and one of the product with the strength; two products more round down."""
     strength, cut = fixed_strength(s)
     g, err, errs, weight = math.trunc(s.gain * FADE_ONE) / FADE_ONE, 0.0, [], 1.0
     for noise_err in noise_errs:
@@ -193,7 +193,7 @@ def weighted_errors(s: Sum, noise_errs: list[float]) -> list[float]:
 
 
 def weight_changes(s: Sum) -> list[tuple[float, float]]:
-    """Of each octave its weight in the mean, and by how much that is not the exact one."""
+    """The weight of each octave in the mean, and its distance from the exact one."""
     all_of_them, exact = fixed_weights(s), s.weights
     total, exact_total = sum(all_of_them), sum(exact)
     used = [product(a, fade) for a, fade in zip(all_of_them, fixed_fades(s))]
@@ -202,8 +202,8 @@ def weight_changes(s: Sum) -> list[tuple[float, float]]:
 
 
 def fixed_mean_error(s: Sum, limit: float, term_errs: list[float], changes: list[float] | None = None) -> float:
-    """Of the mean of terms that are at most `limit`, with the weights of an fBm, or with others that are off by
-    `changes`."""
+    """The error of the mean of terms that are at most `limit`, with the weights of an fBm, or with others that are off
+    by `changes`."""
     weights = weight_changes(s)
     changes = changes or [change for _, change in weights]
     error = sum(a * err + limit * change for (a, _), err, change in zip(weights, term_errs, changes))
@@ -212,12 +212,13 @@ def fixed_mean_error(s: Sum, limit: float, term_errs: list[float], changes: list
 
 def fixed_octave_tolerance(s: Sum, noise: Bounds) -> float:
     """The largest error against the exact sums of docs/reference/contract.md at the same floats, for lacunarity in [0,
-    255], gain in [0, 1] and at most 32 octaves, which is what it does not cut.
+    255], gain in [0, 1] and at most 32 octaves, which it does not cut.
 
     A noise is off by L times its position's error and by fixed_error (the cut to 2^-20 is in that). The weights are
     compared with the exact ones as they are: a change of weights by c_i, whose exact sum is 1, moves the mean by at
-    most limit * sum |c_i|; those of weighted depend on the noise, and are bounded. A product v A / 2^18 is rounded down
-    by less than 2 units of 2^-21, and so is their sum by less than 2 an octave; the division by less than 1."""
+    most limit * sum |c_i|; the changes of weighted depend on the noise, and are bounded. A product v A / 2^18 is
+    rounded down by less than 2 units of 2^-21, and so is their sum by less than 2 an octave; the division by less than
+    1."""
     if not (0 <= s.lacunarity <= 255 and 0 <= s.gain <= 1 and s.octaves <= 32):
         return math.inf
     limit, error = min(noise.fixed_limit, 1.0) if step_of(s.kind).clamps else noise.fixed_limit, 0.0
@@ -244,7 +245,7 @@ MEANS = {  # of a sum: what becomes of the error of the mean. A clamp brings no 
 
 def largest_octave_intermediates(limit: float) -> dict[str, float]:
     """By name, bounds of the magnitudes that must stay below 2^31, for a noise of at most `limit`: of
-    v * (A >> 9) + (v >> 9) * (A & 511), A <= 2^18. Where A & 511 is not 0, A >> 9 is at most 511. Of a rotation, the
+    v * (A >> 9) + (v >> 9) * (A & 511), A <= 2^18. Where A & 511 is not 0, A >> 9 is at most 511. In a rotation, the
     parts of whole positions that are multiplied have 24 bits, and a fraction of 1 is 2^24."""
     noise = limit * 2**21
     return {"octave": noise * 2**9 + (noise / 2**9 + 1) * 511, "sum of 32 octaves": 32 * (noise + 2),

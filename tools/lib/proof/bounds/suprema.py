@@ -12,7 +12,7 @@ d = f - o, e the first axis, and D the derivative along (1, .., 1), v_o is
     SLOPE_LIPSCHITZ  (D d_1 w) d + (D w) e + (d_1 w) (1, .., 1) the L1 norm of the gradient of the derivative
 
 and for value noise it is what d is multiplied with. The L1 norm of a gradient is the largest sum_j sigma_j d/df_j over
-the signs sigma. Reflecting axes (f_i to 1 - f_i and g_i to -g_i) makes all signs +1, so L is that of all: as the
+the signs sigma. Reflecting axes (f_i to 1 - f_i and g_i to -g_i) makes all signs +1, so L holds for all: as the
 noise is twice and its derivative once continuously differentiable, |noise(p) - noise(q)| <= L max_i |p_i - q_i|, and
 likewise for the derivative. Any axis may stand for the first, since axes may be exchanged.
 

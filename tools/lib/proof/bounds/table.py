@@ -56,7 +56,6 @@ class Bounds:
     fixed_limit: float
 
     def rounded(self) -> Bounds:
-        """As the table has it."""
         numbers = {name: float(rounded_up(getattr(self, name), digits)) for name, digits in DIGITS.items()}
         return replace(self, **numbers)
 
@@ -84,14 +83,13 @@ class GulliesBounds:
     fixed_slope: float
 
     def rounded(self) -> GulliesBounds:
-        """As the table has it."""
         return GulliesBounds(*(float(rounded_up(number, 3)) for number in astuple(self)))
 
 
 @dataclass(frozen=True)
 class UniformBounds:
-    """Of a value; of a slope, times the reach; of the reach of a sum, divided by that of its noise; and of another
-    number of its distribution."""
+    """The errors of a value; of a slope, times the reach; of the reach of a sum, divided by its noise's; and of
+    another number of its distribution."""
     value: float
     slope: float
     reach: float
@@ -177,7 +175,7 @@ def read_sine(path: Path = PATH) -> SineBounds:
 
 
 def read_uniform(path: Path = PATH) -> tuple[UniformBounds, UniformBounds]:
-    """Of floats, and of fixed arithmetic."""
+    """The rows of floats, and of fixed arithmetic."""
     row, = _rows(path, "UNIFORM_BOUNDS")
     numbers = list(map(float, row))
     return UniformBounds(*numbers[:4]), UniformBounds(*numbers[4:])

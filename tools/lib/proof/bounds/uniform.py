@@ -1,7 +1,7 @@
 """Uniform values and spreads (docs/reference/contract.md, section 21), in floats and in integers: how far they are off,
 proven.
 
-A spread is in its range: taking it there is exact, and errors are those of the numbers in range.
+A spread is in its range: taking it there is exact, and errors are for the numbers in range.
 
 VALUES AND SLOPES, of a box of s at a time. In floats, with a quotient within QUOTIENT_ULPS (distances.py):
 
@@ -11,17 +11,17 @@ VALUES AND SLOPES, of a box of s at a time. In floats, with a quotient within QU
 
 An error of y moves T by 4 times that and (t_1 - t_0), which is at most the largest of the Bernstein polynomials of
 degree 3 at y, since it is their mean weighted with a, b - a, c - b and 1 - c. Likewise the numbers of a round before it
-differ by no more than the largest of those of a lower degree. In integers a number rounds down by less than 1 unit of
+differ by no more than the largest ones of a lower degree. In integers a number rounds down by less than 1 unit of
 2^-21 where it is cut, and in each round. (reach is at least 1/16, so that s is off by 2^-17 for that, and 2^-18.)
 
 SPREADS OF SUMS, of a box at a time: octaves, gain, how much of the last octave counts, and a, b and c. A weight in
 floats is off by as many roundings as it has factors, and a sum by one more with each number; products and sums of
-positive numbers have the relative errors of what they are made of. In integers each weight rounds down. Then
+positive numbers have the relative errors of their parts. In integers each weight rounds down. Then
 
     x' = B + rho_4 H d + rho_8 (x - B - H d)     is off by |H d| and |x - B - H d| times the errors of rho_4 and rho_8
     reach' = reach sqrt(S_2 V / V') / S_1        relatively by half of what S_2, V and V' are off by, and as S_1
 
-and both by what their own operations round. The error of V' is 65, 33 and 17 times that of a', b' and c'.
+and both by what their own operations round. The error of V' is 65, 33 and 17 times the errors of a', b' and c'.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def float_values(ulps=1.0):
     least, most = np.maximum(y.lo - y.err, 0), np.minimum(y.hi + y.err, 1)
 
     def mixed(err, degree, largest):
-        """Of numbers that are off by err and differ by no more than those of the round."""
+        """The error of mixing numbers that are off by err and differ by no more than those of the round."""
         apart = np.minimum(highest(degree, least, most), 1) if degree else 1 + 0 * y.hi
         apart_error = 2 * err + rounding(apart + 2 * err, ulps)
         product = most * (apart + apart_error)
@@ -83,11 +83,11 @@ def float_values(ulps=1.0):
 
     err = 0 * y.hi
     for degree in range(4):
-        # The last is at most that of three numbers of 1.
+        # The last is at most as for three numbers of 1.
         largest = 1 - (1 - most)**4 if degree == 3 else 1.0
         err, apart, apart_error = mixed(err, degree, largest)
     slope = Approx(0 * apart, apart, apart_error, ulps).times(w)
-    # The quotient has another unit than what is divided, if the reach is no power of 2.
+    # The quotient has another unit than the dividend, if the reach is no power of 2.
     of_slope = 4 * slope.err + 2 * rounding(4 * (slope.hi + slope.err), QUOTIENT_ULPS * ulps)
     return float((err / 2 + rounding(1 - 2.0**-24, ulps)).max()) * SAFE, float(of_slope.max()) * SAFE
 
@@ -113,7 +113,7 @@ def fixed_values():
 
 @dataclass(frozen=True)
 class Weights:
-    """Of boxes of gains and last octaves, for a number of octaves: those at the lower and at the higher ends."""
+    """Boxes of gains and last octaves, for a number of octaves: at the lower and at the higher ends."""
     octaves: int
     gain: np.ndarray
     low: list[np.ndarray]
@@ -149,7 +149,7 @@ def weights_of(octaves):
 
 
 def ranges(weights):
-    """Of rho_4, rho_8 and N: each is at most 1."""
+    """The ranges of rho_4, rho_8 and N: each is at most 1."""
     (s1, t1), (s2, t2), (s4, t4), (s8, t8) = (weights.sums(power) for power in (1, 2, 4, 8))
     return [(low, np.minimum(high, 1)) for low, high in
             ((s4 / t2**2, t4 / s2**2), (s8 / t2**4, t8 / s2**4), (s2 / t1**2, t2 / s1**2))]
@@ -157,7 +157,7 @@ def ranges(weights):
 
 def float_ratios(weights, ulps=1.0):
     def relative(power):
-        """Roundings of the sum of powers: those of a later octave are more, so that they are most at the higher end."""
+        """Roundings of the sum of powers: a later octave has more, so that they are most at the higher end."""
         terms = [a**power for a in weights.high]
         factors = [power * (i + (i == weights.octaves - 1)) + power - 1 for i in range(weights.octaves)]
         factors[0] = 0  # 1 and its powers
@@ -213,7 +213,7 @@ def boxes_of_coefficients():
 
 
 def spread_errors(ratios, fixed, ulps=1.0):
-    """Of reach' and of a', b' and c': the largest over all boxes. The first axis is that of the weights."""
+    """The errors of reach' and of a', b' and c': the largest over all boxes. The first axis is the weights'."""
     u, factors = COARSE, [float(x) for x in VARIANCE[:3]]
     low, high = (end[:, None, :] for end in boxes_of_coefficients())
     rho4, rho8, share = ([end[:, None] for end in ends] for ends in (ratios.rho4, ratios.rho8, ratios.share))
@@ -256,7 +256,7 @@ def spread_errors(ratios, fixed, ulps=1.0):
         share_err = ratios.error_share[:, None]
         top = v_high * share_err + (share[1] + share_err) * given + 8 * u
         p_err = top / least + p_high * v_err / least + u
-        # The root of what is off by e is off by at most the root of e.
+        # The root of a number that is off by e is off by at most the root of e.
         root_err = np.minimum(p_err / np.sqrt(p_low) / (1 + np.sqrt(np.maximum(1 - p_err / p_low, 0))),
                               np.sqrt(p_err)) + u
         of_reach = root_err + (np.sqrt(p_high) + 1) * u / LEAST

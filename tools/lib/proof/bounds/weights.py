@@ -5,7 +5,7 @@ derivative multiplies an offset with.
 In integers t is off by e, and
 
     Q    by (t + e)^2 - t^2 and 2^-17, as it is rounded to a multiple of 2^-16
-    W    by what its factors are off by, and 2^-19
+    W    by the errors of its factors, and 2^-19
     E    an eighth of the fall, likewise
 
 EVEN. The weight of phasor noise is t^3 (1 + 15 (1 - t)^2), and its slope 3 h^2 with h = 4 t - 5 t^2. Floats compute
@@ -72,7 +72,6 @@ def product_error(a, a_err, b, b_err):
 
 
 def square_error(t, e):
-    """Of Q."""
     return product_error(t, e, t, e) + HALF_NEAR
 
 
@@ -186,7 +185,7 @@ class Weight:
         return derived(self.coefficients, order)
 
     def derivative(self, order: int, t):
-        """Of order 0 (the weight itself) and more."""
+        """The derivative of an order from 0 (the weight itself)."""
         return value_of(self.terms(order), t)
 
     def ends(self, order: int, low, high):

@@ -25,7 +25,7 @@ from proof.oracle.nearest import NEAREST
 
 FAMILIES = ("cellular", "further_cellular")
 FINE = 2**20  # fractions are multiples of 2^-20, which fixed arithmetic does not cut
-CLEAR = Fraction(1, 2**10)  # what the nearest point is nearer than the second, where it matters
+CLEAR = Fraction(1, 2**10)  # how much nearer than the second the nearest point is, where it matters
 # The knobs with which that is so, by family. They may be more than have values: then rows stay as they are.
 HASHES = {"cellular": (Knobs("pcg"), Knobs("lattice")), "further_cellular": (Knobs("lattice"),)}
 KINDS = 9  # of fractions
@@ -129,7 +129,7 @@ def special(function: Function, generator: Generator) -> list[Row]:
 
 # --- Borders of far cells ---------------------------------------------------------------------------------------
 
-# Places where the nearest border is that of a cell two steps on, along each axis and to both sides: a cell and a
+# Places where the nearest border is with a cell two steps on, along each axis and to both sides: a cell and a
 # fraction, with the seed 0 and a jitter of 1. They are rare, most of all in space: a search of some thousand million
 # places found them, with the default hash. With another hash they are places like others.
 FAR_BORDERS = (
@@ -140,8 +140,8 @@ FAR_BORDERS = (
     ((918, 3341, 31), (0.375, 1.0, 0.0)), ((3676, 7424, 18), (0.6875, 0.0, 1.0)),
 )
 
-# The same with a period of 7, where the cell two steps on lies behind the seam: a cell, a fraction and a seed. A search
-# of 170,000 places found them, in the plane.
+# The search with a period of 7, where the cell two steps on lies behind the seam: a cell, a fraction and a seed. A
+# search of 170,000 places found them, in the plane.
 SEAM = 7
 FAR_SEAMS = (
     ((0, 6), (1.0, 1.0), 5090695), ((1, 1), (0.0, 0.0), 3394258), ((1, 4), (0.0, 1.0), 1457481),

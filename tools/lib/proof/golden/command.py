@@ -2,19 +2,19 @@
 
     tools/make golden [--out DIR] [--only NAMES] [--check [--sample N]]
 
-Each file is <function>.golden (docs/reference/formats.md). The functions and the settings are those of catalog/; "any"
+Each file is <function>.golden (docs/reference/formats.md). The functions and the settings are in catalog/; "any"
 where the function depends on no knob. A value that is not exact in a float32 is the double nearest to the exact one;
 with fixed arithmetic it is the float itself. A digest is the 64-bit FNV-1a of the results as 4 little-endian bytes
 each, over all points from `origin`, the last coordinate running fastest.
 
-The inputs are those of rows.py; their generator is seeded with the function's name alone, so that every setting sees
+The inputs come from rows.py; their generator is seeded with the function's name alone, so that every setting sees
 the same inputs. Fixed arithmetic has some more behind them.
 
 With --sample the oracle computes N rows of each file, with every setting, and N / 2 of those that only fixed arithmetic
 has; the heads and the inputs of all rows are compared as ever. Which rows they are follows from the text of the oracle
 and of the contract, so that a change of one of these selects other rows than before.
 
-With --only the files are those of the functions whose names the pattern matches, such as 'warp.*'; all others stay as
+With --only it makes the files of functions that match the pattern, such as 'warp.*'; all others stay as
 they are, and are not looked at. It may be given several times.
 
 Exit status: 0 written, or all files equal the oracle's; 1 something is not; 2 bad usage, or a table that is wrong.
@@ -55,7 +55,7 @@ def generated(directory: Path | None, sample: Sample | None, file: GoldenFile) -
 
 
 def salt() -> str:
-    """It is another one if what the values come from is another: the contract, the oracle, or a table."""
+    """It changes if a source of the values changes: the contract, the oracle, or a table."""
     modules = [path for folder in ("oracle", "golden") for path in (TOOLS / "lib" / "proof" / folder).rglob("*.py")
                if not path.stem.endswith("_test")]
     digest = hashlib.sha256()

@@ -27,9 +27,8 @@ class Digest:
     seed: int | None = None
 
 
-# Of hashes, by what they take and by the number of axes. The blocks of words run over the wrap at 2^32, those of
-# coordinates over the sign change. Rows of candidates run over the seams of a tile, too, with
-# a radius of 1.
+# The blocks of hashes, by their arguments and by the number of axes. The blocks of words run over the wrap at 2^32,
+# those of coordinates over the sign change. Rows of candidates run over the seams of a tile, too, with a radius of 1.
 ONE = 0x3F800000
 DIGESTS = {
     ("words", 1): Digest((0,), (16384,)),
@@ -47,7 +46,7 @@ DIGESTS = {
 
 
 def meaning(kind: str, word: int) -> int | float:
-    """Of a number in a digest's block, which may go on beyond the largest word."""
+    """The meaning of a number in a digest's block, which may go on beyond the largest word."""
     if kind == "f32":
         return struct.unpack("<f", struct.pack("<I", word))[0]
     return word & 0xFFFFFFFF if kind == "u32" else word
@@ -61,7 +60,7 @@ class Values:
 
     @property
     def name(self) -> str:
-        """Of the setting: "any" where no knob matters."""
+        """The name of the setting: "any" where no knob matters."""
         return "any" if self.function.family == "independent" else self.configuration.name
 
     @property
@@ -112,7 +111,7 @@ class GoldenFile:
         return rows_of(self.function, fixed, self.settings, generator_of(self.function.id))
 
     def text(self, found: str = "", sample: Sample | None = None) -> str:
-        """The file. With a sample only some values are computed; the others are what the text `found` has in their
+        """The file. With a sample only some values are computed; the others are as the text `found` has in their
         place, if that are values at all."""
         function, values, (every, of_fixed) = self.function, self.values, self.rows()
         lines = ["hashnoise golden 2", f"function {function.id}", f"calls {function.calls}", f"bits {BITS}",

@@ -49,7 +49,6 @@ class Generator:
         return choices[self.integer(0, len(choices) - 1)]
 
     def uniform(self, low: float, high: float) -> float:
-        """A float32 in [low, high]."""
         return to_f32(low + (high - low) * (self.next() >> 11) / 2**53)
 
     def anywhere(self, n: int) -> tuple[float, ...]:

@@ -140,7 +140,7 @@ class GoldenContents(unittest.TestCase):
         for id, file in FILES.items():
             for values in file.values:
                 if values.configuration.fixed:
-                    read = Golden(id, values.name)  # whose bits are those of floats
+                    read = Golden(id, values.name)  # with bits of floats
                     for (_, kind), results in zip(read.head.results, zip(*read.expected)):
                         self.assertTrue(kind == "i32" or 0x80000000 not in results, id)
 
@@ -161,7 +161,7 @@ class GoldenContents(unittest.TestCase):
             self.assertEqual(further, fixed is not None and not file.function.form.startswith(("point", "place")), id)
 
     def columns(self, id: str, setting: str, name: str) -> Iterator[list]:
-        """The numbers in a column, or in that of each axis."""
+        """The numbers in a column, or in each axis' column."""
         names = [column.name for column in FUNCTIONS[id].inputs]
         axes = [name[:-1] + axis for axis in "xyzw"] if name[-1] == "x" else [name]
         for found, *column in zip(names, *rows_with(id, setting)):
@@ -297,7 +297,7 @@ class GoldenContents(unittest.TestCase):
             for phase in (0.0, 0.25, 0.5, -0.25):
                 for at in (0.0, 0.5):
                     self.assertTrue(any(at in f for f in places[phase]), (n, phase))
-            # Of those beside quarters the sines and the cosines are 1 and -1.
+            # Beside quarters the sines and the cosines are 1 and -1.
             found = [rotation.fixed_cosine_and_sine(phase) for phase in places]
             for numbers in zip(*found):
                 self.assertTrue({2**16, -2**16} <= set(numbers), n)
@@ -449,7 +449,7 @@ class GoldenContents(unittest.TestCase):
             hashes = [setting.name for setting in SETTINGS if setting.covers(function) and not setting.fixed]
             for setting in hashes:
                 self.assertEqual(self.unclear(function, rows, setting), [], (function.id, setting))
-            # The check finds those of fixed arithmetic, behind the others.
+            # The check finds faults of fixed arithmetic, behind the others.
             more = rows_with(function.id, "lattice+fixed")[len(rows):]
             self.assertGreater(len(self.unclear(function, more, "lattice")), 2 * cellular_rows.CHANGES - 1)
 
@@ -540,7 +540,6 @@ class GoldenContents(unittest.TestCase):
         return options, place, row[places:behind_periods]
 
     def positions_of(self, function: Function, row: Sequence) -> list[sums.Place]:
-        """Of the octaves of a sum."""
         options, place, periods = self.of_row(function, row)
         if function.bound != "warp_progressive":
             return [q for q, *_ in sums.octaves_of(place, options, 0, periods)]
@@ -603,7 +602,7 @@ class GoldenContents(unittest.TestCase):
                     continue
                 # The end of the last cell is beyond the largest int.
                 self.assertTrue(all(-2**31 <= x <= 2**31 - (i > 0) for i, q in enumerate(positions) for x in q))
-                # The whole positions are those of the same lacunarity.
+                # The whole positions have the same lacunarity.
                 self.assertTrue(periods or options.lacunarity * 2**23 % 1 == 0)
                 far += octaves > 1 and max(map(abs, place)) > 2**26
             self.assertEqual(far > 4, function.has_cell, function.id)
@@ -689,7 +688,7 @@ class GoldenCheck(unittest.TestCase):
         golden.write(self.directory, self.files)
 
     def run_main(self, *arguments: str) -> tuple[int, str]:
-        """The exit status and what was printed, with the table cut down to the functions of the few files."""
+        """The exit status and the output, with the table cut down to the functions of the few files."""
         out = io.StringIO()
         functions = [function for function in FUNCTIONS.values() if f"{function.id}.golden" in self.files]
         with mock.patch.object(golden, "read_functions", return_value=functions), contextlib.redirect_stdout(out):
@@ -768,7 +767,7 @@ class GoldenCheck(unittest.TestCase):
         self.assertEqual(self.run_main("--check")[0], 0)
 
     def test_only_some_files(self) -> None:
-        # Of one file that is missing, one that is wrong, and one that is extra, each command sees its own.
+        # Each command sees its own of one file that is missing, one that is wrong, and one that is extra.
         (self.directory / "hash.old.golden").write_text("")
         (self.directory / "hash.unorm.golden").write_text("")
         (self.directory / "hash.snorm.golden").unlink()

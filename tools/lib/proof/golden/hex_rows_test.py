@@ -44,7 +44,7 @@ def rounded(x: Fraction) -> set[Fraction]:
 
 
 def fractions_in_floats(row: Row, form: str) -> Iterator[tuple[Fraction, ...]]:
-    """Of a cell, or of a position in all roundings, with the cell."""
+    """The fractions of a cell, or of a position in all roundings with the cell."""
     if form == "cell":
         yield tuple(map(Fraction, row[2:4]))
         return

@@ -1,4 +1,4 @@
-"""Rows of Perlin-Worley noise: those of octave sums, and places at the points of cells and far from all of them."""
+"""Rows of Perlin-Worley noise: as for octave sums, and places at the points of cells and far from all of them."""
 
 from __future__ import annotations
 

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from proof.golden.generator import Generator, Row, to_f32
 
 # No stripes, numbers that nobody may distinguish from 0, whole and other numbers of waves, the most that there may be,
-# what is next to it, and what counts as that.
+# its neighbours, and numbers that count as them.
 EDGES = tuple(map(to_f32, (
     0.0, -0.0, 2.0**-149, -2.0**-149, 1e-40, -2.0**-126, 2.0**-24, 0.5, -1 / 3, 1.0, -1.0, math.sqrt(2), -math.pi, 8.0,
     -12.25, 16 - 2.0**-20, 16.0, -16.0, 16 + 2.0**-19, -16 - 2.0**-19, -17.0, 3e38, -3e38)))

@@ -28,7 +28,6 @@ from proof.oracle import gradients, words
 
 
 def word_rows(generator: Generator) -> list[Row]:
-    """128 single words."""
     edges = [0, 1, 2, 0x7F, 0x80, 0xFF, 0x100, 0xFFFF, 0x10000, INT_MAX, 0x80000000, 0xFFFFFFFE, 0xFFFFFFFF]
     single_bits = [1 << i for i in range(32)]
     byte_patterns = [byte << shift for byte in (0xFF, 0xA5) for shift in (0, 8, 16, 24)]
@@ -193,7 +192,7 @@ def place_rows(n: int, seeded: bool, generator: Generator) -> list[Row]:
 
 # --- Fixed arithmetic has edges of its own, and no end of its domain --------------------------------------------
 
-# Subnormal and other tiny numbers, the step of a fraction, whole numbers and what is next to them, where a float has no
+# Subnormal and other tiny numbers, the step of a fraction, whole numbers and their neighbours, where a float has no
 # fraction, where int ends, and the largest.
 FIXED_COORDINATES = tuple(to_f32(x) for x in (
     -0.0, 2.0**-149, -2.0**-149, 1e-40, -1e-40, -2.0**-126, 2.0**-33, -2.0**-33, -2.0**-32, 2.0**-21, -2.0**-21,
@@ -286,7 +285,7 @@ def with_infinities(function: Function, every: list[Row], of_fixed: list[Row]) -
 
 
 def with_phases(rows: list[Row], function: Function, waves: Sequence[float], generator: Generator) -> list[Row]:
-    """And with waves, if it has some, among them `waves`. Rows of cellular noise have a phase among what a caller
+    """And with waves, if it has some, among them `waves`. Rows of cellular noise have a phase among the things a caller
     chooses."""
     if not function.has_phase or function.family in cellular_rows.FAMILIES:
         return rows

@@ -91,7 +91,7 @@ def across_ends(n: int, generator: Generator) -> list[Row]:
 
 def felled(wanted: set, shown: Callable[[Row, tuple[int, ...]], set], place: Callable[[], Row],
            generator: Generator) -> list[Row]:
-    """Places, with radii around that of the nearest rival, which together show all that is wanted. The things that a
+    """Places, with radii around the nearest rival's, which together show all that is wanted. The things that a
     place shows depend on the step to that rival."""
     rows: list[Row] = []
     while wanted:

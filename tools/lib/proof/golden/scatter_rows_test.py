@@ -32,7 +32,7 @@ class Rows:
     rows: list[Row]
 
     def values(self) -> list[tuple[Real, ...]]:
-        scatter.candidate.cache_clear()  # which may remember what a fault made of cells, or what was right
+        scatter.candidate.cache_clear()  # which may remember a fault's cells, or the right ones
         evaluate = functions.evaluator(self.function, False)
         return [evaluate(KNOBS, row) for row in self.rows]
 

@@ -121,7 +121,7 @@ def period_cells(n: int, generator: Generator) -> list[Row]:
 
 # --- Curl in space ----------------------------------------------------------------------------------------------
 
-# Of the fractions along x and z at which the place of its second noise enters the next cell, both sides and the ends.
+# The fractions along x and z at which the place of its second noise enters the next cell, both sides and the ends.
 CROSSINGS = ((0.0, 0.0), (0.5 - BESIDE, 0.75 - BESIDE), (0.5 - 2.0**-25, 0.75 - 2.0**-24), (0.5, 0.75), (0.5, 0.25),
              (0.25, 0.75), (1 - 2.0**-24, 1 - 2.0**-24), (1.0, 1.0), (0.0, 1.0))
 CROSSING_CELLS = ((INT_MAX, 5, INT_MAX), (2, INT_MAX, -1))
@@ -138,7 +138,7 @@ def crossings(form: str, has_period: bool) -> list[Row]:
 
 # --- Phases -----------------------------------------------------------------------------------------------------
 
-# Whole turns and quarters, what is cut off, the step of 2^-30 and the end of a turn, and phases far from 0.
+# Whole turns and quarters, numbers that are cut off, the step of 2^-30 and the end of a turn, and phases far from 0.
 PHASES = tuple(map(to_f32, (
     0.0, -0.0, 0.25, 0.5, 0.75, 1.0, -0.25, -0.5, -1.0, 1 / 3, -1 / 3, 0.125, 2.0**-30, -2.0**-30, 2.0**-31, -2.0**-31,
     3 * 2.0**-31, 1e-40, 1 - 2.0**-24, -1 + 2.0**-24, 0.25 - 2.0**-26, 1000.125, -1000.125, 2.0**21 + 0.25,

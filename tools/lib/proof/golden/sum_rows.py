@@ -13,8 +13,8 @@ from proof.oracle.jacobians import SUMS
 
 COUNT = 64
 
-# Of each setting that only some sums have: edges with any arithmetic, and more with fixed. The strengths of ping-pong
-# reach as far as 64, those of the weighted sum as far as 1, those of eroded sums as far as 16, and amplitudes as far as
+# For each setting that only some sums have: edges with any arithmetic, and more with fixed. The strengths of ping-pong
+# reach as far as 64, of the weighted sum as far as 1, of eroded sums as far as 16, and amplitudes as far as
 # 64. Numbers beyond count as the end.
 Edges = dict[str, tuple[tuple[float, ...], tuple[float, ...]]]
 EDGES: Edges = {
@@ -175,7 +175,6 @@ def steep(function: Function) -> Row:
 
 
 def of_slopes_and_shifts(function: Function, generator: Generator) -> list[Row]:
-    """Rows of sums that have slopes or shifts."""
     rows = [steep(function)] if function.bound == "eroded" else []
     for _ in range(2 * (not function.has_cell)):
         # The second octave would be at a place that no float has.

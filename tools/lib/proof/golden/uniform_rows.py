@@ -67,7 +67,7 @@ def some(generator: Generator) -> Spread:
 
 
 def edges_of(of: Spread) -> list[float]:
-    """Values: the middle and what is tiny, the ends of a spread and what is beside them, and beyond all spreads."""
+    """Values: the middle and tiny ones, the ends of a spread and their neighbours, and beyond all spreads."""
     reach = to_f32(min(max(of[0], 0.0625), 3))
     found = (0.0, *TINY[::3], reach / 2, beside(reach, -1), reach, beside(reach, 1), 3.0)
     return [signed for x in found for signed in (x, -x)]
@@ -100,7 +100,7 @@ def fixed_values(generator: Generator) -> list[Row]:
 def sums(generator: Generator) -> list[Row]:
     rows = [(*spread(9), octaves, 0.5) for octaves in OCTAVES] + [(*spread(2), 4.5, gain) for gain in GAINS]
     rows += [(*of, generator.pick(OCTAVES), generator.pick(GAINS)) for of in (*map(spread, NOISES), *EDGES, *BEYOND)]
-    # At the edges the spread is that of a sum, whose numbers may be clamped, or its reach is at its largest.
+    # At the edges the spread belongs to a sum, whose numbers may be clamped, or its reach is at its largest.
     rows += [(*of, octaves, gain) for of in EDGES for octaves, gain in ((2.0, 1.0), (32.0, 1.0), (5.0, 0.5))]
     while len(rows) < 2 * COUNT:
         octaves = generator.pick((generator.uniform(1, 9), float(generator.integer(1, 32))))

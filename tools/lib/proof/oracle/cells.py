@@ -25,7 +25,6 @@ def smooth(t: Fraction) -> Fraction:
 
 @functools.lru_cache(maxsize=4096)  # the golden files of all configurations have the same fractions
 def corner_weights(f: tuple[Fraction, ...]) -> list[tuple[tuple[int, ...], Fraction]]:
-    """The corners of a cell, with their weights."""
     near_and_far = [(1 - smooth(x), smooth(x)) for x in f]
     return [(corner, math.prod(weights[o] for weights, o in zip(near_and_far, corner)))
             for corner in itertools.product((0, 1), repeat=len(f))]
@@ -57,7 +56,7 @@ def halves(values: Sequence[Value]) -> Iterator[tuple[Value, Value]]:
 
 def interpolated(cell: Sequence[int], fraction: Sequence[int],
                  value: Callable[[Sequence[int], Sequence[int]], int]) -> int:
-    """The same in fixed arithmetic: first along x, then y, z, w."""
+    """In fixed arithmetic: first along x, then y, z, w."""
     values = [value(corner, offset) for corner, offset in corners(cell, fraction)]
     for f in fraction:
         values = [lerp(a, b, fade(f)) for a, b in halves(values)]

@@ -19,7 +19,7 @@ InCell = Callable[[Lattice, Sequence[int], Sequence[Number]], tuple[Number, ...]
 
 
 def vector(noise: InCell[Number]) -> InCell[Number]:
-    """Of a noise, exact or in fixed arithmetic, that returns one number: one for each axis."""
+    """One noise for each axis, from one that returns a number, exact or in fixed arithmetic."""
     def components(lattice: Lattice, cell: Sequence[int], f: Sequence[Number]) -> tuple[Number, ...]:
         if len(cell) not in DIMENSIONS:
             raise ValueError(f"vectors of noises are in two and three dimensions, not in {len(cell)}D")

@@ -2,7 +2,7 @@
 
 All cells of a block around the position are candidates. A point lies within an octahedron about the middle of its cell,
 so it is at least as far as a box around that. The candidates are taken in the order of these least distances, until all
-others are farther than what was found; what lies outside of the block must be farther, too, or a search raises.
+others are farther than the found ones; a point outside of the block must be farther, too, or a search raises.
 With a phase points go round about the middle of their cells, and no farther from it.
 
 Both arithmetics count in whole numbers: exactly, in units in which everything is whole, or in units of 2^-20.
@@ -65,7 +65,7 @@ def direction(word: int, n: int) -> tuple[int, ...]:
 
 def root(x: Fraction) -> Fraction:
     """The square root: exact if it is rational, else so that every number of up to 2^8 bits is less or greater than it
-    as it is than the root. So what is rounded to a double is rounded correctly."""
+    as it is than the root. So rounding to a double is correct."""
     n = x.numerator * x.denominator
     more = max(0, 256 - n.bit_length() // 2)
     r = math.isqrt(n << 2 * more)
@@ -141,7 +141,7 @@ class Exact(Arithmetic):
 
     @staticmethod
     def unit_of(f: Sequence[Fraction], ways: Iterable[Fraction]) -> int:
-        """Of what a point moves, for each half of a direction."""
+        """The unit of a point's movement, for each half of a direction."""
         return 2 * DIRECTION_UNIT * math.lcm(UNIT, *(x.denominator for x in (*f, *ways)))
 
     @functools.cached_property
@@ -175,14 +175,14 @@ class Exact(Arithmetic):
 @dataclass(frozen=True)
 class MovingExact(Exact):
     """Points that have gone round."""
-    steps: Matrix  # for each unit of each component of U: what is moved along each axis
+    steps: Matrix  # for each unit of each component of U: the move along each axis
 
     def moved(self, u: Sequence[int]) -> tuple[int, ...]:
         return tuple(sum(a * x for a, x in zip(row, u)) for row in self.steps)
 
     @property
     def reach(self) -> int:
-        # The magnitudes of U sum to that of one direction.
+        # The magnitudes of U sum to one direction's.
         return DIRECTION_UNIT * max(abs(x) for row in self.steps for x in row)
 
 
@@ -231,7 +231,7 @@ class Fixed(Arithmetic):
 
 @dataclass(frozen=True)
 class MovingFixed(Fixed):
-    """Of points that go round: the position is rotated instead, backwards."""
+    """Points go round: the position is rotated instead, backwards."""
     backwards: Matrix  # B
 
     def from_middle(self, fraction: Sequence[int], beside: Sequence[int]) -> tuple[int, ...]:
@@ -256,15 +256,15 @@ class MovingFixed(Fixed):
 @dataclass(frozen=True)
 class Point:
     """The point of a cell, which has the numbers of the lattice, neither wrapped nor replaced by a period yet. The
-    offset is that of the position from the point."""
+    offset leads from the point to the position."""
     rank: int
     cell: tuple[int, ...]
     offset: tuple[int, ...]
-    is_beside: bool  # whether its cell is that of the position or a neighbour of it
+    is_beside: bool  # whether it is the cell of the position or a neighbour
 
     @property
     def order(self) -> tuple[int, ...]:
-        """Of points at the same distance, those of the cell of the position and of its neighbours come first, and of
+        """Among points at the same distance, the points of the position's cell and of its neighbours come first, and of
         these that of the cell with the smallest z, then y, then x."""
         return (self.rank, not self.is_beside, *reversed(self.cell))
 
@@ -346,7 +346,6 @@ def fixed_field(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) 
 
 
 def whole_numbers(values: Sequence[Fraction], unit: int) -> tuple[int, ...]:
-    """The values as multiples of 1 / unit."""
     numbers = [value * unit for value in values]
     if wrong := [value for value, number in zip(values, numbers) if number.denominator != 1]:
         raise ValueError(f"{wrong[0]} is no multiple of 1 / {unit}, as section 16 of the contract requires")

@@ -1,4 +1,4 @@
-"""Chooses how the oracle evaluates a function of the library, by its row: the family, what it takes, and its name."""
+"""Chooses how the oracle evaluates a function of the library, by its row: the family, its arguments, and its name."""
 
 from __future__ import annotations
 
@@ -184,7 +184,7 @@ def values_of(noise: Noise, function: Function, fixed: bool) -> Evaluate:
 
 
 def names_of(function: Function) -> list[str]:
-    """Of what it returns, as the noise calls it: the derivatives behind a quadrature are those of it."""
+    """The names of its results, as the noise calls it: the derivatives behind a quadrature belong to it."""
     names = [column.name for column in function.outputs]
     return [name.replace("d", "q") if len(name) == 2 else name for name in names] if "quadrature" in names else names
 

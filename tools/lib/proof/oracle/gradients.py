@@ -1,6 +1,6 @@
 """Sections 4 and 5 of docs/reference/contract.md: from a hash to a float, and the gradient at a lattice point.
 
-Section 4 is exact in the library too. Of the sine gradient only the oracle is: a sine is irrational, so it is off by
+Section 4 is exact in the library too. For the sine gradient only the oracle is: a sine is irrational, so it is off by
 less than SINE_ERROR, far too little to change the double nearest to it.
 """
 
@@ -172,7 +172,6 @@ OCTAHEDRAL: dict[int, Callable[..., tuple[float, ...]]] = {
 
 
 def gradient(knobs: Knobs, cell: Sequence[int], seed: int = 0) -> tuple[Real, ...]:
-    """hn_gradient."""
     if knobs.sine_in(len(cell)):
         return tuple(sine_of_word(word) for word in sine_arguments(knobs.hash, cell, seed))
     return OCTAHEDRAL[len(cell)](point_word(knobs.hash, cell, seed))

@@ -1,9 +1,10 @@
 """Section 8 of docs/reference/contract.md, what noises in fixed arithmetic share: coordinates, fade, interpolation, the
 sine.
 
-The formulas are those of the contract, in Python's integers. Python's never overflow, so that the contract's words of
+The formulas are the contract's, in Python's integers. Python's never overflow, so that the contract's words of
 32 bits need two checks: `signed` and `word` raise where a value would not fit. Numbers that should wrap are masked in
-place. """
+place.
+"""
 
 from __future__ import annotations
 
@@ -76,8 +77,7 @@ def part(d: int, t: int) -> int:
 
 
 def difference(a: int, b: int) -> int:
-    """b - a, which wraps. It need not but in Perlin noise in space, at corners that have no weight: see
-    perlin_test.py."""
+    """b - a, which wraps. It need not but in Perlin noise in space, at corners that have no weight."""
     return words.signed(b - a)
 
 
@@ -111,7 +111,7 @@ def sine_of_turns(turns: int) -> int:
 
 
 def cosine_and_sine(turns: int) -> tuple[int, int]:
-    """Likewise."""
+    """The cosine and the sine, likewise rounded."""
     return sine_of_turns(turns + 2**30 & MASK), sine_of_turns(turns)
 
 
@@ -127,7 +127,6 @@ def sine_gradient(knobs: Knobs, point: Sequence[int], seed: int) -> tuple[int, .
 
 
 def gradient(knobs: Knobs, cell: Sequence[int], seed: int = 0) -> tuple[Real, ...]:
-    """hn_gradient."""
     if not knobs.sine_in(len(cell)):
         return gradients.gradient(knobs, cell, seed)
     return tuple(Fraction(g, SINE_UNIT) for g in sine_gradient(knobs, cell, seed))

@@ -1,7 +1,7 @@
 """Section 7 of docs/reference/contract.md, slopes and shifts: sums with derivatives, eroded sums and warps. They are
 exact here, and in fixed arithmetic (section 8).
 
-The Jacobian of an octave is a matrix: what takes a small step of the position to that of the octave, times its weight.
+The Jacobian of an octave is a matrix: what takes a small step of the position to the octave's, times its weight.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ def transposed(matrix: Matrix) -> Matrix:
 
 
 def jacobians_of(n: int, options: Options, periods: Sequence[int] = ()) -> Iterator[Matrix]:
-    """Of each octave, without end."""
+    """The Jacobians of all octaves, without end."""
     jacobian = [[Fraction(i == j) for j in range(n)] for i in range(n)]
     factor = Fraction(options.gain) * sums.growth_of(options, periods)
     while True:
@@ -51,7 +51,7 @@ def jacobians_of(n: int, options: Options, periods: Sequence[int] = ()) -> Itera
 
 def slopes_of(noise: Noise, knobs: Knobs, place: Place, options: Options, seed: int,
               periods: Sequence[int]) -> tuple[list[Fraction], list[Vector]]:
-    """Of each octave the noise and its derivatives."""
+    """The noise and its derivatives in each octave."""
     found = [noise.exact(knobs, q, s, p) for q, p, s in sums.octaves_of(place, options, seed, periods)]
     return [value for value, *_ in found], [g for _, *g in found]
 
@@ -105,7 +105,7 @@ def warp(noise: Noise, knobs: Knobs, place: Place, options: Options, seed: int,
     return shift_of([vector(noise, knobs, octave) for octave in octaves], options, len(place))
 
 
-# The exact place of an octave would have 15 times as many digits as that of the one before it. This is finer than any
+# The exact place of an octave would have 15 times as many digits as the one before it. This is finer than any
 # double by far, even after all that octaves make of the difference.
 FINEST = 2**256
 
@@ -161,7 +161,7 @@ def thirty_second(x: int) -> int:
 
 @dataclass(frozen=True)
 class Plane:
-    """A Jacobian in 2D: that of the rows (c, -s) and (s, c), in units of 2^-18."""
+    """A Jacobian in 2D: the rows (c, -s) and (s, c), in units of 2^-18."""
     c: int = 2**18
     s: int = 0
 
@@ -237,7 +237,7 @@ def fixed_fbm_d(noise: Noise, knobs: Knobs, place: FixedPlace, options: Options,
     terms = fixed_terms_of(noises, options)
     if not noises:
         return (0,) * (1 + len(place))
-    # In this order, since the Jacobian behind that of the last octave may be beyond any range.
+    # In this order, since the Jacobian behind the last octave's may be beyond any range.
     jacobians = zip(slopes, fixed_jacobians_of(len(place), options, periods))
     parts = [jacobian.transposed_times(g) for g, jacobian in jacobians]
     totals = [wrapped(sum(along)) for along in zip(*parts)]

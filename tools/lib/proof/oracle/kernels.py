@@ -95,7 +95,7 @@ class Kernel:
 
 @dataclass(frozen=True)
 class Point:
-    """A lattice point: its numbers beside those of the corner of the cell, and how far the position is from it."""
+    """A lattice point: its numbers beside the cell's corner, and how far the position is from it."""
     numbers: tuple[int, ...]
     centre: bool
     offset: tuple[int, ...]
@@ -166,7 +166,7 @@ def value(kernel: Kernel, lattice: Lattice, cell: Sequence[int], f: Sequence[Fra
 
 
 def derivatives(kernel: Kernel, lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> list[Fraction]:
-    """Of the value, per cell."""
+    """The derivatives of the value, per cell."""
     totals = [Fraction(0)] * len(f)
     for point, d, t in weighted_points(kernel, tuple(f)):
         g = gradient(kernel, lattice, cell, point)

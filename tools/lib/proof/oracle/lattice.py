@@ -1,5 +1,5 @@
 """The lattice under a noise: its points with a seed, with periods and with a phase (docs/reference/contract.md, 6, 13,
-14 and 16), and what a caller of cellular noise (16) and of phasor noise (23) chooses."""
+14 and 16), and the choices of a caller of cellular noise (16) and of phasor noise (23) chooses."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Lattice:
         return replace(self, periods=tuple(2 * period for period in self.periods))
 
     def word(self, corner: Sequence[int], centre: bool = False) -> int:
-        """Of a corner, or of the centre of the cell behind this first corner."""
+        """The word of a corner, or of the centre of the cell behind this first corner."""
         return component_word(point_word(self.knobs.hash, self.point(corner), self.seed, centre), self.component)
 
     def hash(self, corner: Sequence[int]) -> int:

@@ -25,12 +25,12 @@ def columns(matrix: Matrix) -> Matrix:
 
 @functools.lru_cache(maxsize=4096)
 def forwards(n: int, phase: Real) -> Matrix:
-    """M: what a phase makes of a direction."""
+    """M: it takes a direction by a phase."""
     rotation.check(n)
     c, s = rotation.cosine_and_sine(phase)
     if n == 2:
         return ((c, -s), (s, c))
-    # First in the plane of y and z, then in that of x and y.
+    # First in the plane of y and z, then of x and y.
     return ((c, -s * c, s * s), (s, c * c, -c * s), (Fraction(0), s, c))
 
 
@@ -43,14 +43,14 @@ def ways(n: int, phase: Real, jitter: Fraction) -> Matrix:
 
 
 def fixed_product(a: int, b: int) -> int:
-    """Of two sines or cosines in units of 2^-16, rounded. Some are 1 or -1, whose product does not fit a signed integer
-    before it is divided."""
+    """The product of two sines or cosines in units of 2^-16, rounded. Some are 1 or -1, whose product does not fit a
+    signed integer before it is divided."""
     return (a // 2 * b + 2**14) // 2**15
 
 
 @functools.lru_cache(maxsize=4096)
 def backwards(n: int, phase: Real) -> Matrix:
-    """B, in units of 2^-16: what a phase makes of a position, so that points need no rotation."""
+    """B, in units of 2^-16: it takes a position by a phase, so that points need no rotation."""
     rotation.check(n)
     c, s = rotation.fixed_cosine_and_sine(phase)
     if n == 2:
@@ -71,5 +71,5 @@ def rotated(e: int, b: int) -> int:
 
 @functools.lru_cache(maxsize=4096)  # a search calls it for each cell
 def times(matrix: Matrix, d: tuple[int, ...]) -> tuple[int, ...]:
-    """Of whole numbers, in those units."""
+    """The product of whole numbers, in those units."""
     return tuple(sum(map(rotated, d, row)) for row in matrix)

@@ -1,16 +1,14 @@
 """Properties of every noise of the oracle, in each number of dimensions and with each gradient in bounds.inc.
 
-A noise that is added needs no test here. Each check must find the fault that is planted for it."""
+A noise that is added needs no test here."""
 
 from __future__ import annotations
 
 import functools
 import itertools
 import math
-import operator
 import unittest
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from fractions import Fraction
 
 from base.thorough import THOROUGH
@@ -22,20 +20,16 @@ from proof.oracle.components import component
 from proof.oracle.curl import CURL
 from proof.oracle.gradients import Knobs
 from proof.oracle.hexes import HEXES
-from proof.oracle.integers import NOISE_UNIT, UNIT
-from proof.oracle.lattice import Choice, Lattice
+from proof.oracle.lattice import Choice
 from proof.oracle.noises import Noise
-from proof.oracle.testing import FORMS, KNOBS, Place, moved, places, quotient
+from proof.oracle.testing import FORMS, Place, moved, places, quotient
 
 PERIOD = 48
-POINTS = 24
+POINTS = 24 if THOROUGH else 6
 PHASE = 0.3  # of noises that rotate
 WAVE = (2.25, -1.5, 0.7)  # of phasor noise
 # Of noises whose gradients rotate, by that of the noise without a phase.
 OTHER_SCALES = {("perlin", 3): Fraction(879, 985), ("simplex", 3): Fraction(4902, 4918)}
-# How much of their range values use at least. The factors of a product, as a curl in space is, are seldom large
-# together, and nearly all positions are far nearer to points of cells, and to borders, than the farthest one.
-USED, SELDOM_USED = 0.5, 0.25
 # Functions that have bounds and a place as noises have, and are none. For a vector with derivatives the second
 # component stands for all.
 NO_NOISES = {of.name: of for of in (CURL, HEXES)} | {
@@ -92,18 +86,20 @@ def points(bounds: Bounds, name: str, count: int = POINTS) -> list[Place]:
 
 
 def of_every_noise(check: Callable[[EveryNoise, Noise, Bounds], None]) -> Callable[[EveryNoise], None]:
-    """The test that the check passes; `check` of it takes other noises."""
+    """The test that each passes."""
     @functools.wraps(check)
     def test(self: EveryNoise) -> None:
         for bounds in table.read():
             with self.subTest(noise=bounds.noise, dimensions=bounds.dimensions, gradient=bounds.gradient):
                 check(self, named(bounds.noise, bounds.dimensions), bounds)
 
-    test.check = check
     return test
 
 
 class EveryNoise(unittest.TestCase):
+    """A formula, a derivative or a rotation that differs in the two arithmetics or from the limit of differences, and a
+    seed, a hash or a period that does not count."""
+
     def test_every_noise_has_bounds(self) -> None:
         self.assertEqual(sorted({bounds.noise for bounds in table.read()}), sorted([*noises.names(), *NO_NOISES]))
 
@@ -112,7 +108,7 @@ class EveryNoise(unittest.TestCase):
         """Down to the smallest cell."""
         smallest = [Fraction(-2**31)] + [Fraction(1, 4)] * (bounds.dimensions - 1)
         for knobs, period in itertools.product(tried_settings(bounds), (0, PERIOD)):
-            for p, seed in [*points(bounds, "position", 8), (smallest, 3)]:
+            for p, seed in [*points(bounds, "position", 2), (smallest, 3)]:
                 cell = [math.floor(x) for x in p]
                 f = [x - c for x, c in zip(p, cell)]
                 arguments = (seed, (period,) * bounds.dimensions)
@@ -136,47 +132,30 @@ class EveryNoise(unittest.TestCase):
                     self.assertLessEqual(abs(a - b), error)
 
     @of_every_noise
-    def test_values_are_in_their_range_and_use_it(self, noise: Noise, bounds: Bounds) -> None:
-        for knobs in tried_settings(bounds):
-            sample = list(itertools.product(with_each_metric(noise), points(bounds, "range", 2 * POINTS)))
-            exact = [value for of, (p, seed) in sample for value in values_of(of, of.exact(knobs, p, seed))]
-            fixed = [value for of, (p, seed) in sample for value in values_of(of, of.fixed(knobs, p, seed))]
-            for values, limit in ((exact, bounds.limit), (fixed, bounds.fixed_limit)):
-                self.assertLessEqual(max(map(abs, values)), limit)
-                seldom = noise.name in (CURL.name, "cell_border") or is_cellular(noise)
-                self.assertGreater(max(values) - min(values), (SELDOM_USED if seldom else USED) * limit)
-
-    @of_every_noise
     def test_a_period_takes_effect_along_its_axis(self, noise: Noise, bounds: Bounds) -> None:
         for knobs, with_period in itertools.product(tried_settings(bounds), range(bounds.dimensions)):
             periods = [PERIOD if i == with_period else -PERIOD for i in range(bounds.dimensions)]
             for axis in range(bounds.dimensions):
-                for p, seed in points(bounds, "period", 2):
+                for p, seed in points(bounds, "period", 1):
                     for of in (noise.exact, noise.fixed):
                         same = of(knobs, p, seed, periods) == of(knobs, moved(p, axis, PERIOD), seed, periods)
                         self.assertEqual(same, axis == with_period, knobs)
 
     @of_every_noise
     def test_a_period_changes_nothing_where_no_point_is_moved(self, noise: Noise, bounds: Bounds) -> None:
-        for knobs, (p, seed) in itertools.product(tried_settings(bounds), points(bounds, "no period", 4)):
+        for knobs, (p, seed) in itertools.product(tried_settings(bounds), points(bounds, "no period", 1)):
             inside = [abs(x) % 8 + 1 for x in p]
             for of, period in itertools.product((noise.exact, noise.fixed), (0, -1, 2**31 - 1, 11)):
                 self.assertEqual(of(knobs, inside, seed), of(knobs, inside, seed, (period,) * bounds.dimensions))
 
     @of_every_noise
-    def test_every_seed_gives_another_field(self, noise: Noise, bounds: Bounds) -> None:
-        for knobs in tried_settings(bounds):
-            # At two places: some two of 32 seeds may well give the nearest cell the same of 1024 points.
-            two = [p for p, _ in points(bounds, "seeds", 2)]
-            for of in (noise.exact, noise.fixed):
-                self.assertEqual(len({tuple(of(knobs, p, seed) for p in two) for seed in range(32)}), 32)
-
-    @of_every_noise
-    def test_every_hash_gives_another_field(self, noise: Noise, bounds: Bounds) -> None:
+    def test_every_seed_and_every_hash_gives_another_field(self, noise: Noise, bounds: Bounds) -> None:
         lattice, fnv1 = settings(bounds)
-        for p, seed in points(bounds, "hashes", 4):
-            for of in (noise.exact, noise.fixed):
-                self.assertNotEqual(of(lattice, p, seed), of(fnv1, p, seed))
+        # At two places: some two of 8 seeds may well give the nearest cell the same of 1024 points.
+        two = [p for p, _ in points(bounds, "seeds", 2)]
+        for of in (noise.exact, noise.fixed):
+            self.assertEqual(len({tuple(of(lattice, p, seed) for p in two) for seed in range(8)}), 8)
+            self.assertNotEqual(of(lattice, two[0], 3), of(fnv1, two[0], 3))
 
     @of_every_noise
     def test_the_end_of_a_cell_is_where_the_next_one_begins(self, noise: Noise, bounds: Bounds) -> None:
@@ -215,27 +194,19 @@ class EveryNoise(unittest.TestCase):
             else:
                 self.assertEqual(of(Knobs("lattice"), p), of(Knobs("lattice", sine=True), p))
 
-    def plain(self, bounds: Bounds) -> tuple[Noise, int]:
-        """The noise without derivatives, and which of its numbers has them."""
-        return named(bounds.noise.replace("_d", ""), bounds.dimensions), int("_vector" in bounds.noise)
-
-    @of_every_noise
-    def test_with_derivatives_it_is_the_same_noise(self, noise: Noise, bounds: Bounds) -> None:
-        if has_derivatives(bounds):
-            plain, i = self.plain(bounds)
-            count = 2 if "phasor" in bounds.noise else 1
-            for (p, seed), form, period in itertools.product(points(bounds, "derivatives", 4), FORMS, (0, 5)):
-                arguments = (settings(bounds)[0], p, seed, (period,) * bounds.dimensions)
-                found, right = (getattr(of, form)(*arguments) for of in (noise, plain))
-                self.assertEqual(found[:count], right[i:i + count])
-
     @of_every_noise
     def test_derivatives_are_the_limits_of_difference_quotients(self, noise: Noise, bounds: Bounds) -> None:
+        """And with derivatives it is the same noise."""
         if has_derivatives(bounds):
-            (plain, first), knobs = self.plain(bounds), settings(bounds)[0]
-            for index, (p, seed) in enumerate(points(bounds, "derivatives", 4)):
+            # The noise without derivatives, and which of its numbers has them.
+            plain, first = named(bounds.noise.replace("_d", ""), bounds.dimensions), int("_vector" in bounds.noise)
+            knobs, count = settings(bounds)[0], 2 if "phasor" in bounds.noise else 1
+            for index, (p, seed) in enumerate(points(bounds, "derivatives", 2)):
                 arguments = (seed, (5 * (index % 2),) * bounds.dimensions)
                 found = noise.exact(knobs, p, *arguments)
+                self.assertEqual(found[:count], plain.exact(knobs, p, *arguments)[first:first + count])
+                self.assertEqual(noise.fixed(knobs, p, *arguments)[:count],
+                                 plain.fixed(knobs, p, *arguments)[first:first + count])
                 for i, name in enumerate("dq", first):
                     for axis, slope in enumerate(derivatives_of(noise, found, name)):
                         limit = quotient(lambda x: plain.exact(knobs, moved(p, axis, x), *arguments)[i])
@@ -253,8 +224,8 @@ class EveryNoise(unittest.TestCase):
             return getattr(noise.rotated(phase), form)(knobs, p, seed, (3,) * n)
 
         for form in FORMS:
-            self.assertEqual(len({at(i / 16, form) for i in range(16)}), 16)
-            for phase, turns in itertools.product((0.375, -2.0**-20), (1, 3, 2**24)):
+            self.assertEqual(len({at(i / 8, form) for i in range(8)}), 8)
+            for phase, turns in itertools.product((0.375, -2.0**-20), (1, 2**24)):
                 self.assertEqual(at(phase + math.copysign(turns, phase), form), at(phase, form))
         if not is_cellular(noise):
             for phase in map(Fraction, (0.1, -0.7, 0.5)):
@@ -266,83 +237,8 @@ class EveryNoise(unittest.TestCase):
                 scale = OTHER_SCALES.get((bounds.noise.split("_")[0], n), 1)
                 self.assertEqual(at(0), tuple(scale * x for x in plain.exact(knobs, p, seed, (3,) * n)))
 
-    def test_each_check_finds_its_fault(self) -> None:
-        perlin, slopes, rotating = map(noises.find, ("perlin", "perlin_d", "perlin_phase"))
-
-        class Rounding(Noise):
-            """It takes the nearest cell."""
-            def exact(self, knobs, p, seed=0, periods=()):
-                cell = [round(x) for x in p]
-                return self.exact_cell(knobs, cell, [abs(x - c) for x, c in zip(p, cell)], seed, periods)
-
-        def on_lattice(change: Callable[[Lattice], dict], noise: Noise = perlin) -> list[Noise]:
-            """One on another lattice, in exact and in fixed arithmetic."""
-            def ignoring(of: Callable) -> Callable:
-                return lambda lattice, *args: of(replace(lattice, **change(lattice)), *args)
-            return [replace(noise, exact_in_cell=ignoring(noise.exact_in_cell)),
-                    replace(noise, fixed_in_cell=ignoring(noise.fixed_in_cell))]
-
-        def scaled(noise: Noise, *factors: Fraction) -> Noise:
-            exact = noise.exact_in_cell
-            return replace(noise, exact_in_cell=lambda *args: tuple(map(operator.mul, exact(*args), factors)))
-
-        def off(noise: Noise, *errors: int) -> Noise:
-            fixed = noise.fixed_in_cell
-            return replace(noise, fixed_in_cell=lambda *args: tuple(map(operator.add, fixed(*args), errors)))
-
-        less, no_periods = Fraction(1023, 1024), on_lattice(lambda lattice: {"periods": ()})
-        two_bounds = math.ceil(2 * table.bounds_of("perlin", 2, "octahedral").fixed_error * NOISE_UNIT)
-        tried = set()
-        for name, faults in (
-                ("a_position_is_a_cell_and_a_fraction",
-                 [Rounding("perlin", perlin.exact_in_cell, perlin.fixed_in_cell)]),
-                ("fixed_arithmetic_is_within_its_bound_and_gives_floats",
-                 [off(perlin, two_bounds), off(slopes, 0, 2**9, 0)]),
-                ("values_are_in_their_range_and_use_it",
-                 [scaled(perlin, Fraction(3)), off(perlin, 3 * NOISE_UNIT), scaled(perlin, Fraction(1, 4))]),
-                ("a_period_takes_effect_along_its_axis",
-                 [*no_periods, *on_lattice(lambda lattice: {"periods": (PERIOD, PERIOD)})]),
-                ("a_period_changes_nothing_where_no_point_is_moved",
-                 on_lattice(lambda lattice: {"periods": tuple(p - 7 for p in lattice.periods)})),
-                ("every_seed_gives_another_field", on_lattice(lambda lattice: {"seed": 0})),
-                ("every_hash_gives_another_field", on_lattice(lambda lattice: {"knobs": Knobs("pcg")})),
-                ("the_end_of_a_cell_is_where_the_next_one_begins", no_periods[:1]),
-                ("noise_is_0_at_lattice_points", [off(perlin, 1)]),
-                ("the_sine_gradient_is_that_of_perlin_noise_alone",
-                 [fault for noise in (perlin, slopes) for fault in on_lattice(lambda lattice: {"knobs": KNOBS}, noise)]),
-                ("with_derivatives_it_is_the_same_noise", [scaled(slopes, less, 1, 1), off(slopes, 1, 0, 0)]),
-                ("derivatives_are_the_limits_of_difference_quotients", [scaled(slopes, 1, 1, less)]),
-                ("a_phase_rotates", [*on_lattice(lambda lattice: {"phase": 0.3}, rotating),
-                                   on_lattice(lambda lattice: {"phase": lattice.phase + 1 / 8}, rotating)[0]])):
-            check = getattr(EveryNoise, f"test_{name}").check
-            tried.add(check)
-            for fault in faults:
-                with self.subTest(name), self.assertRaises(AssertionError):
-                    check(self, fault, table.bounds_of(fault.name, 2, "octahedral"))
-
-        checks = {getattr(of, "check", None) for of in vars(EveryNoise).values()} - {None}
-        self.assertEqual(tried, checks)
-
-    def test_a_fault_of_one_metric_or_of_one_distance_is_found(self) -> None:
-        cellular, bounds = noises.find("cellular"), table.bounds_of("cellular", 2, "none")
-
-        def faulty(of: Callable, error: float, output: int, metric: int) -> Callable:
-            def found(lattice: Lattice, *args) -> tuple:
-                return tuple(value + error * (i == output and lattice.choice.metric == metric)
-                             for i, value in enumerate(of(lattice, *args)))
-            return found
-
-        two_bounds = math.ceil(2 * bounds.fixed_error * UNIT)
-        for output, metric in itertools.product((0, 1), (1, 2, 3, 4, 5)):
-            with self.assertRaises(AssertionError):
-                EveryNoise.test_fixed_arithmetic_is_within_its_bound_and_gives_floats.check(self, replace(
-                    cellular, fixed_in_cell=faulty(cellular.fixed_in_cell, two_bounds, output, metric)), bounds)
-            with self.assertRaises(AssertionError):
-                EveryNoise.test_values_are_in_their_range_and_use_it.check(self, replace(
-                    cellular, exact_in_cell=faulty(cellular.exact_in_cell, 4, output, metric)), bounds)
-
-
-class Finding(unittest.TestCase):
-    def test_a_noise_that_is_not_there(self) -> None:
-        with self.assertRaisesRegex(LookupError, "write tools/lib/proof/oracle/noises/merlin.py from docs/reference/contract.md"):
+    def test_a_noise_that_is_not_there_and_a_period_too_few(self) -> None:
+        with self.assertRaisesRegex(LookupError, "write .*/noises/merlin.py from docs/reference/contract.md"):
             noises.find("merlin")
+        with self.assertRaises(ValueError):
+            noises.find("value").exact(Knobs("lattice"), (0.5, 0.5), 0, (48,))

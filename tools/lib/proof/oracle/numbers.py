@@ -37,7 +37,6 @@ def gaussian_of(coins: int, total: int) -> int:
 
 
 def gaussian(h: int) -> float:
-    """hn_gaussian."""
     coins = rehash(h, 1).bit_count() + (rehash(h, 2) >> 1).bit_count()
     total = sum(h >> shift & 1023 for shift in (0, 10, 20))
     return gaussian_of(coins, total) / NORMAL_UNIT
@@ -79,22 +78,18 @@ def in_units(units: Sequence[int]) -> tuple[float, ...]:
 
 
 def circle(h: int) -> tuple[float, ...]:
-    """hn_circle."""
     return in_units(circle_units(h))
 
 
 def disk(h: int) -> tuple[float, ...]:
-    """hn_disk."""
     return in_units(shortened(circle_units(h), largest(h, (1, 2))))
 
 
 def sphere(h: int) -> tuple[float, ...]:
-    """hn_sphere."""
     return in_units(sphere_units(h))
 
 
 def ball(h: int) -> tuple[float, ...]:
-    """hn_ball."""
     return in_units(shortened(sphere_units(h), largest(h, (2, 3, 4))))
 
 
@@ -114,7 +109,6 @@ def shuffle_step(x: int, m: int, seed: int) -> int:
 
 
 def shuffle(i: int, n: int, seed: int) -> int:
-    """hn_shuffle."""
     if n <= 1:
         return 0
     m = 2**(n - 1).bit_length() - 1
@@ -156,7 +150,6 @@ def second_axis(j: int) -> int:
 
 
 def sobol(i: int, seed: int) -> tuple[float, float]:
-    """hn_sobol."""
     s = mix(seed)
     j = order(i, rehash(s, 3))
     return (unorm(reversed_bits(scramble(j, rehash(s, 1)))),

@@ -19,13 +19,13 @@ def whole_gradient(h: int, n: int) -> tuple[int, ...]:
 
 
 def ramp(g: Sequence[int], d: Sequence[int]) -> int:
-    """Of a whole gradient at the offset d from its lattice point, which has units of 2^-20. It is exact."""
+    """The ramp of a whole gradient at the offset d from its lattice point, which has units of 2^-20. It is exact."""
     n = len(d)
     return signed(RAMP_UNITS[n] // (GRADIENT_UNITS[n] * UNIT) * signed(sum(signed(a * x) for a, x in zip(g, d))))
 
 
 def components(g: Sequence[int]) -> tuple[int, ...]:
-    """Of a whole gradient, in units four times as large as those of ramps."""
+    """The components of a whole gradient, in units four times as large as a ramp's."""
     n = len(g)
     return tuple(RAMP_UNITS[n] // (4 * GRADIENT_UNITS[n]) * x for x in g)
 

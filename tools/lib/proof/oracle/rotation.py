@@ -30,7 +30,7 @@ def edge(g: Sequence[Number], h: int) -> tuple[Number | int, ...]:
 
 
 def other(g: Sequence[Number], h: int) -> tuple[Number | int, ...]:
-    """The vector whose sum fixed arithmetic adds to that of the gradient g of the word h: g' on the plane, e in
+    """The vector whose sum fixed arithmetic adds to the sum of the gradient g of the word h: g' on the plane, e in
     space."""
     check(len(g))
     return (-g[1], g[0]) if len(g) == 2 else edge(g, h)

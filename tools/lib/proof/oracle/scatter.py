@@ -46,7 +46,7 @@ def steps(n: int) -> list[tuple[int, ...]]:
 
 def rivals(lattice: Lattice, cell: Sequence[int]) -> Iterator[tuple[tuple[int, ...], int]]:
     """The neighbours whose words leave no room for a smaller one nearby: the step to each, and the square of how far
-    its candidate is from that of the cell."""
+    its candidate is from the cell's."""
     own = candidate(lattice, tuple(cell))
     for o in steps(len(cell)):
         other = candidate(lattice, tuple(c + step for c, step in zip(cell, o)))
@@ -60,5 +60,4 @@ def stands(lattice: Lattice, cell: Sequence[int], radius: Real) -> bool:
 
 
 def scattered(lattice: Lattice, cell: Sequence[int], radius: Real) -> int:
-    """hn_scattered."""
     return rehash(candidate(lattice, tuple(cell)).word, 5) | 1 if stands(lattice, cell, radius) else 0

@@ -15,7 +15,7 @@ from proof.oracle.words import MASK, SEED_STEP
 from proof.oracle.words import signed as wrapped
 
 SHIFT = (Fraction(11, 32), Fraction(19, 32), Fraction(23, 32), Fraction(27, 32))
-# In 32nds the cosines and the sines of the rotations: in the plane of x and y, then in that of y and z, then of z and
+# In 32nds the cosines and the sines of the rotations: in the plane of x and y, then of y and z, then of z and
 # w.
 ROTATIONS = ((25, 20), (29, 13), (25, 20))
 
@@ -122,7 +122,6 @@ def octaves_of(q: Place, options: Options, seed: int, periods: Sequence[int] = (
 
 
 def weights(options: Options) -> list[Fraction]:
-    """Of the total."""
     count = count_of(options)
     found = [Fraction(options.gain)**i for i in range(count)]
     if count > 1:
@@ -238,7 +237,6 @@ def reduced(position: int) -> int:
 
 
 def cell_and_rest(position: int) -> tuple[int, int]:
-    """Of a whole position."""
     return position >> 24, position & (POSITION_UNIT - 1)
 
 
@@ -272,7 +270,7 @@ def fixed_at(noise: Noise, knobs: Knobs, octave: FixedOctave) -> tuple[int, ...]
 
 
 def product(a: int, b: int) -> int:
-    """Of two numbers in [0, 2^18], in units of 2^-18."""
+    """The product of two numbers in [0, 2^18], in units of 2^-18."""
     if not (0 <= a <= 2**18 and 0 <= b <= 2**18):
         raise OverflowError(f"{a} or {b} is not in [0, 2^18]")
     return signed(signed((a >> 9) * b) + (signed((a & 511) * b) >> 9)) >> 9
@@ -284,7 +282,7 @@ def in_weights(x: Real, high: int = 1) -> int:
 
 
 def fixed_weights(options: Options) -> list[int]:
-    """Of the total, in units of 2^-18."""
+    """The weights of the total, in units of 2^-18."""
     found, a = [], 2**18
     for _ in range(count_of(options)):
         found.append(a)

@@ -63,7 +63,6 @@ def tail(a: Fraction, b: Fraction, c: Fraction, y: Fraction) -> Fraction:
 
 
 def uniform_d(value: Real, *spread: Real) -> tuple[Fraction, Fraction]:
-    """hn_uniform_d."""
     reach, a, b, c = in_range(*spread)
     w = 1 - min(abs(Fraction(value)) / reach, Fraction(1))
     y = w**2
@@ -120,7 +119,7 @@ def fixed_in_range(unit: int, reach: Real, a: Real, b: Real, c: Real) -> tuple[i
 
 
 def product(a: int, b: int) -> int:
-    """As that of the weights of sums, but a may be negative, and both may be above 1."""
+    """As the weights of sums, but a may be negative, and both may be above 1."""
     if b < 0:
         raise OverflowError(f"{b} is negative")
     return signed(signed((a >> 9) * b) + (word((a & 511) * b) >> 9)) >> 9
@@ -136,7 +135,6 @@ def mix(p: int, q: int, y: int) -> int:
 
 
 def fixed_uniform_d(value: Real, *spread: Real) -> tuple[Fraction, Fraction]:
-    """hn_uniform_d."""
     r, a, b, c = fixed_in_range(UNIT, *spread)
     v = math.trunc(clamped(value, -LARGEST_REACH, LARGEST_REACH) * UNIT)
     w = 2**18 - quotient(min(abs(v), r), r)

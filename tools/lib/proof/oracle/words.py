@@ -1,7 +1,7 @@
 """Sections 2 and 3 of docs/reference/contract.md: hashes of words, and of lattice points; the published ones of section
 18; and the words of vectors of section 22.
 
-All values are words: Python integers masked to 32 bits. A `name` is that of a hash.
+All values are words: Python integers masked to 32 bits. A `name` is a hash's.
 """
 
 from __future__ import annotations
@@ -140,7 +140,7 @@ CENTRE, CENTRE_SHIFT = PRIMES[4], 8
 
 
 def high_bits(point: Sequence[int], seed: int = 0, centre: bool = False) -> int:
-    """J of a lattice point; with `centre` that of the centre of the cell `point`."""
+    """J of a lattice point; with `centre` for the centre of the cell `point`."""
     j = mix(seed) >> SEED_SHIFT
     for coordinate, shift in zip(spread(point), SHIFTS):
         j ^= coordinate >> shift
@@ -163,7 +163,7 @@ def joins(point: Sequence[int], seed: int = 0, centre: bool = False) -> tuple[in
 
 
 def point_word(name: str, point: Sequence[int], seed: int = 0, centre: bool = False) -> int:
-    """The word of a lattice point under the hash `name`; with `centre` that of the centre of the cell `point`."""
+    """The word of a lattice point under the hash `name`; with `centre` for the centre of the cell `point`."""
     j, m = joins(point, seed, centre)
     if name == "lattice":
         return j * m & MASK
@@ -182,7 +182,7 @@ def lattice(name: str, point: Sequence[int], seed: int = 0) -> int:
 
 
 def signed(word: int) -> int:
-    """The signed integer of a word (two's complement); of a larger integer, that of its low 32 bits."""
+    """The signed integer of a word (two's complement); of a larger integer, the low 32 bits as one."""
     return (word + 2**31 & MASK) - 2**31
 
 

@@ -39,7 +39,7 @@ struct Proof {
 };
 Proof proof_of(SumStep step);
 
-// Of a noise, or a component of its derivative, at a position that is off.
+// The error of a noise, or a component of its derivative, at a position that is off.
 double error_at(const OctaveArguments& arguments, const FloatBounds& bounds, double lipschitz, double limit,
                 double position_error) {
   // A noise that jumps is as good as any only where its position is exact.
@@ -47,7 +47,7 @@ double error_at(const OctaveArguments& arguments, const FloatBounds& bounds, dou
   return std::min(of_position + (arguments.from_cell ? bounds.cell_error : bounds.error), 2.0 * limit);
 }
 
-// The same of each octave, where positions do not depend on the noise.
+// The errors of all octaves, where positions do not depend on the noise.
 Errors errors_at(const OctaveArguments& arguments, const FloatBounds& bounds, double lipschitz, double limit) {
   OctavePosition at = first_octave(bounds.axes, arguments);
   Errors errors;
@@ -95,7 +95,7 @@ Terms heights(const Errors& noise_errors, double, double) {
 
 // t = (n + 1)*strength;  t = t - 2*floor(t/2);  z = min(t, 2 - t);  2*z - 1
 //
-// Of t only n + 1 and the product round: 2 - t is exact for t from 1 on. The difference may be fused with the product,
+// Only n + 1 and the product of t round: 2 - t is exact for t from 1 on. The difference may be fused with the product,
 // so that t is less than 0 or more than 2 by the rounding of the product; this counts twice, then.
 Terms waves(const Errors& noise_errors, double strength, double) {
   Terms terms{{}, 1.001};
@@ -120,11 +120,11 @@ double detail_total(const OctaveArguments& arguments) {
   return total;
 }
 
-// Of the mean of the octaves. Each *_error bounds the error of its float.
+// The bounds of the mean of the octaves. Each *_error bounds the error of its float.
 //
 //   sum = sum + amplitude*noise(q);  total = gain*total + 1;  amplitude = amplitude*gain;  value = sum / total
 //   bent:       amplitude = amplitude*(1 - strength*(0.5 - 0.5*n)) before that
-//   footprint:  amplitude*fade, in place of the amplitude, adds to the sum: factor_errors are those of the fades
+//   footprint:  amplitude*fade, in place of the amplitude, adds to the sum: factor_errors are the fades'
 //   detail:     the last amplitude is multiplied with its share, with which the total begins
 //
 // A term is at most the limit, exact as well as computed, so |sum| is at most limit * total; a division errs by up to
@@ -169,7 +169,7 @@ double mean_error(const SumRule& rule, const OctaveArguments& arguments, double 
 //
 // The Jacobian of an octave is gain * lacunarity to the power of the octave, times rotations. So its columns have that
 // length, but for what rotations stretch, and no vector becomes longer by more. Without rotations each axis is on its
-// own, and lengths are those of coordinates. The lipschitz of a noise is the largest sum of the magnitudes of its
+// own, and coordinates stand for lengths. The lipschitz of a noise is the largest sum of the magnitudes of its
 // derivatives: it bounds the lengths of gradients, and with them how far noise changes with the length of a step.
 
 struct Jacobian {
@@ -210,7 +210,7 @@ double steepest_fall(double strength, double reach) {
   return 2.0 * strength * r / (divisor * divisor);
 }
 
-// Of the factors 1 / (1 + strength |e|^2) of an erosion, and of their products with the weights:
+// The errors of the factors 1 / (1 + strength |e|^2) of an erosion, and of their products with the weights:
 //
 //   e = clamp(rotated(e) + g, -8, 8);  1 / (strength*(e_x*e_x + e_y*e_y [+ e_z*e_z]) + 1) * weight
 //

@@ -1,4 +1,4 @@
-// How far an octave sum of floats may be from the exact one, given what is proven of its noise. The proofs are in
+// How far an octave sum of floats may be from the exact one, given the bounds of its noise. The proofs are in
 // bounds.cpp. The suite and tools/make bounds compile it, so it includes the standard library and what tools/make
 // catalog makes, and nothing else.
 #pragma once
@@ -16,7 +16,7 @@ struct FloatBounds {
   double limit;       // how large it can be, computed in floats
 };
 
-// The step of an octave: a step of detail/octave.glsl, or that of a sum with derivatives or displacements.
+// The step of an octave: a step of detail/octave.glsl, or the step of a sum with derivatives or displacements.
 enum class SumStep {
 #define SUM_STEP(name) name,
 #include "library/sums.inc"
@@ -54,12 +54,12 @@ bool has_jacobian(SumStep step);
 bool is_clamped(SumStep step);
 
 // The largest error of an octave sum over a noise, against the exact sums of docs/reference/contract.md at the same
-// floats; of a sum of vectors, that of a component. `slope` are the bounds of the derivative of the noise: an erosion
+// floats; of a sum of vectors, of a component. `slope` are the bounds of the derivative of the noise: an erosion
 // and a warp need them. From a cell the sum is defined for a lacunarity in [0, 255]; the error is infinite where no
 // error is bounded. A step or a mean without a proof throws, and so do the functions above.
 double octave_tolerance(const SumRule& rule, const OctaveArguments& arguments, const FloatBounds& noise,
                         const FloatBounds& slope);
-// The same of a component of the derivative of the sum.
+// The tolerance of a component of the derivative of the sum.
 double octave_slope_tolerance(const SumRule& rule, const OctaveArguments& arguments, const FloatBounds& noise,
                               const FloatBounds& slope);
 

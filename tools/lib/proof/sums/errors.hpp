@@ -37,7 +37,8 @@ double cut_lacunarity(const OctaveArguments& arguments);
 OctavePosition first_octave(int axes, const OctaveArguments& arguments);
 OctavePosition next_octave(int axes, const OctaveArguments& arguments, const OctavePosition& at);
 
-// Of clamp(3/2 - e, 0, 1), e = footprint * max(lacunarity, 1)^i computed step by step. It counts up to 3/2 only.
+// The error of clamp(3/2 - e, 0, 1), e = footprint * max(lacunarity, 1)^i computed step by step. It counts up to 3/2
+// only.
 double fade_error(std::size_t i);
 
 // The total of the weights, octave by octave: total = gain*total + 1.

@@ -31,7 +31,7 @@ constexpr double kWave = 3.0 / 2.0;
 constexpr double kLargestSlope = 8.0;  // of a component
 constexpr double kLargestDepth = 8.0;
 constexpr double kLargestHeight = 1.0;   // of v
-constexpr double kSmallSlope = 0x1p-31;  // more than the length of what is replaced by 0
+constexpr double kSmallSlope = 0x1p-31;  // more than the length that 0 replaces
 constexpr double kSmallRoot = 0x1p-59;   // what u loses where a square becomes 0, and more
 const double kDiagonal = std::sqrt(2.0);
 

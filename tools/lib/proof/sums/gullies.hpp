@@ -1,4 +1,4 @@
-// How far hn_gullies may be off in floats, given what is proven of the waves of its octaves. The proof is in
+// How far hn_gullies may be off in floats, given the bounds of the waves of its octaves. The proof is in
 // gullies.cpp.
 #pragma once
 

@@ -63,7 +63,7 @@ def features(row: Values) -> set[Hashable]:
 
 
 def chosen(inputs: Sequence[set[Hashable]], results: Sequence[Sequence[float]]) -> list[int]:
-    """The numbers of so many rows, in their order; of all if there are fewer. Of what goes in it takes the features."""
+    """The numbers of so many rows, in their order; of all if there are fewer. The features are the inputs'."""
     said = [of_row | {("result", i, sign_of(value)) for i, value in enumerate(values)}
             for of_row, values in zip(inputs, results)]
     often = Counter(one for of_row in said for one in of_row)

@@ -116,7 +116,7 @@ def hexadecimal(words: Words) -> str:
 
 
 def groups_of(function: Function, settings: Sequence[Configuration]) -> list[Group]:
-    """Words and gradients have values of every hash, noise has those of the default: above the words it is the same."""
+    """Words and gradients have values of every hash, noise has only the default's: above the words it is the same."""
     if function.family == "independent":
         return [Group(function, None)]
     with_values = [one for one in settings if one.has_golden_values and one.covers(function) and one.hash != "custom"]
@@ -173,7 +173,7 @@ def sources() -> list[Path]:
 
 
 def vectors_folder() -> Path:
-    """The folder with the files, which are made if they are not there, or if what they are made of has changed. The
+    """The folder with the files, which are made if they are not there, or if their sources have changed. The
     source of a release has them at its top."""
     there = ROOT / "vectors"
     return there if there.is_dir() else kept(VECTORS, sources(), vectors)

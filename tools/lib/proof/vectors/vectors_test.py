@@ -45,7 +45,6 @@ def all_groups() -> Iterator[tuple[dict, dict]]:
 
 
 def checker() -> Callable:
-    """The checker of the page."""
     defined: dict = {}
     exec(compile(CHECKER, "docs/develop/porting.md", "exec"), defined)  # the page's own text
     return defined["faults"]
@@ -77,7 +76,7 @@ class Port(unittest.TestCase):
 
 
 class Replayed:
-    """A port that returns what stands in the file, and at one row something else."""
+    """A port that returns the values of the file, and at one row something else."""
 
     def __init__(self, rows: list[dict], wrong: int | None = None, change: Callable = lambda x: x):
         self.results = iter([tuple(map(change, row["out"])) if i == wrong else tuple(row["out"])

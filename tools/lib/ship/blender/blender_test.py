@@ -1,10 +1,10 @@
-"""tools/pack blender: what the add-on has, and its command line.
+"""tools/pack blender: the content of the add-on, and its command line.
 
     python3 -m unittest ship.blender.blender_test     names and texts of a few
-    python3 -m ship.blender.blender_test ENVIRONMENT  in Blender, PyPI's bpy: what the operators do. ENVIRONMENT is the
+    python3 -m ship.blender.blender_test ENVIRONMENT  in Blender, PyPI's bpy: the operators. ENVIRONMENT is the
                                                       folder of python.wheel, which has the Python package
 
-Exit status: that of the tests; 77 bpy or the package is not here.
+Exit status: as of the tests; 77 bpy or the package is not here.
 """
 
 from __future__ import annotations
@@ -174,7 +174,7 @@ class AddOn(unittest.TestCase):
         self.assertEqual(height(), 0.0)
         bpy.ops.ed.redo()
         self.assertNotEqual(height(), 0.0)
-        self.heights.scene = bpy.context.scene  # what was undone was made anew
+        self.heights.scene = bpy.context.scene  # the undone change was made anew
 
     def test_what_is_wrong_is_told_and_nothing_moves(self) -> None:
         import bpy

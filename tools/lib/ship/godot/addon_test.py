@@ -1,4 +1,4 @@
-"""tools/pack godot: what is in the add-on, as far as no Godot is needed to check it."""
+"""tools/pack godot: the content of the add-on, as far as no Godot is needed to check it."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ LANGUAGE = "glsl"  # hosts compile a file as GLSL 3.30 and 4.00, and as GLSL ES 
 
 class Look(NamedTuple):
     said: str
-    forms: tuple[str, ...]  # what it calls
+    forms: tuple[str, ...]  # its calls
     code: str               # its value, of a position p and a seed, word; 0 has the first color, and 1 the second
     more: tuple[str, ...] = ()  # its inputs besides those of all
 
@@ -87,7 +87,6 @@ void main() {{
 
 
 def look_table() -> str:
-    """The looks, for the page."""
     return table(("file", "what it is", "inputs of its own"),
                  [(f"`hn-{name}.fs`", look.said, ", ".join(f"`{one}`" for one in look.more))
                   for name, look in LOOKS.items()])

@@ -1,9 +1,9 @@
-"""tools/pack isf: what the looks are, and that they draw.
+"""tools/pack isf: the looks, and that they draw.
 
     python3 -m unittest ship.isf.isf_test   descriptions of all, and the text of one
     python3 -m ship.isf.isf_test FOLDER     all: npm's parser reads them, and Mesa draws them. FOLDER is for the parser
 
-Exit status: that of the tests; 77 the parser, Mesa or glslang is not here.
+Exit status: as of the tests; 77 the parser, Mesa or glslang is not here.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ def described(text: str) -> dict:
 
 
 def compiled(text: str, first: str = "#version 330") -> str:
-    """A file as a program for ISF has it compiled: behind its own lines, which declare what the format has."""
+    """A file as a program for ISF has it compiled: behind its own lines, which declare the format's inputs."""
     uniforms = "".join(f"uniform {TYPES[one['TYPE']]} {one['NAME']};\n" for one in described(text)["INPUTS"])
     return (f"{first}\nprecision highp float;\nprecision highp int;\n#define gl_FragColor isf_FragColor\n"
             "out vec4 gl_FragColor;\nuniform vec2 RENDERSIZE;\nuniform float TIME;\nin vec2 isf_FragNormCoord;\n"
@@ -56,7 +56,7 @@ def compiled(text: str, first: str = "#version 330") -> str:
 
 
 def drawn(text: str, values: dict[str, str]) -> str:
-    """The same with numbers in place of uniforms, for a renderer that sets none."""
+    """Drawn with numbers in place of uniforms, for a renderer that sets none."""
     text = compiled(text, "#version 450").replace("in vec2 isf_FragNormCoord;",
                                                   f"vec2 isf_FragNormCoord = gl_FragCoord.xy / {SIDE}.0;")
     return re.sub(r"(?m)^uniform (\w+) (\w+);$", lambda found: f"const {found[1]} {found[2]} = {values[found[2]]};",

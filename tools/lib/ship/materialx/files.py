@@ -144,7 +144,7 @@ def osl_wrapper(form: str) -> str:
             passed += ({"vec2": [f"{given.name}.x", f"{given.name}.y"],
                         "vec3": [f"{given.name}[{axis}]" for axis in range(3)]}.get(one.type, [given.name]))
     call = f"{form}({', '.join(passed)})"
-    # Cycles takes no component of what a function returns.
+    # Cycles takes no component of a function's result.
     body = {"float": f"  result = {scaled(form, call)};\n",
             "vec2": f"  hn_vec2 n = {call};\n  result = vector2(n.x, n.y);\n",
             "vec3": f"  hn_vec3 n = {call};\n  result = vector(n.x, n.y, n.z);\n"}[function.type]
@@ -201,7 +201,6 @@ def implementations(target: str) -> str:
 
 
 def node_table() -> str:
-    """The nodes, for the page."""
     return table(("node", "inputs", "`out`"),
                  [(f"`{node(form)}`", ", ".join(f"`{one.name}`" for one in inputs(form)), TYPES[forms()[form].type])
                   for form in FORMS])

@@ -82,7 +82,7 @@ class Generated:
         return self.graph.validate()[1]
 
     def targets(self) -> dict[str, set[str]]:
-        """Of each node those whose implementation is made for them."""
+        """The targets whose implementation is made for each node."""
         return {one.getNodeString(): {target for target in files.TARGETS
                                       if (found := one.getImplementation(target)) and found.getTarget() == target}
                 for one in self.definitions}
@@ -111,7 +111,7 @@ class Generated:
 
 
 class Row(NamedTuple):
-    """Of a vector: words that go in, and numbers that come out."""
+    """Words that go in, and numbers that come out of a vector."""
     words: list[int]
     out: list[float]
 
@@ -168,7 +168,7 @@ class Job(NamedTuple):
 class Language:
     """A generator's shaders: what compiles them, and what runs the functions that are in one."""
     name: str
-    ends = "void main()"  # what stands behind the functions
+    ends = "void main()"  # the text behind the functions
 
     def compile(self, made: Generated, folder: Path) -> None:
         raise NotImplementedError
@@ -303,7 +303,7 @@ class Osl(Language):
             type_ = {1: "float", 2: "vector2", 3: "vector"}[n]
             parts = {1: ["result"], 2: ["result.x", "result.y"], 3: [f"result[{axis}]" for axis in range(3)]}[n]
             made = call(form, self.READ, "vector{}").replace("vector3(", "vector(").replace("float(", "(float)(")
-            # Pixels have no signs: those below have what is positive of a result, and those above what is negative.
+            # Pixels have no signs: those below have the positive part of a result, and those above the negative one.
             (folder / f"row{i}.osl").write_text(f"""#include "mx_funcs.h"
 {text}
 shader rows(output color shown = 0) {{

@@ -1,10 +1,10 @@
-"""tools/pack materialx: what the library of nodes has, and its command line.
+"""tools/pack materialx: the content of the library of nodes, and its command line.
 
     python3 -m unittest ship.materialx.materialx_test  names and texts of a few
     python3 -m ship.materialx.materialx_test           the whole library: MaterialX makes shaders of it, which
                                                        have the values of the vectors
 
-Exit status: that of the tests; 77 something that the second needs is not here.
+Exit status: as of the tests; 77 something that the second needs is not here.
 """
 
 from __future__ import annotations

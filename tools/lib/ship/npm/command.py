@@ -12,8 +12,8 @@ from ship.packing import add_folder, checked_folder, make_folder
 DESCRIPTION = """\
 Makes the npm package hashnoise-VERSION.tgz, and prints its path.
 
-Clang compiles the twin to WebAssembly, and npm packs. On Debian what is missing for that is installed. The package has
-the same bytes for the same commit.
+Clang compiles the twin to WebAssembly, and npm packs. On Debian missing packages for that are installed. The package
+has the same bytes for the same commit.
 
 Exit status: 0 done, 2 bad usage, 4 it could not be made."""
 

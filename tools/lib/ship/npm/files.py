@@ -1,6 +1,6 @@
 """The files of the npm package that are made of the library: GLSL and WGSL as modules of JavaScript, with their types.
 
-A text stands in one module, and others import it, so a bundler keeps what is used, and keeps it once.
+A text stands in one module, and others import it, so a bundler keeps each used text once.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ MADE = "// Made by tools/pack npm. Copyright (c) 2026 The hashnoise authors; MIT
 # WGSL has no HN_PRECISE. The folder of each, and what users call it.
 ARITHMETICS = {"fast": "HN_FAST", "fixed": "HN_FIXED"}
 STRING = "declare const text: string;\nexport default text;\n"
-# The types of TSL: those of GLSL, by the names of WGSL. Of numbers alone JavaScript's own may be passed, too.
+# The types of TSL: those of GLSL, by the names of WGSL. Numbers may also be JavaScript's own.
 SCALARS = {"f32": "float", "i32": "int", "u32": "uint"}
 TYPES = {**SCALARS, **{f"hn_place{n}": f"hn_place{n}" for n in (1, 2, 3, 4)},
          **{f"vec{n}{letter}": f"{prefix}vec{n}" for n in (2, 3, 4) for letter, prefix in
@@ -70,7 +70,6 @@ def glsl_modules() -> dict[str, str]:
 
 
 def comment(definition: Definition) -> str:
-    """The comment of a definition, for editors."""
     block: list[str] = []
     for line in reversed(definition.comments):
         if not line.startswith("//"):

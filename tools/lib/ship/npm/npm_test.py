@@ -1,4 +1,4 @@
-"""The npm package: its files are what they are made of. packages/npm/tests has what it does in Node.js and in browsers."""
+"""The npm package: its files have their sources' text. packages/npm/tests runs it in Node.js and in browsers."""
 
 import json
 import re
@@ -37,7 +37,7 @@ class Strings(unittest.TestCase):
     files = glsl_modules()
 
     def test_they_are_single_files(self):
-        """But for the guards: in a single file they stand around what a file includes, and here behind it."""
+        """But for the guards: in a single file they stand around the text that a file includes, and here behind it."""
         for path in GLSL.glob("*.glsl"):
             with self.subTest(path.name):
                 lines = list(minified(flatten(path.name, set())))

@@ -19,8 +19,8 @@ FLAGS = ("--target=wasm32-wasi", "-std=c++20", "-Os", "-flto", "-msimd128", "-mb
          "-Xclang", "-target-abi", "-Xclang", "experimental-mv", "-fno-math-errno", "-fno-exceptions", "-fno-rtti",
          "-fvisibility=hidden", "-Wall", "-Wextra", "-Wno-unused-function",
          "-Werror")
-# No library is linked, so the package needs no license of one: what is taken of libc++ is headers, whose license
-# (Apache-2.0 WITH LLVM-exception) lets what is compiled of them go without it.
+# No library is linked, so the package needs no license of one: it takes only headers of libc++, whose license
+# (Apache-2.0 WITH LLVM-exception) lets compiled code go without it.
 LINKED = ("--no-entry", "--gc-sections", "--strip-all", "--fatal-warnings")
 
 
@@ -46,9 +46,8 @@ def _run(*command: str) -> None:
 
 
 def compiled(source: Path = SOURCE, include: Path = ROOT / "include") -> bytes:
-    """The module."""
     clang = _program("clang++", "clang++-14")
-    # The linker of the same LLVM, since it reads what the compiler wrote for it.
+    # The linker of the same LLVM, since it reads that compiler's output.
     major = re.search(r"version (\d+)", subprocess.run([clang, "--version"], capture_output=True, text=True,
                                                        check=True).stdout)[1]
     linker = _program(f"wasm-ld-{major}", "wasm-ld")

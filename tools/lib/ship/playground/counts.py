@@ -1,4 +1,4 @@
-"""How many instructions and registers compilers of GPUs count for what the page shows: from the record of
+"""How many instructions and registers compilers of GPUs count for the page's functions: from the record of
 tools/measure gpu, one chip of each compiler."""
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from measure import record
 
 RECORD = ROOT / "docs" / "measured" / "results" / "gpu"
 CHIPS = ("sm90", "ampere", "navi31", "adreno740", "m1", "acm")
-# These unroll every loop. Of the others a shader in which one left a loop has no count: it would be that of an octave.
+# These unroll every loop. A shader in which another one left a loop has no count: it would count one octave.
 UNROLLING = ("sm90", "acm")
 WITNESS = "adreno740"  # of loops
 LOOPS = re.compile(r"\bLoops [1-9]")  # in the kinds of a row
@@ -20,7 +20,7 @@ CASE = re.compile(r"(?:noise([1-4])d|\w+)\.([a-z_]+)([1-4]?)\.lattice(\+fixed)?"
 
 
 def subject(case: str) -> str | None:
-    """Of a case at a position with the default hash: "perlin2", or "perlin2 fixed"."""
+    """The subject of a case at a position with the default hash: "perlin2", or "perlin2 fixed"."""
     found = CASE.fullmatch(case)
     return found and found[2] + (found[1] or found[3]) + " fixed" * bool(found[4])
 

@@ -18,7 +18,7 @@ OTHERS = ("begin.hlsl", "end.hlsl", "detail/vectors_begin.h", "detail/vectors_en
 
 
 def glsl() -> dict[str, list[str]]:
-    """The lines of the files and of what they include, without comments. An included file has its name in the
+    """The lines of the files and of their includes, without comments. An included file has its name in the
     library."""
     found: dict[str, list[str]] = {}
     wanted = [*of_pictures(), OF_THE_HASH, *OTHERS]

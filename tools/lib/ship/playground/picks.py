@@ -1,6 +1,6 @@
 """Every function that a picture may call, as tools/pick writes it in each language: pieces that the page composes.
 
-A program of tools/pick has all functions of one dimension at once, so that they share what they call. The page takes
+A program of tools/pick has all functions of one dimension at once, so that they share their helpers. The page takes
 the pieces that a picture needs. The pieces are LZMA, since gzip looks back too short a way to find how much languages
 and dimensions have in common. All of it takes 20 seconds, so build/picks keeps it until one of its sources changes."""
 
@@ -41,7 +41,7 @@ DIMENSIONS = (1, 2, 3, 4)
 OTHER_HASHES = ("fnv1", "partial_fnv1", "jenkins", "partial_jenkins", "murmur", "pcg", "xxhash32")
 # HTML has no room for three of the digits to the base of 85.
 DIGITS = bytes.maketrans(b"<&`", b".,:")
-WORD = "hn_i_word uint uint"  # the function in which hashes differ, and what it calls
+WORD = "hn_i_word uint uint"  # the function in which hashes differ, and its helpers
 COMMENT = re.compile(r"^\s*//.*\n", re.MULTILINE)
 BLOCK = re.compile(r"^/\*\*\n(?: \*.*\n)+", re.MULTILINE)
 # Raw LZMA: playground/lzma.js knows its properties.
@@ -71,7 +71,7 @@ def small_roots(n: int) -> list[str]:
 
 
 def roots(module: Module, n: int, of_cpu: bool) -> list[str]:
-    """The names of what the page calls. A jitter and a metric are always passed, and sums over other noises are loops, and
+    """The names of the page's calls. A jitter and a metric are always passed, and sums over other noises are loops, and
     on a CPU also those in tiles, so that there is less text."""
     noises, sums = drawn(read())
     with_jitter = [noise.name for noise in noises if f"hn_{noise.name}{n}_jitter" in module.forms]
@@ -126,7 +126,6 @@ def program_of(setting: Setting) -> Program:
 
 
 def pieces_of(setting: Setting) -> tuple[Setting, dict[str, list[Piece]]]:
-    """Of each language."""
     program = program_of(setting)
     found = {}
     for language in setting.languages:
@@ -139,7 +138,7 @@ def pieces_of(setting: Setting) -> tuple[Setting, dict[str, list[Piece]]]:
 
 
 def own_pieces(small: Sequence[list[Piece]]) -> list[list[Piece]]:
-    """Of programs with different hashes, those that not all have: WORD, and in front of it what it calls."""
+    """The pieces that not all programs with different hashes have: WORD, and before it its helpers."""
     common = set.intersection(*map(set, small))
     own = [[piece for piece in pieces if piece not in common] for pieces in small]
     if set.intersection(*({piece.name for piece in pieces} for pieces in own)) != {WORD}:
@@ -206,7 +205,7 @@ def compressed(text: str) -> str:
 
 
 def texts(tell: Callable[[str], None] = lambda _: None) -> dict[str, str]:
-    """Of the languages of shaders, and of those of the CPU: JSON, compressed."""
+    """The texts of the languages of shaders and of the CPU: JSON, compressed."""
     tell(f"Picking what pictures call, in {len(SHADING) + len(CPU)} languages: about 20 seconds of a processor core ...")
     # Nodes of expressions are in no cycles: looking for some takes a quarter of the time, and frees nothing.
     with ProcessPoolExecutor(initializer=gc.disable) as pool:

@@ -45,7 +45,7 @@ class Page(unittest.TestCase):
         self.assertNotRegex(self.text, r"\bimport\(|@import|url\((?!data:)")
 
     def test_only_its_own_script_may_run(self):
-        """Of the scripts, those of a type that browsers run."""
+        """Scripts are those of a type that browsers run."""
         code = re.findall(r'(?s)<script(?: type="module")?>(.*?)</script>', self.text)
         self.assertEqual(len(code), 1)
         allowed = "sha256-" + base64.b64encode(hashlib.sha256(code[0].encode()).digest()).decode()

@@ -7,8 +7,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../../base/setup.sh"
 folder=$1 python=$2 library=${3-} manylinux=${4-}
 
-mkdir -p "$build"
-: >"$log"
+begin_log
 packages=(cmake g++ libfmt-dev ninja-build)
 # A Python of the user's own has what Debian's is without.
 if ! "$python" -c 'if True:
@@ -20,7 +19,7 @@ install_missing "${packages[@]}" >&2
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_NO_INPUT=1 PIP_NO_COMPILE=1  # what is installed here is used once
+export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_NO_INPUT=1 PIP_NO_COMPILE=1  # installed packages are used once
 # A virtual environment with a pip of its own needs no other: what builds the wheel is apart from it in any case.
 pip=("$python" -m pip)
 is_environment=1
@@ -58,7 +57,7 @@ if [[ -n $manylinux ]]; then
   wheels=("$scratch/repaired"/*.whl)
 fi
 
-# It needs no pip of its own, which takes longer to install than what follows.
+# It needs no pip of its own, which takes longer to install than the rest.
 logged "Making a virtual environment for the check" "There is no virtual environment for the check" \
   "$python" -m venv --without-pip "$scratch/checks"
 install_for_check() { "${pip[@]}" install --ignore-installed --prefix "$scratch/checks" "$@"; }

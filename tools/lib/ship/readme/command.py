@@ -1,19 +1,16 @@
-"""Makes what the pages show of the library: their pictures, the table of typical values, the tables of costs, which
-file has which function, the size of all of them in one, how long the commands take, what looks like the noise of
-other libraries, and what packages for other programs have.
+"""Makes the pages' parts from the library: their pictures, the table of typical values, the tables of costs, which
+file has which function, the size of all of them in one, and what packages for other programs have.
 
     tools/make readme            writes them
-    tools/make readme --check    whether they are what they should be, and the README states the costs and the times
+    tools/make readme --check    whether they are up to date, and the README states the costs
 
 A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of
 docs/guide/gallery. The typical values are those of 2^16 points. The costs are those of
 docs/measured/results/llvmpipe/bench.csv, which hn-conform bench writes, and of peers.csv beside it, which tools/measure
-peers writes; so it does likeness.csv, of and the tables of docs/guide/moving.md are made of them. Costs on GPUs by
-their compilers are of docs/measured/results/gpu, by tools/measure gpu, and compile.csv is by tools/measure compile. How
-hashes of others fare is in docs/measured/results/hashes.csv, by tools/measure hashes --against, how noises are in
-judged.csv beside it, by tools/measure noise, and how uniform values are in uniform.csv, by tools/measure uniform. What
-circuits take is in silicon.csv, by tools/measure silicon. The times of commands are those of tools/costs.csv, which
-tools/test --record writes.
+peers writes. Costs on GPUs by their compilers are of docs/measured/results/gpu, by tools/measure gpu, and compile.csv
+is by tools/measure compile. How random hashes are is in docs/measured/results/quality.csv, directions.csv and
+hashes.csv, by tools/measure hashes, how noises are in judged.csv beside them, by tools/measure noise, and how uniform
+values are in uniform.csv, by tools/measure uniform. Circuits are in silicon.csv, by tools/measure silicon.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
 compile, or a page cannot be read.
@@ -28,19 +25,17 @@ from collections.abc import Sequence
 from base.tree import ROOT
 from base.usage import Parser
 from catalog.tables.markdown import with_section
-from measure import stamps
+from measure import cpu, fills, neon, record, stamps
 from measure.compile import command as of_compilers
 from measure.gpu import pages as of_gpus
-from measure.likeness import ports
 from measure.noise import record as of_noises
-from measure.rust.command import TARGETS
+from measure.rust import TARGETS
 from measure.silicon import command as of_circuits
 from measure.uniform import command as of_uniform
 from ship.blender import files as blender
 from ship.isf import files as isf
 from ship.materialx import files as materialx
 from ship.readme import files, gallery, hashes, numbers, picture
-from ship.readme import times as of_commands
 from ship.unity import files as unity
 from ship.unreal import files as unreal
 
@@ -51,11 +46,10 @@ DEFAULT_HASH = "docs/measured/default-hash.md"
 OPERATIONS = "docs/measured/gpu-operations.md"
 NOISES = "docs/reference/noises.md"
 SUMS = "docs/reference/fractals.md"
-CONFORMANCE = "docs/guide/conformance.md"
-MOVING = "docs/guide/moving.md"
 LANGUAGES = "docs/guide/languages.md"
 ENGINES = "docs/guide/engines.md"
 HASHES = "docs/measured/hashes.md"
+QUALITY = "docs/measured/quality.md"
 JUDGE = "docs/measured/judge.md"
 UNIFORM = "docs/guide/uniform.md"
 SILICON = "docs/measured/silicon.md"
@@ -63,7 +57,7 @@ RECORDS = "docs/measured/results/README.md"
 SIZE = re.compile(r"(--strip --out noise\.glsl`, )\d+ kB")  # of the whole library, in the README
 
 
-def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
+def tables() -> list[tuple[str, str, str]]:
     """Made parts of pages: the page, the name of the marks, and the table."""
     typical, costs, circuits = numbers.typical(), numbers.costs(numbers.CPU), of_circuits.read()
     return [(NOISES, "tools/make readme: values", numbers.typical_table(typical, numbers.COMMON)),
@@ -76,7 +70,6 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             (LANGUAGES, "tools/make readme: picks", files.picks_table()),
             (LANGUAGES, "tools/make readme: picked for programs", files.picked_for_programs()),
             (LANGUAGES, "tools/make readme: files", files.files_table()),
-            (CONFORMANCE, "tools/make readme: times", of_commands.times_table(times)),
             *((page, f"tools/make readme: {name}", made + stamps.note(of)) for page, name, made, of in (
                 (MEASURING, "costs", numbers.cost_table(costs, "navi21", "on AMD's NAVI21"), "llvmpipe/bench.csv"),
                 (MEASURING, "costs on a GPU",
@@ -95,8 +88,16 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
                 *((MEASURING, f"crates on {target}",
                    numbers.package_table([row for row in numbers.package_costs("rust") if row["target"] == target]),
                    "cpu/rust.csv") for target in TARGETS),
+                *((MEASURING, f"grids by {title}", cpu.page_table(record.read(fills.RESULTS / name).rows), f"cpu/{name}")
+                  for title, name in (("GCC", "gcc.csv"), ("Clang", "clang.csv"))),
+                (MEASURING, "NEON", neon.page_table(record.read(fills.RESULTS / "neon.csv").rows), "cpu/neon.csv"),
                 (MEASURING, "peers on a GPU", numbers.peer_table(numbers.peer_costs(numbers.GPU)), "h100/peers.csv"),
-                (HASHES, "hashes", hashes.hash_table(hashes.record()), "hashes.csv"),
+                (HASHES, "hashes", hashes.pasted_table(hashes.record("hashes.csv")), "hashes.csv"),
+                *((QUALITY, name, make(hashes.record(of)), of) for name, make, of in (
+                    ("hashes of the library", hashes.hash_table, "quality.csv"),
+                    ("controls", hashes.control_table, "quality.csv"),
+                    ("looks", hashes.look_table, "directions.csv"),
+                    ("traces", hashes.trace_table, "directions.csv"))),
                 (JUDGE, "judged", of_noises.judge_table(of_noises.read()), "judged.csv"),
                 (SILICON, "circuits", of_circuits.table(circuits), "silicon.csv"))),
             (RECORDS, "tools/make readme: records", stamps.records_table()),
@@ -105,15 +106,13 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             ("packages/materialx/README.md", "tools/make readme: nodes", materialx.node_table()),
             ("packages/unity/README.md", "tools/make readme: nodes", unity.node_table()),
             ("packages/unreal/README.md", "tools/make readme: nodes", unreal.node_table()),
-            ("packages/isf/README.md", "tools/make readme: looks", isf.look_table()),
-            (MOVING, "tools/make readme: likeness", stamps.note("llvmpipe/likeness.csv")),
-            *((MOVING, *named) for named in ports.page_tables(ports.read()))]
+            ("packages/isf/README.md", "tools/make readme: looks", isf.look_table())]
 
 
 def problems(check: bool) -> list[str]:
     """Faults, after the tables are written, or with check as they are."""
-    found, times = [], of_commands.times()
-    for path, name, table in tables(times):
+    found = []
+    for path, name, table in tables():
         page = (ROOT / path).read_text(encoding="utf-8")
         right = with_section(path, page, name, table)
         if not check:
@@ -128,7 +127,7 @@ def problems(check: bool) -> list[str]:
         found.append(f"{README}: the size of the single file is not what it should be; run tools/make readme")
     found += [f"{README}: it must state {quote!r}"
               for quote in (*numbers.cost_quotes(), of_compilers.quote(of_compilers.record()),
-                            numbers.golden_quote(), of_commands.times_quote(times))
+                            numbers.golden_quote())
               if quote not in readme]
     return found
 

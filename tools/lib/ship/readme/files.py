@@ -21,7 +21,7 @@ GRAPHS = {"graphs": "Unity, Unreal", "blender": "Blender", "materialx": "Materia
 
 @functools.cache
 def size(file: str) -> str:
-    """Of the file with all that it includes, without comments."""
+    """The size of the file with all that it includes, without comments."""
     return f"{len(text([file], strip=True)) / 1000:.0f} kB"
 
 
@@ -38,7 +38,7 @@ def files_table() -> str:
 
 
 def nodes_table() -> str:
-    """Of packages for graphs of shaders. A row has the functions with the same cells."""
+    """The nodes of packages for graphs of shaders. A row has the functions with the same cells."""
     sizes: dict[str, dict[str, list[str]]] = {}
     for who in GRAPHS:
         for form in asked.nodes(who):
@@ -78,5 +78,6 @@ def picked_text(name: str, language: str) -> str:
 
 @functools.cache
 def picked_for_programs() -> str:
-    """A short function in each language of programs."""
-    return "\n".join(f"`--language {language}`:\n\n{picked_text('hn_lattice2', language)}" for language in SYNTAXES)
+    """A short function in each language of programs; the JavaScript is the TypeScript without types."""
+    return "\n".join(f"`--language {language}`:\n\n{picked_text('hn_lattice2', language)}" for language in SYNTAXES
+                     if language != "javascript")

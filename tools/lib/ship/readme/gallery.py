@@ -63,7 +63,6 @@ def functions() -> str:
 
 
 def sheets(folder: Path = PAGE.parent) -> list[picture.Sheet]:
-    """Every picture, and the sheet of all."""
     calls = {recipe.name: recipe.call() for recipe in recipes()}
     return [picture.Sheet(folder / SHEET, list(calls.values()), columns=5),
             *(picture.Sheet(folder / f"{name}.png", [call], side=SIDE) for name, call in calls.items())]

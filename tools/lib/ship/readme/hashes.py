@@ -1,4 +1,4 @@
-"""The table of docs/measured/hashes.md, from what tools/measure hashes --against found of the hashes that people paste."""
+"""The tables of docs/measured/quality.md and hashes.md, from what tools/measure hashes found."""
 
 from __future__ import annotations
 
@@ -8,21 +8,68 @@ from base.tree import ROOT
 from catalog.tables.markdown import table
 from measure import record as records
 
-RECORD = ROOT / "docs" / "measured" / "results" / "hashes.csv"
+RESULTS = ROOT / "docs" / "measured" / "results"
+LOOKS = ("structures", "waves", "slices")  # measures of all noises
+Rows = Sequence[Mapping[str, str]]
 
 
-def record() -> list[dict[str, str]]:
-    return records.read(RECORD).rows
+def record(name: str) -> list[dict[str, str]]:
+    return records.read(RESULTS / name).rows
 
 
 def _said(row: Mapping[str, str]) -> str:
     return f"{row['failed']} of {row['of']}: {row['worst']}" if int(row["failed"]) else "passes"
 
 
-def hash_table(rows: Sequence[Mapping[str, str]]) -> str:
+def pasted_table(rows: Rows) -> str:
     """A row for each hash in the plane and in space, a column for each place: the same in the order of the record."""
     windows: dict[tuple[str, str], list[str]] = {}
     for row in rows:
         windows.setdefault((row["hash"], row["dimensions"]), []).append(_said(row))
     return table(("hash", "around the origin", "tens of thousands of cells away", "millions", "8 million"),
                  [[f"{name}, {n}D", *said] for (name, n), said in sorted(windows.items(), key=lambda item: item[0][1])])
+
+
+def hash_table(rows: Rows) -> str:
+    """A row for each hash in the plane and in space, a column for each part of the gate."""
+    found: dict[tuple[str, str], dict[str, str]] = {}
+    for row in rows:
+        if row["part"] != "all":
+            found.setdefault((row["hash"], row["dimensions"]), {})[row["part"]] = (
+                f"{int(row['of']):,}" if row["failed"] == "0" else f"**{_said(row)}**")
+    parts = list(next(iter(found.values())))
+    return table(("hash", *parts), [[f"`{name}` {n}D", *cells.values()] for (name, n), cells in found.items()])
+
+
+def control_table(rows: Rows) -> str:
+    """The hashes that must fail, and the first one, which must not."""
+    return table(("control", "tests that fail", "by most"),
+                 [[f"{row['hash']}{', in space' * (row['dimensions'] == '3')}", f"{row['failed']} of {row['of']}",
+                   row["worst"] * (row["failed"] != "0")] for row in rows if row["part"] == "all"])
+
+
+def _value(row: Mapping[str, str]) -> str:
+    return row["mean"] + f" ± {row['error']}" * (float(row["error"]) > 0)
+
+
+def look_table(rows: Rows) -> str:
+    """A row for each noise: the harmonics of its structures and of its waves, and how much slices differ."""
+    noises: dict[tuple[str, str], dict[str, list[str]]] = {}
+    for row in rows:
+        if row["noise"].split(",")[0] not in ("hn_phasor", "hn_fbm"):
+            kind = row["measure"].split(",")[0]
+            noises.setdefault((row["noise"], row["dimensions"]), {}).setdefault(kind, []).append(_value(row))
+    return table(("noise", *LOOKS), [[f"`{name.split(',')[0]}`{name[len(name.split(',')[0]):]}, {n}D",
+                                      *(", ".join(found.get(kind, ())) for kind in LOOKS)]
+                                     for (name, n), found in noises.items()])
+
+
+def trace_table(rows: Rows) -> str:
+    """Measures of single noises, and all that have a limit."""
+    def limit(row: Mapping[str, str]) -> str:
+        least = row["measure"].split(",")[0] in ("even", "slices")
+        return ("at least " * least + row["allowed"]) * bool(row["allowed"])
+
+    return table(("noise", "measure", "value", "allowed"),
+                 [[f"`{row['noise']}`, {row['dimensions']}D", row["measure"], _value(row), limit(row)]
+                  for row in rows if row["allowed"] or row["measure"].split(",")[0] not in LOOKS])

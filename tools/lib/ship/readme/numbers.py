@@ -13,7 +13,7 @@ from base.tree import GOLDEN
 from base.twin import SOON, compile_program
 from catalog.tables.markdown import table
 from measure import record, stamps
-from measure.peers.table import CALLS, PEERS, dimensions, subject
+from measure.peers import CALLS, PEERS, dimensions, subject
 from measure.stamps import RESULTS
 
 CPU, GPU = "llvmpipe", "h100"  # the renderers in RESULTS that pages name
@@ -74,7 +74,7 @@ def footprint_quote(errors: Mapping[str, float]) -> str:
 
 # --- Costs ------------------------------------------------------------------------------------------------------------
 
-NOISES = {  # what stands in the table, by the end of its ids
+NOISES = {  # in the table, by the end of its ids
     "table.float": "Perlin/Float (`table.float`)",
     "table.integer": "Perlin/Integer (`table.integer`)",
     "lattice": "`lattice`, the default",

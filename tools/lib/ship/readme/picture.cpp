@@ -1,5 +1,5 @@
 // Draws the pictures of pages with the C++ twin: of the lines of tiles.inc, which picture.py makes of the pages, each
-// is a tile. They may call what is in functions.inc.
+// is a tile. They may call the functions of functions.inc.
 //   picture (FILE.png SIDE COLUMNS TILE,TILE...)...          draws files, each of these tiles, COLUMNS of them in a
 //   row;
 //                                                            a tile has SIDE by SIDE pixels

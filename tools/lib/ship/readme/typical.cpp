@@ -1,4 +1,4 @@
-// Prints what the functions of the library return at 2^16 random points within 4096 cells of the origin, a line each:
+// Prints the values of the library's functions at 2^16 random points within 4096 cells of the origin, a line each:
 // its name, the axes, then mean, deviation, and the values below which 1 and 99 of 100 lie.
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ void print_typical(const char* name, int axes, Noise noise) {
               static_cast<double>(*low), static_cast<double>(*high));
 }
 
-// Of a vector one component stands for all.
+// One component of a vector stands for all.
 float first(float value) { return value; }
 float first(vec2 value) { return value.x; }
 float first(vec3 value) { return value.x; }

@@ -1,4 +1,4 @@
-"""tools/pack release: what it makes is whole, the same each time, and of a tree that is what is committed."""
+"""tools/pack release: its files are whole, the same each time, and of a committed tree."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from catalog import copies
 from proof.vectors.files import vectors_folder
 from ship.release import files
 
-# Enough of the tree for what is tried here.
+# Enough of the tree for these tests.
 COPIED = ("CMakeLists.txt", "LICENSE", "catalog/asked.toml", "conformance/expected/golden/hash.word.golden",
           "conformance/web/address.js", "glsl", "include", "packages/npm/package.json", "packages/wesl/Cargo.toml",
           "tools", *(name for name in copies.LINES if not name.startswith("include/")))
 PLACE = "https://example.org/a-place"
-# Of the project, or of a page of a registry on it.
+# The address of the project, or of a page of a registry on it.
 ADDRESS = re.compile(rb"https://[A-Za-z0-9_./-]+/hashnoise[A-Za-z0-9_-]*")
 REGISTRIES = ("https://pypi.org/", "https://www.npmjs.com/", "https://crates.io/")
 CHEAP = "single,parts,vectors,headers,source"
@@ -64,7 +64,7 @@ class Project(unittest.TestCase):
             for name in copies.LINES:
                 cls.change(cls.original / name, lambda text, name=name: copies.made(name, text))
         cls.change(cls.original / "conformance/web/address.js", lambda text: text.replace(address(), PLACE))
-        # Of one pack fewer files are copied than of a thousand objects.
+        # Fewer files are copied of one pack than of a thousand objects.
         for arguments in (["init", "-q", "--template="], ["add", "-A"], ["commit", "-qm", "All of it"],
                           ["repack", "-adq"]):
             cls.git(cls.original, *arguments)
@@ -181,15 +181,15 @@ class Refuses(Project):
             r"(HN_VERSION_M\w+) \d+", r"\1 77", text))
         self.change(self.root / "conformance/web/address.js", lambda text: text.replace(PLACE, "https://example.com/x"))
         self.change(self.root / "CHANGELOG.md", lambda text: text.replace("2026-11-22", "2026-13-99"))
-        page = self.root / "docs/measured/results/gcc.md"
-        page.parent.mkdir(parents=True)
-        page.write_text("A chip, hashnoise 0.1.0 of the text 01234567, 2026-11-22.\n")
+        record = self.root / "docs/measured/results/gcc.csv"
+        record.parent.mkdir(parents=True)
+        record.write_text("# date: 2026-11-22\n# by: a chip\n# hashnoise: 0.1.0\nnoise,text\nperlin2,01234567\n")
         self.git(self.root, "add", ".")
         self.git(self.root, "commit", "-qam", "Begin the next version")
         patch = version().split(".")[2]
         new = f"77.77.{patch}"
         said = [f'CHANGELOG.md: the first heading is "## {version()} (2026-13-99)", and must be "## {new} (DAY)"',
-                "results/gcc.md: all rows are of another text; tools/measure cpu measures them",
+                "results/gcc.csv: all rows are of another text; tools/measure cpu measures them",
                 "conformance/web/address.js: https://example.com/x must be the project's address; write it there",
                 f"CITATION.cff: repository-code: {PLACE} must be repository-code: https://example.com/x; ",
                 f'vcpkg.json: "version": "{version()}" must be "version": "{new}"; tools/make catalog writes it',

@@ -17,7 +17,7 @@ from base.tree import ROOT
 
 SPECIFICATION = "1.6"
 OURS = "hashnoise"
-# The licenses of what others wrote. Of two the user may choose.
+# The licenses of others' work. Where there are two, the user may choose.
 LICENSES = {"numpy": "BSD-3-Clause", "nanobind": "BSD-3-Clause", "tessil/robin-map": "MIT", "three": "MIT",
             "wesl-core": "MIT OR Apache-2.0"}
 KINDS = {".whl": "pypi", ".tgz": "npm"}  # of package, by the ending of its file

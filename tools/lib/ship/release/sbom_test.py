@@ -1,8 +1,8 @@
-"""The bill of materials of a release: what is in it, and that it is CycloneDX by the schema of that format.
+"""The bill of materials of a release: its content, and that it is CycloneDX by the schema of that format.
 
     sbom_test.py FOLDER     with the checker, cyclonedx-python-lib of requirements.txt, which is installed into FOLDER
 
-Without FOLDER, as a module of unittest, it tests all but the schema. Exit status: that of the tests; 77 PyPI cannot be
+Without FOLDER, as a module of unittest, it tests all but the schema. Exit status: as of the tests; 77 PyPI cannot be
 reached.
 """
 

@@ -1,7 +1,7 @@
 """tools/pack release makes the same bytes in two folders, of all parts but the wheel, about which compilers decide, and
 the page that the suite's program makes. tools.ship.release has the parts that take seconds; this takes minutes.
 
-Exit status: that of the tests; 77 this is no git repository, which a release needs.
+Exit status: as of the tests; 77 this is no git repository, which a release needs.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""tools/pack rust: what is in the crate, as far as no cargo is needed to check it, and its command line."""
+"""tools/pack rust: the content of the crate, as far as no cargo is needed to check it, and its command line."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class Calls(unittest.TestCase):
     def test_every_function_of_the_crate_is_called(self) -> None:
         table, needed = files.calls((*files.MODULES, "hash"))
         known = files.library("fixed").forms
-        # Of places the vectors have those alone at which there is noise.
+        # The vectors have only those places at which there is noise.
         all_names = {bare(name) for functions in (*files.MODULES.values(), files.HASHES)
                      if functions != files.MODULES["place"] for name in files.of_module(known, *functions)}
         called = set(re.findall(r"(?:fast|fixed|hash)::(\w+)\(", table))

@@ -31,7 +31,7 @@ NEEDED = ("place", "hash")
 HASHES = (("hn_hash", "hn_lattice", "hn_unorm", "hn_snorm"), 4)  # of every arithmetic
 STRUCT = re.compile(r"#\[derive\([^\n]*\)\]\npub struct (Place[1-4]) \{\n.*?\n\}\n\n?", re.DOTALL)
 OF_A_POSITION = re.compile(r"hn_tile\d")  # which a place has no method for: it takes Place2::of(p).tile(period)
-# Of clippy before Rust 1.66, by default: OfCrate.struct leaves Eq out.
+# A lint of clippy before Rust 1.66, by default: OfCrate.struct leaves Eq out.
 ALIKE = "#![allow(clippy::derive_partial_eq_without_eq)]\n\n"
 PLACE = "/// Where noise is evaluated: a cell, the fraction in it, and periods.\n"
 MAKERS = re.compile(r": hn_place and hn_tile make one \(tools/pick writes [^)]*\)")  # in the comment of a place
@@ -115,7 +115,7 @@ def written(made: Made) -> str:
 
 
 def methods(n: int) -> str:
-    """Of a place, by vectors: the functions of the library, which are the module's own."""
+    """The methods of a place, by vectors: the library's functions, which are the module's own."""
     def all_of(of: str) -> str:
         return ", ".join(f"{of}[{i}]" for i in range(n))
 

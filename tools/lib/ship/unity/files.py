@@ -45,7 +45,6 @@ def script(arithmetic: str) -> str:
 
 
 def node_table() -> str:
-    """The nodes, for the page."""
     return table(("name", "inputs", "output, `Out`"),
                  [(f"`HashNoise{camel(form)}`", ", ".join(f"{name} ({shown(of)})" for of, name in ports(form)),
                    shown(PORTS[forms()[form].type])) for form in NODES])

@@ -1,10 +1,10 @@
-"""tools/pack unity: what the package has, and its command line.
+"""tools/pack unity: the content of the package, and its command line.
 
     python3 -m unittest ship.unity.unity_test  names and texts of a few
     python3 -m ship.unity.unity_test           the whole package: Mono compiles its C#, and runs it; glslang, DXC
                                                and FXC compile its HLSL
 
-Exit status: that of the tests; 77 Mono or glslang is not here, or nothing failed without Microsoft's compilers.
+Exit status: as of the tests; 77 Mono or glslang is not here, or nothing failed without Microsoft's compilers.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ namespace UnityEngine {
     public class Mesh { public Vector3[] vertices; public int[] triangles; public void RecalculateNormals() {} }
 }
 """
-# Of a render pipeline: macros that Shader Graph's shaders have before the file, and what the sample includes.
+# A render pipeline: macros that Shader Graph's shaders have before the file, and the includes of the sample.
 PIPELINE = """
 #define real float
 #define PI 3.14159265
@@ -98,7 +98,6 @@ class Package(unittest.TestCase):
         return done.stdout
 
     def blocks(self, language: str) -> list[str]:
-        """Of the page."""
         return re.findall(rf"```{language}\n(.*?)```", (self.folder / "README.md").read_text(), re.DOTALL)
 
     def scripts(self) -> list[Path]:

@@ -1,10 +1,10 @@
-"""tools/pack unreal: what the plugin has, and its command line.
+"""tools/pack unreal: the content of the plugin, and its command line.
 
     python3 -m unittest ship.unreal.unreal_test  names and texts of a few
     python3 -m ship.unreal.unreal_test           the whole plugin: glslang, DXC and FXC compile its nodes, Clang
                                                  and Mono its module
 
-Exit status: that of the tests; 77 glslang, Clang or Mono is not here, or nothing failed without Microsoft's compilers.
+Exit status: as of the tests; 77 glslang, Clang or Mono is not here, or nothing failed without Microsoft's compilers.
 """
 
 from __future__ import annotations
@@ -102,7 +102,7 @@ class Plugin(unittest.TestCase):
             self.assertIn(f"`{files.code(form)}`", page)
 
     def refusals(self, text: str) -> dict[str, str]:
-        """Of a shader of pixels, in which the paths of includes begin at the top."""
+        """The refusals of a shader of pixels, in which the paths of includes begin at the top."""
         file = self.root / "shader.hlsl"
         file.write_text(text.replace('#include "/', '#include "'))
         return refusals(file, "frag", "Main")

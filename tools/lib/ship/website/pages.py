@@ -1,4 +1,4 @@
-"""The pages of the site, and what Sphinx needs them to be: a copy in which every link leads to what is there."""
+"""The pages of the site, in the form that Sphinx needs: a copy in which every link leads somewhere."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def ungrouped(names: Iterable[str]) -> list[str]:
 
 
 def table_of_contents(names: Iterable[str]) -> str:
-    """Of the first page, for the side of each page."""
+    """The contents of the first page, for the side of each page."""
     def tree(caption: str, entries: Iterable[str]) -> str:
         lines = ["```{toctree}", ":hidden:", f":caption: {caption}", *entries, "```"]
         return "\n" + "".join(f"{line}\n" for line in lines)

@@ -2,7 +2,7 @@
 
     website_test.py [CLASS...]     without a class as a module of unittest, all but Whole
 
-Whole installs Sphinx. Exit status: that of the tests; 77 PyPI cannot be reached, so there is no site.
+Whole installs Sphinx. Exit status: as of the tests; 77 PyPI cannot be reached, so there is no site.
 """
 
 from __future__ import annotations
@@ -98,7 +98,7 @@ class Groups(unittest.TestCase):
 
     def test_a_page_that_is_in_none_is_told(self) -> None:
         self.assertEqual(pages.ungrouped(["README.md", "docs/reference/fractals.md", "docs/guide/lost.md",
-                                           "docs/measured/results/cpu/gcc.md"]), ["docs/guide/lost.md"])
+                                           "docs/measured/results/gpu/README.md"]), ["docs/guide/lost.md"])
 
 
 class Tables(unittest.TestCase):
@@ -120,7 +120,7 @@ class Search(unittest.TestCase):
             pages.searched("docs/guide/cellular.md", "# Cells\n")
 
     def test_pages_of_measurements_are_not_searched(self) -> None:
-        for name, left_out in (("docs/measured/results/cpu/gcc.md", True), ("docs/reference/snippets/hn_fbm2.md", True),
+        for name, left_out in (("docs/measured/results/gpu/README.md", True), ("docs/reference/snippets/hn_fbm2.md", True),
                                ("docs/measured/results/README.md", False), ("docs/reference/snippets/README.md", False),
                                ("docs/measured/quality.md", False)):
             self.assertEqual(pages.searched(name, "text").startswith("---\nnosearch: true\n---\n"), left_out, name)

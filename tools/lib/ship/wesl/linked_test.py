@@ -38,7 +38,7 @@ class Refused(Exception):
 
 
 class Linker:
-    """Of npm or of cargo, with the package in a folder of its own."""
+    """A linker of npm or of cargo, with the package in a folder of its own."""
 
     def __init__(self, kind: str, folder: Path):
         self.kind, self.folder = kind, folder.resolve()

@@ -1,4 +1,4 @@
-"""tools/pack wesl: what the package has, and its command line. wesl.linked_test links it."""
+"""tools/pack wesl: the content of the package, and its command line. wesl.linked_test links it."""
 
 from __future__ import annotations
 

@@ -1,24 +1,24 @@
-"""Makes the files of glsl/hashnoise/ that only name others: all noise of a dimension, what is built on noise, and the
-whole. Of the text of the plane it makes what other dimensions have alike.
+"""Makes the files of glsl/hashnoise/ that only name others: all noise of a dimension, the functions built on noise, and
+the whole. From the text of the plane it makes the equal parts of other dimensions.
 
     tools/make umbrella [--check] [--glsl DIR]
 
 `<noise>2d.glsl` is a noise on the plane, so noise2d.glsl includes it; every dimension has such a file. But a file that
 includes another noise of its dimension, or detail/octave.glsl, is built on noise: then `<name>.glsl` includes
 `<name>2d.glsl` and `<name>3d.glsl`. hashnoise.glsl includes the files of noise first, since a knob may name any noise
-for what is built on it. After them it includes every file that no other file includes. detail/undef_guards.h takes the
-guards of all files back, but that of config.glsl, so that C++ can include the text once more for other types.
+for functions built on it. After them it includes every file that no other file includes. detail/undef_guards.h takes
+the guards of all files back, but config.glsl's, so that C++ can include the text once more for other types.
 
 The text of the plane is by hand. Where another dimension has the same, but for the number of its axes, it is made: as a
 whole file, such as fbm3d.glsl, which is marked at its top, or below a line in one of these forms:
 
-    // The same in every dimension: tools/make writes it of octaves2d.glsl.
-    // The same in 1, 3 and 4 dimensions: tools/make writes it.
+    // From here octaves3d.glsl and octaves4d.glsl are generated from octaves2d.glsl.
+    // Generated for 1, 3 and 4 dimensions from the lines above.
 
-Below the first, in both files, stands what is made, as far as a line "// By hand in each dimension."; above the second,
-in a file that has all dimensions, stands its source. tools/lib/translate/dimensions/rule.py describes the changes.
+The first stands in all files that it names, and a line that begins with "// To here" ends its part; above the second, in a
+file that has all dimensions, stands its source. tools/lib/translate/dimensions/rule.py describes the changes.
 
-With --check nothing is written. Exit status: 0 done, 1 (--check) a file is not what it should be, or the rule does not
+With --check nothing is written. Exit status: 0 done, 1 (--check) a file is not up to date, or the rule does not
 cover it what another dimension has, 2 bad usage.
 """
 

@@ -1,4 +1,4 @@
-"""Tests of the texts that are made of those of the plane."""
+"""Tests of the texts that are generated from the plane's."""
 
 from __future__ import annotations
 
@@ -125,8 +125,12 @@ class Lines(unittest.TestCase):
                          "hn_float f(hn_float p) { return g(p, p); }")
 
 
-SAME = "// The same in every dimension: tools/make writes it of a2d.glsl.\n"
-BELOW = "// The same in 1, 3 and 4 dimensions: tools/make writes it.\n"
+def part(what: str, text: str) -> str:
+    return f"// From here {what}\n{text.rstrip()}\n// To here {what}\n"
+
+
+SAME = "a3d.glsl is generated from a2d.glsl."
+BELOW = "// Generated for 1, 3 and 4 dimensions from the lines above.\n"
 
 
 def struct(n: str, type_: str) -> str:
@@ -147,29 +151,27 @@ class Files(unittest.TestCase):
         self.assertEqual(files.made({"a.glsl": text}), {"a.glsl": text + struct("3", "ivec3")})
 
     def test_what_is_by_hand_stays(self):
-        plane = f"two\n{files.BY_HAND}hand 2\n{SAME}hn_place2\n{files.BY_HAND}more by hand 2\n{SAME}hn_vec2\n"
-        space = f"three\n{SAME}old\n{files.BY_HAND}hand 3\n{SAME}old\n"
+        plane = f"two\nhand 2\n{part(SAME, 'hn_place2')}more by hand 2\n{part(SAME, 'hn_vec2')}end 2\n"
+        space = f"three\n{part(SAME, 'old')}hand 3\n{part(SAME, 'old')}end 3\n"
         self.assertEqual(files.made({"detail/a2d.glsl": plane, "detail/a3d.glsl": space}),
-                         {"detail/a3d.glsl": f"three\n{SAME}hn_place3\n{files.BY_HAND}hand 3\n{SAME}hn_vec3\n"})
+                         {"detail/a3d.glsl": f"three\n{part(SAME, 'hn_place3')}hand 3\n{part(SAME, 'hn_vec3')}end 3\n"})
 
     def test_a_file_of_several_dimensions(self):
-        same = "// The same in 1 and 3 dimensions: tools/make writes it of detail/a2d.glsl.\n"
-        plane = (f"hn_int f() {{}}\n{same}\n// A place.\n{struct('2', 'ivec2')}\n#if A\nHN_FN hn_int f(hn_place2 p) {{}}\n"
-                 f"#endif\n{files.BY_HAND}hand 2\n")
-        made = (f"{same}\n// A place.\n{struct('1', 'int')}{struct('3', 'ivec3')}\n#if A\nHN_FN hn_int f(hn_place1 p) {{}}\n"
+        same = "a.glsl is generated from detail/a2d.glsl, in 1 and 3 dimensions."
+        plane = f"\n// A place.\n{struct('2', 'ivec2')}\n#if A\nHN_FN hn_int f(hn_place2 p) {{}}\n#endif\n"
+        made = (f"\n// A place.\n{struct('1', 'int')}{struct('3', 'ivec3')}\n#if A\nHN_FN hn_int f(hn_place1 p) {{}}\n"
                 f"HN_FN hn_int f(hn_place3 p) {{}}\n#endif\n")
-        by_hand = f"{files.BY_HAND}hand 3\n"
-        self.assertEqual(files.made({"detail/a2d.glsl": plane, "a.glsl": f"two\n{same}old\n{by_hand}"}),
-                         {"a.glsl": f"two\n{made}{by_hand}"})
+        texts = {"detail/a2d.glsl": f"hn_int f() {{}}\n{part(same, plane)}hand 2\n", "a.glsl": f"two\n{part(same, 'old')}hand 3\n"}
+        self.assertEqual(files.made(texts), {"a.glsl": f"two\n{part(same, made)}hand 3\n"})
 
-    def test_a_whole_file_with_a_part_by_hand(self):
-        same = SAME.replace("a2d", "warp2d")
+    def test_a_whole_file(self):
+        same = "warp3d.glsl is generated from warp2d.glsl."
         numbers = IN_SPACE["warp2d.glsl"]
-        plane = f"// A warp.\n\nhn_place2\n{files.BY_HAND}hand 2\n{same}hn_vec2  // {' '.join(numbers)}\n"
-        old = f"old\n{files.BY_HAND}hand 3\n{same}old\n"
-        made = (f"// A warp.\n//\n// Made from warp2d.glsl by tools/make. Parts by hand are marked. "
-                f"tools/lib/translate/dimensions/numbers.py has its numbers.\n\nhn_place3\n{files.BY_HAND}hand 3\n{same}hn_vec3  // {' '.join(numbers.values())}\n")
-        self.assertEqual(files.made({"warp2d.glsl": plane, "warp3d.glsl": old}), {"warp3d.glsl": made})
+        head = "// A warp.\n// To read it in one piece: docs/reference/snippets/hn_warp2.md\n"
+        plane = f"{head}\n{part(same, f'hn_place2  // {chr(32).join(numbers)}')}\n#endif\n"
+        made = ("// A warp.\n//\n// Made from warp2d.glsl by tools/make. tools/lib/translate/dimensions/numbers.py has its numbers."
+                f"\n\n{part(same, f'hn_place3  // {chr(32).join(numbers.values())}')}\n#endif\n")
+        self.assertEqual(files.made({"warp2d.glsl": plane, "warp3d.glsl": "old\n"}), {"warp3d.glsl": made})
 
     def test_a_number_is_no_part_of_another(self):
         self.assertEqual(files.transformed("warp2d.glsl", "// 28 multiplications and 8 multiplications", 3),
@@ -181,11 +183,12 @@ class Files(unittest.TestCase):
         for texts, why in (
                 ({"a.glsl": f"{struct('1', 'int')}{BELOW}"}, "a.glsl has nothing of the plane above"),
                 ({"a.glsl": f"{two}\n{BELOW}"}, "a.glsl has nothing of the plane above"),
-                ({"a.glsl": two + BELOW.replace("4", "5")}, "a.glsl has .* not a line that tools/make umbrella knows"),
-                ({"a3d.glsl": SAME}, "a3d.glsl needs as many lines .* as a2d.glsl"),
-                ({"a3d.glsl": SAME, "a2d.glsl": SAME * 2}, "a3d.glsl needs as many lines .* as a2d.glsl"),
-                ({"random2d.glsl": files.BY_HAND}, "random1d.glsl needs as many lines .* as random2d.glsl"),
-                ({"a2d.glsl": f"{SAME}f(a.y);\n", "a3d.glsl": SAME}, "a2d.glsl, in 3 dimensions: y is in no pair: `f"),
+                ({"a.glsl": two + BELOW.replace("4", "5")}, "a.glsl has .*, which tools/make umbrella does not know"),
+                ({"a3d.glsl": f"// From here {SAME}\n"}, "a3d.glsl has .*, or only one end of it"),
+                ({"a3d.glsl": part(SAME, "")}, "a3d.glsl needs as many lines .* as a2d.glsl"),
+                ({"a3d.glsl": part(SAME, ""), "a2d.glsl": part(SAME, "") * 2}, "a3d.glsl needs as many lines .* as a2d.glsl"),
+                ({"a2d.glsl": part(SAME, "f();\n")}, "generated from a2d.glsl.` is in a2d.glsl: it must name all"),
+                ({"a2d.glsl": part(SAME, "f(a.y);\n"), "a3d.glsl": part(SAME, "")}, "a2d.glsl, in 3 dimensions: y is in no pair: `f"),
                 ({"warp2d.glsl": ""}, "warp2d.glsl does not state `8 multiplications`")):
             with self.subTest(texts=texts), self.assertRaisesRegex(Unclear, why):
                 files.made(texts)

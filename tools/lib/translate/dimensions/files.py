@@ -1,17 +1,19 @@
-"""Which texts are made of those of the plane, and where they stand.
+"""Which texts are generated from the plane's, and where they stand.
 
-A file may be made as a whole. In others a line marks where made text begins: it is made of the text in the file of the
-plane below the same line, as far as the next line that marks text by hand. Where a file has several dimensions, the
-line names them. Where it has all of them, a line marks that the text below it is made of the text above it, each as far
-as an empty line or a directive.
+A file may be generated as a whole. In others two lines mark where generated text begins and ends, and the same lines
+mark its source in the file of the plane; they name all files. Where a file has several dimensions, the lines name them.
+Where it has all of them, one line marks that the text below it is generated from the text above it, each as far as an
+empty line or a directive.
 """
 
 from __future__ import annotations
 
 import re
+from collections import Counter, defaultdict
 from collections.abc import Mapping
 
 from base.tree import included_from
+from catalog.asked import snippets
 from translate.dimensions.layout import joined, with_short_lines
 from translate.dimensions.numbers import IN_SPACE
 from translate.dimensions.rule import WHERE, Unclear, in_dimension
@@ -21,20 +23,20 @@ WHOLE = {"cellular2d.glsl": (3,), "cellular_phase2d.glsl": (3,), "fbm2d.glsl": (
 WITHOUT_PAPERS_GRADIENT = (1, 4)  # the paper has Perlin noise in 2D and 3D
 RESULTS_STAY = ("cellular2d.glsl", "cellular_phase2d.glsl", "cellular_three2d.glsl")  # as many distances everywhere
 
-BY_HAND = "// By hand in each dimension.\n"
-OF_FILE = r"// The same [^\n]*: tools/make writes it of [\w/]+2d\.glsl\.\n"
-IN_SEVERAL = re.compile(r"// The same in ([134](?:, [134])*(?: and [134])?) dimensions:")
-OF_ABOVE = r"// The same in ([134](?:, [134])*(?: and [134])?) dimensions: tools/make writes it\.\n"
-MARK = re.compile(rf"^({BY_HAND}|{OF_FILE})", re.MULTILINE)
-BELOW = re.compile(rf"^{OF_ABOVE}", re.MULTILINE)
-NO_MARK = re.compile(rf"^(?!{OF_FILE}|{OF_ABOVE})[^\n]*tools/make writes it[^\n]*", re.MULTILINE)
-END = re.compile(r"^(?=\n|#)", re.MULTILINE)  # of what is made of the lines above, and of these
+SEVERAL = r"([134](?:, [134])*(?: and [134])?) dimensions"
+BOUND = re.compile(r"^(// (?:From|To) here [^\n]*\n)", re.MULTILINE)
+ZONE = re.compile(rf"(?<=^// From here )(?P<what>[\w.,/ ]+ generated from (?P<source>[\w/]+2d\.glsl)(?:, in {SEVERAL})?\.)\n"
+                  r"(?P<text>.*?)(?=^// To here (?P=what)\n)", re.MULTILINE | re.DOTALL)
+BELOW = re.compile(rf"^// Generated for {SEVERAL} from the lines above\.\n", re.MULTILINE)
+ANY_MARK = re.compile(r"^// (?:(?:From|To) here|Generated for) .*", re.MULTILINE)
+TO_READ = re.compile(r"^// To read it in one piece: docs/reference/snippets/(\w+)\.md\n", re.MULTILINE)
+END = re.compile(r"^(?=\n|#)", re.MULTILINE)  # of text made of the lines above, and of these
 ITEM = re.compile(r"^(?:HN_FN|struct) (?:.*\}\n|(?:.*\n)*?\};?\n)", re.MULTILINE)
 OF_THE_PLANE = re.compile(r"\b(?:[iu]?vec|hn_\w*[a-z])2\b")
 
 
 def transformed(source: str, plane: str, n: int) -> str:
-    """The text in n dimensions of what stands in a file of the plane."""
+    """The text in n dimensions of text in a file of the plane."""
     name = source.rpartition("/")[2]
     try:
         text = in_dimension(n, plane, name not in RESULTS_STAY)
@@ -45,24 +47,12 @@ def transformed(source: str, plane: str, n: int) -> str:
     return with_short_lines(joined(text) if n == 1 else text)
 
 
-def zones(text: str, first: str) -> list[tuple[str, str]]:
-    """The parts of a file, each with the line that names its source, or marks it as by hand."""
-    parts = [first, *MARK.split(text)]
-    return list(zip(parts[::2], parts[1::2]))
-
-
 def of_whole(source: str, n: int, texts: Mapping[str, str]) -> str:
-    """A file that is made, but for what is by hand in each dimension."""
-    file = source.replace("2d.", f"{n}d.")
-    by_hand = [text for mark, text in zones(texts.get(file, ""), "") if mark == BY_HAND]
-    parts = zones(texts[source], "")
-    if [mark for mark, _ in parts].count(BY_HAND) != len(by_hand):
-        raise Unclear(f"{file} needs as many lines `{BY_HAND.strip()}` as {source}, with what is by hand below each")
-    text = "".join(mark + (by_hand.pop(0) if mark == BY_HAND else transformed(source, part, n)) for mark, part in parts)
+    """A file that is generated."""
+    text = "".join(part if BOUND.match(part) else transformed(source, part, n) for part in BOUND.split(texts[source]))
     note = " On the line nothing can rotate." if (source, n) == ("fbm2d.glsl", 1) else ""
-    note += " Parts by hand are marked." if BY_HAND in text else ""
     note += " tools/lib/translate/dimensions/numbers.py has its numbers." if n == 3 and source in IN_SPACE else ""
-    head, blank, rest = text.partition("\n\n")
+    head, blank, rest = TO_READ.sub(lambda line: line[0] if line[1] in snippets() else "", text).partition("\n\n")
     if source == "fbm2d.glsl" and n in WITHOUT_PAPERS_GRADIENT:
         includes, include, code = rest.rpartition(f'#include "perlin{n}d.glsl"\n')
         rest = (f"{includes}{include}\n// The paper's gradient has no noise {WHERE[n]}.\n"
@@ -70,32 +60,27 @@ def of_whole(source: str, n: int, texts: Mapping[str, str]) -> str:
     return f"{head}\n//\n// Made from {source} by tools/make.{note}{blank}{rest}"
 
 
-def of_zone(file: str, mark: str, source: str, plane: str) -> str:
-    """The text made of a part of the file of the plane. Where it is in several dimensions, each of its functions is in
-    all of them, below the same comment."""
-    if several := IN_SEVERAL.match(mark):
-        return ITEM.sub(lambda item: "".join(transformed(source, item[0], int(n)) for n in re.findall(r"\d", several[1])),
-                        plane)
-    return transformed(source, plane, int(file[-len("2d.glsl")]))
-
-
 def of_zones(file: str, texts: Mapping[str, str]) -> str:
-    """A file with what is made in it of the file of the plane."""
-    first, *others = zones(texts[file], BY_HAND)
-    made, marks = first[1], [mark for mark, _ in others]
-    for at, (mark, text) in enumerate(others):
-        if mark != BY_HAND:
-            source = included_from(file, mark.split()[-1].removesuffix("."))
-            same = [part for other, part in zones(texts.get(source, ""), BY_HAND) if other == mark]
-            if len(same) != marks.count(mark):
-                raise Unclear(f"{file} needs as many lines `{mark.strip()}` as {source}")
-            text = of_zone(file, mark, source, same[marks[:at].count(mark)])
-        made += mark + text
-    return made
+    """A file with its parts generated from the file of the plane. Where a part is in several dimensions, each of its
+    functions is in all of them, below the same comment."""
+    seen: Counter[str] = Counter()
+
+    def made_zone(zone: re.Match[str]) -> str:
+        what, source = zone["what"], included_from(file, zone["source"])
+        same = [one["text"] for one in ZONE.finditer(texts.get(source, "")) if one["what"] == what]
+        if len(same) != sum(one["what"] == what for one in ZONE.finditer(texts[file])):
+            raise Unclear(f"{file} needs as many lines `// From here {what}` as {source}")
+        plane, several = same[seen[what]], zone[3]
+        seen[what] += 1
+        dimensions = re.findall(r"\d", several) if several else [file[-len("2d.glsl")]]
+        made = (ITEM.sub(lambda item: "".join(transformed(source, item[0], int(n)) for n in dimensions), plane)
+                if several else transformed(source, plane, int(dimensions[0])))
+        return f"{what}\n{made}"
+    return ZONE.sub(made_zone, texts[file])
 
 
 def of_lines_above(file: str, text: str) -> str:
-    """A file for all dimensions, with what is made in it."""
+    """A file for all dimensions, with its generated parts."""
     made = ""
     while mark := BELOW.search(text):
         above, below = text[:mark.start()], text[mark.end():]
@@ -117,13 +102,23 @@ def made(texts: Mapping[str, str]) -> dict[str, str]:
             if source in texts and number not in texts[source]:
                 raise Unclear(f"{source} does not state `{number}`, as "
                               "tools/lib/translate/dimensions/numbers.py has it")
+    for file, text in texts.items():
+        marks = [*ANY_MARK.findall(text)]
+        known = [f"// {bound} here {zone['what']}" for zone in ZONE.finditer(text) for bound in ("From", "To")]
+        if unknown := [mark for mark in marks if mark not in known and not BELOW.match(f"{mark}\n")]:
+            raise Unclear(f"{file} has `{unknown[0]}`, which tools/make umbrella does not know, or only one end of it")
     found = {source.replace("2d.", f"{n}d."): of_whole(source, n, texts)
              for source, dimensions in WHOLE.items() if source in texts for n in dimensions}
     for file, text in texts.items():
-        if unknown := NO_MARK.search(text):
-            raise Unclear(f"{file} has `{unknown[0]}`, which is not a line that tools/make umbrella knows")
         if file not in found and BELOW.search(text):
             found[file] = of_lines_above(file, text)
-        elif file not in found and not file.endswith("2d.glsl") and re.search(OF_FILE, text):
+        elif file not in found and not file.endswith("2d.glsl") and ZONE.search(text):
             found[file] = of_zones(file, texts)
+    owners: defaultdict[str, set[str]] = defaultdict(set)
+    for file, text in {**texts, **found}.items():
+        for zone in ZONE.finditer(text):
+            owners[zone["what"]].add(file.rpartition("/")[2])
+    for what, files in owners.items():
+        if files != set(re.findall(r"\w+\.glsl", what)):
+            raise Unclear(f"`// From here {what}` is in {', '.join(sorted(files))}: it must name all of them")
     return found

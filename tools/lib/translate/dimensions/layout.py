@@ -13,7 +13,7 @@ ONE_RETURN = re.compile(r"^(\S.*\) \{)\n {2}(return .*;)\n\}$", re.MULTILINE)  #
 
 
 def places_to_break(line: str) -> Iterator[tuple[int, list[int]]]:
-    """The blanks behind a comma or an operator. With each the columns where the value, and what is in brackets, begin."""
+    """The blanks behind a comma or an operator. With each the columns where the value, and brackets begin."""
     value = re.match(r" *return |.*? = | +", line)
     columns = [value.end()] if value else []
     for at, sign in enumerate(line):

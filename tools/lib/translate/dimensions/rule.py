@@ -1,7 +1,8 @@
 """The text of the plane in another number of dimensions.
 
 Names change: hn_place2, hn_vec2, octaves2d.glsl. hn_vec3 and hn_i_num3 are a value with its derivatives, and grow, too.
-The type of what is named after an axis stays (hn_ivec2 x), and so do numbers in comments, but for those in numbers.py.
+The type of a variable named after an axis stays (hn_ivec2 x), and so do numbers in comments, but for those in
+numbers.py.
 
 A pair is two neighbours that differ in names of axes alone: where the first names one, the second names the next.
 Neighbours are arguments, parameters, operands, statements, members or functions. Behind a pair stands what names the
@@ -23,7 +24,7 @@ OPENING, CLOSING = ("(", "[", "{"), (")", "]", "}")
 OPERATORS = ("+", "^", "|", "&")  # their operands may be a pair
 SIGNS = (*OPERATORS, *"-=?:<>;", "return", "<<", ">>", "&&", "||", *(f"{sign}=" for sign in "+-*/&|^<>=!"))
 BEFORE_PAIRS = ("", "=", "return")
-VECTOR = re.compile(r"[iu]?vec2|hn_i_vector")  # what makes a vector of the plane of its components
+VECTOR = re.compile(r"[iu]?vec2|hn_i_vector")  # makes a vector of the plane of its components
 SCALARS = {"": "float", "i": "int", "u": "uint"}
 WHERE = {1: "on the line", 3: "in space", 4: "in four dimensions"}
 ALONG = {1: "along x", 3: "along x, y and z", 4: "along x, y, z and w"}
@@ -168,8 +169,8 @@ class Rule:
 
     def runs(self, parts: Sequence[Tokens], within: Callable[[Tokens], list[Token]],
              may_join: Callable[[int], bool] = lambda at: True, alike: bool = False) -> Iterator[tuple[int, list]]:
-        """Each part that is in no pair, changed within, and each run: a pair, or what the text has of one with what
-        stands behind it. With each the number of its first part."""
+        """Each part that is in no pair, changed within, and each run: a pair, or the part of one that the text has with
+        the one that stands behind it. With each the number of its first part."""
         at = 0
         while at < len(parts):
             run = [parts[at]]
@@ -208,7 +209,7 @@ class Rule:
         return re.sub(r"^(\w+)2([dD])(_\w+)?$", rf"\g<1>{self.n}\2\3", name)
 
     def words(self, lead: str) -> str:
-        """Of comments and directives."""
+        """The words of comments and directives."""
         lead = lead.replace("on the plane", WHERE[self.n]).replace("along x and y", ALONG[self.n])
         return re.sub(r"\w+", lambda word: self.name(word[0]), lead).replace(EXAMPLE, EXAMPLES[self.n])
 

@@ -158,7 +158,7 @@ def fxc() -> Fxc:
 
 
 class Fxc:
-    """A folder with what it needs."""
+    """A folder with its files."""
 
     def __init__(self) -> None:
         _for_this_machine()

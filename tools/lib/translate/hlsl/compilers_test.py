@@ -1,4 +1,4 @@
-"""Microsoft's compilers take the HLSL of the library and of files, and what they make has the golden values.
+"""Microsoft's compilers take the HLSL of the library and of files, and their code has the golden values.
 
     python3 -m translate.hlsl.compilers_test dxc|fxc HN_CONFORM
 
@@ -46,7 +46,7 @@ RWStructuredBuffer<uint> words;
 }}
 """
 
-# Inputs that become floats of whole numbers, each with the name of what is picked.
+# Inputs that become floats of whole numbers, each with the name of a picked function.
 POINT = "asfloat(words[id.x])"
 CALLS = {"hn_unorm(words[id.x])": "hn_unorm", "hn_snorm(words[id.x])": "hn_snorm",
          f"hn_random({POINT}, 7u)": "hn_random1", f"hn_perlin(float2({POINT}, 0.5), 7u)": "hn_perlin2",

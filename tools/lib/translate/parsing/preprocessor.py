@@ -102,7 +102,7 @@ class Preprocessor:
         self.macros: dict[str, Macro] = {}
         self.constants: dict[str, Constant] = {}
         self.items: list[Item] = []
-        self._chunk: list[Line] = []     # what is no item yet
+        self._chunk: list[Line] = []     # no item yet
         self._heading = ""               # the first line of the file, above its first token
         self._comments: list[str] = []   # above the next token
         self._guards: dict[str, str] = {}  # of files that a macro leaves out as a whole if they are included again
@@ -132,7 +132,7 @@ class Preprocessor:
         self._heading = heading if heading.startswith("//") else ""
         taken = [True]      # of each open #if: whether its present branch is active
         finished = [False]  # and whether one of its branches was
-        guard, outside = "", 0  # what stands outside of a guard, or may
+        guard, outside = "", 0  # stands outside of a guard, or may
         for number, line in enumerate(text.split("\n"), 1):
             code, slashes, comment = line.partition("//")
             if "#" in code and (directive := DIRECTIVE.fullmatch(code.rstrip())):
@@ -238,7 +238,7 @@ class Preprocessor:
         return known and any(token.kind == "number" for token in macro.body)
 
     def _flush(self) -> None:
-        """Makes items of what is whole, since macros are about to change."""
+        """Makes items of whole text, since macros are about to change."""
         if not self._chunk:
             return
         macros = dict(self.macros)

@@ -35,7 +35,7 @@ class Name:
 
 @dataclass(frozen=True)
 class Call:
-    at: Token  # the name of what is called: a function, or the type that is constructed
+    at: Token  # the name of the called function, or of the constructed type
     arguments: tuple[Expression, ...]
 
 
@@ -204,7 +204,7 @@ class Struct:
 
 
 def definitions(items: Iterable[Item]) -> list[Function | Struct]:
-    """Of a text that was preprocessed."""
+    """The definitions of a text that was preprocessed."""
     found: list[Function | Struct] = []
     types = {*SCALARS, *VECTORS, "void"}
     for item in items:
@@ -242,7 +242,6 @@ class Parser:
         return found
 
     def expression(self) -> Expression:
-        """One that is all of the text."""
         found = self._expression()
         self.end("an expression")
         return found
@@ -305,7 +304,7 @@ class Parser:
         return Struct(name, tuple(fields), comments)
 
     def head(self) -> Head:
-        """Of a function, as far as its {."""
+        """The head of a function, as far as its {."""
         comments = Comments(self._next.before)
         type_ = self._type()
         name = self._word("the name of a function")

@@ -6,7 +6,7 @@ import functools
 import re
 from typing import NamedTuple
 
-# All that read GLSL in Python make their tokens of these, with what stands before each: blanks, comments and
+# All that read GLSL in Python make their tokens of these, with the text before each: blanks, comments and
 # directives.
 WORD = r"[A-Za-z_]\w*"
 NUMBER = r"0[xX][0-9a-fA-F]+[uU]?|(?:\d+\.\d*|\.\d+)(?:[eE][+-]?\d+)?[fF]?|\d+[eE][+-]?\d+[fF]?|\d+[uU]?"

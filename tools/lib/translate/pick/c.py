@@ -146,7 +146,7 @@ static inline uint32_t hn_i_as_uint(float x) {
         return f"static inline {given} {name}({', '.join(taken)}) {{"
 
     def beginning(self, parameters: Sequence[Taken], is_public: bool) -> list[str]:
-        """Compilers may ask for what is not read."""
+        """Compilers may require unread names."""
         return [f"(void){one.name};" for one in parameters if not one.is_read]
 
     def struct(self, name: str, fields: Sequence[Part]) -> str:

@@ -1,5 +1,5 @@
 """Calls of picked functions in shading languages, for tests: they read the words of arguments from `inputs`;
-those of a point begin `at`, and write the words of results to `outputs`, from `to` on."""
+a point's begin `at`, and write the words of results to `outputs`, from `to` on."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Form:
     write: Mapping[str, str]
     declare: str = "{type} {name}{value};"
     struct: str = "{{{fields}}}"
-    passed: str = "{}"  # what a function sets
+    passed: str = "{}"  # the function's outputs
     result: str = "{type} result = "
 
     def call(self, module: Module, function: Function) -> tuple[list[str], int, int]:

@@ -98,7 +98,7 @@ class Circuit:
         return self.gate("shr", (a,), low, high, -by)
 
     def within(self, a: Gate, low: int, high: int) -> Gate:
-        """The number of that range whose lowest bits are those of a."""
+        """The number of that range with the lowest bits of a."""
         if low <= a.low and a.high <= high:
             return a
         bits = width(low, high)
@@ -123,7 +123,7 @@ class Circuit:
             return self.constant(a.value + b.value)
         if b.value == 0:
             return a
-        # Constants stand last: what is added for a float and subtracted again is gone.
+        # Constants stand last: a number added for a float and subtracted again is gone.
         for one, other in ((a, b), (b, a)):
             if one.kind == "plus" and one.arguments[1].value is not None:
                 return self.plus(self.plus(one.arguments[0], other) if other.value is None else one.arguments[0],
@@ -142,7 +142,7 @@ class Circuit:
         return self.gate("minus", (a, b), a.low - b.high, a.high - b.low)
 
     def leaves(self, a: Gate) -> int:
-        """Of a choice between constants; a large number if it has others."""
+        """The number of leaves of a choice between constants; a large number if it has others."""
         if a.value is not None:
             return 1
         return sum(map(self.leaves, a.arguments[1:])) if a.kind == "choice" else MOST_LEAVES + 1
@@ -188,7 +188,7 @@ class Circuit:
         return self.product(a, b)
 
     def by_sums(self, a: Gate, b: Gate) -> Gate:
-        """The same without multipliers."""
+        """The product without multipliers."""
         if b.value is not None:
             return self.sum_of_shifts(a, b.value)
         a, b = (a, b) if a.width >= b.width else (b, a)
@@ -209,7 +209,7 @@ class Circuit:
         return self._sum(terms)
 
     def _sum(self, terms: list[tuple[Gate, int]]) -> Gate:
-        """Of gates with signs, in a tree."""
+        """The sum of gates with signs, in a tree."""
         while len(terms) > 1:
             pairs = zip(terms[::2], terms[1::2])
             odd = terms[-1:] if len(terms) % 2 else []
@@ -304,7 +304,8 @@ class Circuit:
 
 
 class Unrolled(Evaluation):
-    """Of a function whose loops end at constants. Results of public functions are in the ranges of their comments."""
+    """The gates of a function whose loops end at constants. Results of public functions are in the ranges of their
+    comments."""
 
     def __init__(self, module: Module, ranges: Callable[[Function], Sequence[tuple[Fraction, Fraction]]]):
         super().__init__(module, lambda function, _: Kept(function.name, function.types, (None,) * len(function.types))
@@ -425,7 +426,6 @@ class Lowering:
         return Number(whole, places if node.type == "float" else 0)
 
     def _whole(self, node: Operation, a: Gate, b: Gate) -> Gate:
-        """Of numbers in the same units."""
         make, name = self.circuit, node.name
         if node.kind == "unary":
             return {"-": lambda: make.minus(make.constant(0), a), "!": lambda: make.negated(a),
@@ -466,7 +466,7 @@ class Lowering:
     # Floats.
 
     def _float(self, text: str) -> Number:
-        """Of a number as it is written, which a float rounds."""
+        """A number as it is written, which a float rounds."""
         value = Fraction(struct.unpack("f", struct.pack("f", float(text)))[0])
         zeros = (value.numerator & -value.numerator).bit_length() - 1 if value else 0
         return Number(self.circuit.constant(value.numerator >> zeros), value.denominator.bit_length() - 1 - zeros)

@@ -40,7 +40,7 @@ ARITHMETICS = ("fast", "fixed")
 PAIRS = (("hn_cellular3_nearest", "hn_cell_border3_nearest"),)
 SHADING = ("glsl", "hlsl", "wgsl", "metal", "godot")
 LANGUAGES = (*command.SYNTAXES, *SHADING)
-# Kinds of languages: those of a kind are made of the same program, which takes longest.
+# Kinds of languages: languages of a kind are made of the same program, which takes longest.
 OF_NUMBERS = tuple(language for language, syntax in command.SYNTAXES.items() if not syntax.library)
 
 PICK = command.picker()
@@ -150,7 +150,7 @@ def declared(language: str, statement: str) -> list[str]:
 
 
 def wrong_names(language: str, text: str) -> list[str]:
-    """Faults of the names in a text: a variable that has that of a parameter or of another variable, one that
+    """Faults of the names in a text: a variable named as a parameter or another variable, one that
     is set to itself, and one that is to be set and is not."""
     found: list[str] = []
     for function in functions_in(language, text):
@@ -195,8 +195,8 @@ def groups() -> Iterator[tuple[str, Names]]:
 
 
 def pairs() -> Iterator[tuple[str, Names, str]]:
-    """Of functions of a noise, each in an arithmetic and a language by turns; in the same dimensions in each shading
-    language."""
+    """Pairs of functions of a noise, each in an arithmetic and a language by turns; in the same dimensions in each
+    shading language."""
     found = (pair for names in all_names().values() for pair in itertools.combinations(names, 2))
     yield from ((ARITHMETICS[turn % 2], pair, LANGUAGES[turn // 2 % len(LANGUAGES)]) for turn, pair in enumerate(found))
     alike = pairs_of(itertools.chain(*all_names().values()))
@@ -216,7 +216,7 @@ def picked(names: Names, language: str, arithmetic: str = "fast") -> str:
 
 
 def in_all(names: Names, arithmetic: str = "fast") -> Iterator[Text]:
-    """In each language: those of a kind come together, since a program is made once for them."""
+    """In each language: languages of a kind come together, since a program is made once for them."""
     for language in sorted(LANGUAGES, key=lambda one: (one not in OF_NUMBERS, one in SHADING)):
         yield Text(language, arithmetic, names, picked(names, language, arithmetic))
 

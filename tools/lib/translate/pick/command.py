@@ -1,4 +1,4 @@
-"""Writes functions of the library with what they need, and nothing else, to paste into a shader, or into a program for
+"""Writes functions of the library with their helpers, and nothing else, to paste into a shader, or into a program for
 the CPU.
 
     tools/pick hn_perlin2                              GLSL, HN_FAST, the default hash
@@ -16,8 +16,8 @@ the CPU.
 
 A function is called by its form: hn_perlin2 is hn_perlin(vec2 p, uint seed), and hn_perlin2_place is
 hn_perlin(hn_place2 place, uint seed). The functions that it calls are inlined; a function that is called more than once
-stays a function. Constants are folded, and unused code is removed. The values are those of the library. In the text its
-name is that of the library where the language has overloads, and that of its form elsewhere: hn_perlin2 in WGSL and C,
+stays a function. Constants are folded, and unused code is removed. The values are the library's. In the text its
+name is the library's where the language has overloads, and its form's elsewhere: hn_perlin2 in WGSL and C,
 perlin2 in Rust, Perlin2 in C# and Go.
 
 Ask for all functions of a shader or program at once: two texts may have the same function. In HLSL, C#, Java and Go
@@ -145,7 +145,6 @@ def settings(arithmetic: str, hash_: str, gradient: str = "octahedral") -> dict[
 
 
 def read_library(library: Path, choice: Choice) -> Module:
-    """The library as this choice has it."""
     language = LANGUAGES.get(choice.language) or (SYNTAXES[choice.language] if choice.language in SYNTAXES else None)
     macros = {**choice.knobs.macros(), **(language.library if language else {})}
     if choice.language == VERILOG:
@@ -162,7 +161,7 @@ def circuits(names: Sequence[str], choice: Choice, module: Module | None = None,
 
 
 def renaming(code: str, choice: Choice) -> Callable[[str], str]:
-    """Writes the name that was chosen in place of hn where names are those of the code."""
+    """Writes the name that was chosen in place of hn where the code has names."""
     names = {*re.findall(r"\bhn_\w+", code)} - {choice.hash_function}
     return lambda text: re.sub(r"\bhn(_\w+)", lambda found: f"{choice.name or 'hn'}{found[1]}" if found[0] in names else
                                found[0], text)
@@ -175,7 +174,7 @@ def command_of(names: Sequence[str], choice: Choice) -> str:
 def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
     """Makes many texts: the library is read once for each setting and kind of language, and functions that are
     written in one language after the other are evaluated once."""
-    kinds: dict[tuple[object, ...], Choice] = {}  # the first choice of what is read and evaluated in the same way
+    kinds: dict[tuple[object, ...], Choice] = {}  # the first choice that is read and evaluated in the same way
     module = functools.cache(functools.partial(read_library, library))
 
     @functools.lru_cache(maxsize=4)
@@ -223,7 +222,6 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
 
 
 def picked(names: Sequence[str], choice: Choice = Choice(), library: Path = GLSL) -> str:
-    """One text."""
     return picker(library)(names, choice)
 
 
@@ -276,7 +274,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--list", action="store_true", help="write the names of the functions, and what they take")
     parser.add_argument("--glsl", type=Path, default=GLSL, metavar="DIR", help="another copy of the library")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the file to write (default: standard output)")
-    given = parser.parse_args(arguments)
+    given = parser.parse_intermixed_args(arguments)
     given.language = ALIASES.get(given.language, given.language)
     given.arithmetic = given.arithmetic or ("fixed" if given.language == VERILOG else "fast")
     if bool(given.names) == given.list:

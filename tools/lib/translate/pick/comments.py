@@ -22,7 +22,7 @@ FOR_ANOTHER = re.compile(r"as for (hn_\w+)")
 LIKE_ANOTHER = re.compile(r"(This form|The same|Add the noise of an octave as it is, and)\b")
 REFERENCE = re.compile(r"docs/|\.glsl")
 TYPES = re.compile(": (?:int, ivec2, ivec3 or ivec4|uint, uvec2, uvec3 or uvec4)")  # of overloads, where a function that stands alone has one
-IN_PLACE = re.compile(r"in place of (?:p|the cell)\b")  # begins what a comment has of a place, for who may pass either
+IN_PLACE = re.compile(r"in place of (?:p|the cell)\b")  # begins a comment's lines on a place, for who may pass either
 PLACE = ("a place, that is a cell and a position in it, in cells{0}: hn_place and hn_tile make one (tools/pick writes "
          "hn_place_in_cell{1} and hn_tile{1})")
 LEFT_OUT = "; 0 if left out"
@@ -30,7 +30,7 @@ METRIC = ". This is with the Euclidean metric and a jitter of 1"
 
 
 class Facts(NamedTuple):
-    """Paragraphs. The parameters are those of GLSL."""
+    """Paragraphs. The parameters are GLSL's."""
     what: str = ""
     parameters: Mapping[str, str] = {}
     returns: str = ""
@@ -38,10 +38,9 @@ class Facts(NamedTuple):
 
 
 class Block(NamedTuple):
-    """A comment, as it is."""
     what: str
     entries: Mapping[str, str]
-    notes: str  # what it takes from others
+    notes: str  # taken from others
 
 
 def block(lines: Sequence[str]) -> Block:
@@ -82,7 +81,7 @@ def _other(declared: Declaration, own: Block, library: Path) -> Declaration | No
 
 
 def _whole(declared: Declaration, library: Path) -> Block:
-    """The comment, with what it takes from another one."""
+    """The comment, with its lines from another one."""
     own = block(declared.comment.lines)
     other = _other(declared, own, library)
     if other is None:
@@ -148,8 +147,8 @@ def facts(function: Function, library: Path, has_overloads: bool, knobs: Setting
                  *(of_knobs(without_references(text).rstrip("."), knobs) for text in (returns, error)))
 
 
-# In a text of one arithmetic, the patterns of what is of others, and what stands there with floats and with HN_FIXED.
-# None leaves what is there.
+# In a text of one arithmetic, the patterns of text on others, and the text in its place with floats and with HN_FIXED.
+# None leaves it.
 OF_BOUND = r"(?: against the exact \w+| divided by the distance| / reach)?"
 OF_ONE = (
     (r"less than \S+ \(HN_FIXED: (\S+)\)", None, r"less than \1"),
@@ -219,14 +218,14 @@ def of_struct(name: str, called: Callable[[str], str]) -> str:
     return text.format(called(f"hn_{found[1]}_{MAKERS[found[1]]}{found[2]}")) if found else text
 
 
-# Examples: what is passed, a number for each component; where there is no number, a variable of that name.
+# Examples of arguments, a number for each component; where there is no number, a variable of that name.
 ARGUMENTS: Mapping[str, tuple[float, ...]] = {
     "octaves": (6,), "lacunarity": (2,), "gain": (0.5,), "seed": (7,), "jitter": (1,), "metric": (1,), "phase": (0.25,),
     "strength": (1,), "amplitude": (1,), "detail": (3.5,), "footprint": (0.125,), "wave": (4, 0, 0), "radius": (0.75,),
     "depth": (0.125,), "slope": (0.5, 0), "period": (8, 8, 8, 8), "cell": (3, -5, 2, 0), "f": (0.25, 0.75, 0.5, 0),
     "position": (640, -320, 100, 0), "cells": (1,), "units": (64,), "h": (12345,), "k": (5,), "x": (12345,),
     "v": (12, 34, 56, 78), "i": (3,), "n": (0.25, 0.5, -0.5, 0), "kind": (2,), "value": (0.25,)}
-# Of what has the same name, by the type.
+# Functions with one name, by the type.
 OTHER_ARGUMENTS = {("n", "uint"): (52,), ("v", "float"): (0.25, -0.5, 0.5)}
 
 
@@ -242,8 +241,8 @@ def arguments_of(function: Function, argument: Callable[[Parameter, Sequence[flo
 
 
 def lines(facts: Facts, variable: Callable[[str], str], call: str) -> list[str]:
-    """Of a comment, without the slashes, in the order of those of the library. The names of the parameters are what
-    `variable` makes of them."""
+    """The lines of a comment, without the slashes, in the library's order. The names of the parameters
+    are what `variable` makes of them."""
     rows = {**{variable(name): text for name, text in facts.parameters.items()}, "example": call,
             "returns": facts.returns, "error": facts.error}
     return laid_out(facts.what, rows)

@@ -1,5 +1,5 @@
 """Programs that compare picked functions with the library in C++, bit by bit, at points that they draw: one in C++,
-and for other languages one that writes what is passed and what comes back."""
+and for other languages one that writes arguments and results."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ def source(module: Module, functions: Mapping[str, Function], texts: Mapping[str
     lines += [f"bool differs(const {name}& a, const {name}& b) {{ "
               f"return {' || '.join(f'differs(a.{field}, b.{field})' for field, _, _ in struct.fields)}; }}"
               for name, struct in module.structs.items()]
-    # Other names than those of the library, which C++ would find by their arguments.
+    # Other names than the library's, which C++ would find by their arguments.
     lines += [f"namespace picked{i} {{\n" + re.sub(r"\bhn_(?=\w+\()", "picked_", texts[name]) + "}"
               for i, name in enumerate(texts)]
     lines.append("}  // namespace hashnoise\nusing namespace hashnoise;\n\nint main() {")
@@ -141,8 +141,8 @@ void put(FILE* file, bool value) { put(file, uint(value)); }
 
 
 def words_source(module: Module, functions: Mapping[str, Function], points: int) -> str:
-    """A program that draws points and writes two files that its arguments name: the words of what is passed to each
-    function at each point, and those of what it returns and sets. `module` is split: a vector is its components. A
+    """A program that draws points and writes two files that its arguments name: the words of the arguments of each
+    function at each point, and of its results. `module` is split: a vector is its components. A
     third argument is a number, and each has other points."""
     lines = [HEAD, "}  // namespace hashnoise\nusing namespace hashnoise;", WORDS, "int main(int count, char** names) {",
              "  const uint seed = count > 3 ? uint(std::atoi(names[3])) << 8u : 0u;",

@@ -36,7 +36,7 @@ from translate.pick.program import Program, chosen, read
 from translate.pick.shading import LANGUAGES
 from translate.pick.shading_runners import GlslRunner, pairs_of
 
-# The structs are those of the library.
+# The structs are the library's.
 WITHOUT_STRUCTS = replace(LANGUAGES["glsl"], structs=False)
 SOME = ("perlin2d.glsl", "cellular2d.glsl", "value_d3d.glsl")
 LOWEST = "#version 300 es\nprecision mediump float;\nprecision mediump int;\nprecision lowp sampler2D;\n"
@@ -63,12 +63,12 @@ void main() {{
 }}
 """
 SIDE = 16
-# Of whole numbers that are settings; others are any.
+# Whole numbers that are settings; others are any.
 WHOLE = {"octaves": "word % 9u", "metric": "word % 6u", "period": "word % 9u"}
 
 
 def call_of(module: Module, function: Function) -> str:
-    """Lines that draw what is passed to the function, and mix what comes back. The module is split."""
+    """Lines that draw the function's arguments, and mix its results. The module is split."""
     lines, taken, given = GlslRunner.form.call(module, function)
     drawn = [(path[-1] if path and path[-1].isalpha() and len(path[-1]) > 1 else parameter.at.text, type_)
              for parameter in function.parameters if module.passed(parameter)

@@ -1,4 +1,4 @@
-"""A function partly evaluated: what it calls stands in its place, what is known is computed, structs are their parts.
+"""A function partly evaluated: its calls are replaced by bodies, known values are computed, structs are their parts.
 
 The results are statements (statements.py). A function that is called more than once, and is worth a call,
 stays one; which, the caller decides.
@@ -49,7 +49,7 @@ from translate.pick.values import (
 
 @dataclass(frozen=True)
 class Kept:
-    """A function that is called. Of its arguments some are left out: one that is the same constant in all calls, one
+    """A function that is called. Some of its arguments are left out: one that is the same constant in all calls, one
     that is the same as another (its number), and one that always is what another such function returns, which then has
     its place in this one."""
     name: str
@@ -72,7 +72,7 @@ class Kept:
 
 
 Known = Union[None, Constant, int, Kept]
-GENERIC = frozenset((*AXES, "condition"))  # names of parameters that show nothing of what is passed
+GENERIC = frozenset((*AXES, "condition"))  # names of parameters that reveal nothing of the arguments
 
 
 @dataclass(frozen=True)
@@ -95,7 +95,7 @@ def dotted(path: Sequence[str]) -> str:
 
 class Module(Library):
     """The library for an evaluation. For languages without vectors it is split: a vector is its components, as a struct
-    is its parts. `summed` is the noise of sums, if it is not that of the library."""
+    is its parts. `summed` is the noise of sums, if it is not the library's."""
 
     def __init__(self, tree: list[Function | Struct], constants: dict[str, Macro], splits: bool = False,
                  own: Sequence[Function] = ()):
@@ -106,12 +106,12 @@ class Module(Library):
         self._plain: dict[tuple[str, tuple[str, ...]], bool] = {}
 
     def asks_other_noise(self, call: syntax.Call, types: tuple[str, ...]) -> bool:
-        """Whether the noise of sums stands here for what is called: hn_perlin(o.place, o.seed)."""
+        """Whether the noise of sums stands here for the call: hn_perlin(o.place, o.seed)."""
         return (self.summed is not None and (call.at.text, types) == (self.summed.replaced, self.summed.types)
                 and isinstance(call.arguments[0], syntax.Member) and call.arguments[0].at.text == "place")
 
     def parts(self, type_: str) -> list[tuple[tuple[str, ...], str]]:
-        """The paths of what a type is made of, and their types."""
+        """The paths of a type's parts, and their types."""
         if type_ not in self._parts:
             fields = self.structs[type_].fields if type_ in self.structs else ()
             self._parts[type_] = [((name, *path), part) for name, of, _ in fields for path, part in self.parts(of)]
@@ -121,11 +121,11 @@ class Module(Library):
         return self._parts[type_]
 
     def leaves(self, node: Node) -> Leaves:
-        """Of a scalar or a vector."""
+        """The leaves of a scalar or a vector."""
         return {path: member(node, path[0][1:]) if path else node for path, _ in self.parts(node.type)}
 
     def passed(self, parameter: Parameter) -> list[tuple[tuple[str, ...], str]]:
-        """The paths and types of what users pass for it: a struct is whole, and nothing is passed for what a split
+        """The paths and types of users' arguments for it: a struct is whole, and nothing is passed for what a split
         function sets alone, since it returns that."""
         if parameter.type in self.structs:
             return [((), parameter.type)]
@@ -155,10 +155,10 @@ class Evaluation(Typer):
         self.axes: dict[Node, str] = {}  # of components of vectors that are split
         self._frames = itertools.count(1)
         self._types: dict[tuple[int, str], str] = {}  # of variables, by the number of the call and the name
-        self._in_loops: list[int] = []                # the calls that have a loop around what is evaluated
+        self._in_loops: list[int] = []                # the calls that have a loop around this
 
     def run(self, function: Function, arguments: Sequence[Typed]) -> list[Statement]:
-        """The statements; what the function sets is set behind them, or returned where the module is split."""
+        """The statements; the function's outputs are set behind them, or returned where the module is split."""
         state: Environment = {}
         block: list[Statement] = []
         assert len(function.parameters) == len(arguments)
@@ -186,7 +186,7 @@ class Evaluation(Typer):
         return block
 
     def _results(self, function: Function, state: Environment) -> Node | None:
-        """A split function's result, with what it sets of numbers and vectors."""
+        """A split function's result, with the numbers and vectors that it sets."""
         names = [("return", function.type)] if function.type != "void" else []
         names += [(parameter.at.text, parameter.type) for parameter in function.parameters
                   if parameter.is_set and not self.library.passed(parameter)]
@@ -238,7 +238,7 @@ class Evaluation(Typer):
                         if isinstance(argument, Operation):
                             self.hints.setdefault(argument, f"{name}_{axis}")
 
-    # Statements. Each function returns whether the call is over behind what it did: by a return or a break.
+    # Statements. Each function returns whether the call is over: by a return or a break.
 
     def _statements(self, statements: Sequence[syntax.Statement], frame: int, state: Environment,
                     block: list[Statement]) -> bool:
@@ -262,7 +262,7 @@ class Evaluation(Typer):
 
     def _branch(self, condition: Node, yes: Sequence[syntax.Statement], no: Sequence[syntax.Statement],
                 rest: Sequence[syntax.Statement], frame: int, state: Environment, block: list[Statement]) -> bool:
-        """Both branches, each with what follows if one of them leaves the function or the loop."""
+        """Both branches, each with the rest if one of them leaves the function or the loop."""
         state_yes, state_no = dict(state), dict(state)
         block_yes: list[Statement] = []
         block_no: list[Statement] = []
@@ -441,7 +441,7 @@ class Evaluation(Typer):
         self._statements(function.body.statements, inner, state, block)
         found = [self._read(state, inner, parameter.at.text) for parameter in function.parameters if parameter.is_set]
         result = self._read(state, inner, "return") or Typed("void", {})
-        while state:  # what the call has added stands last
+        while state:  # the call's additions stand last
             key, node = state.popitem()
             if key[0] != inner:
                 state[key] = node
@@ -519,8 +519,8 @@ def _sets(carried: dict[tuple[object, ...], Variable], state: Environment) -> li
 
 def _derived(key: tuple[object, ...], carried: dict[tuple[object, ...], Variable], state: Environment,
              states: Sequence[Environment]) -> tuple[tuple[object, ...], Node] | None:
-    """Of what variable a value is the same function before each turn, and that function of what the variable was before
-    the first."""
+    """The variable that a value is a fixed function of before each turn, and that function of what the variable was
+    before the first."""
     for other in carried:
         first = state[other]
         if other != key and isinstance(first, Variable) and isinstance(state[key], Operation) and all(

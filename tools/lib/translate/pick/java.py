@@ -12,7 +12,7 @@ from translate.pick.values import AXES, SIZES, scalar_of
 
 UNSIGNED = {"/": "divideUnsigned", "%": "remainderUnsigned"}
 RECORD = re.compile(r"public record (\w+)\(")
-# Records of results that are no vectors, by their first and last components; a number is that of the dimensions.
+# Records of results that are no vectors, by their first and last components; a number counts the dimensions.
 RECORDS = {("value", "d"): "Derivatives", ("f1", "f"): "Distances", ("value", "quadrature"): "ValueQuadrature",
            ("value", "slope"): "ValueSlope"}
 
@@ -97,7 +97,7 @@ private static int toWord(float x) {
             return piece
         if to == "uint":
             return self.call(self.helper("toWord"), [piece])
-        if of == "uint" and piece.sign != ">>":  # what was shifted is not negative
+        if of == "uint" and piece.sign != ">>":  # a shifted number is not negative
             piece = self.infix("&", piece, Piece("0xFFFFFFFFL"))
         return Piece(f"({to}) {piece.within(UNARY - 1)}", UNARY)
 

@@ -1,4 +1,4 @@
-"""JavaScript and TypeScript: modules whose numbers are floats and words where those of the library are.
+"""JavaScript and TypeScript: modules whose numbers are floats and words where the library's are.
 
 A word is any number that is the same modulo 2^32; where its size counts, `>>> 0` makes it one from 0 on. Each float is
 rounded where it is computed.
@@ -22,7 +22,7 @@ const numbers = new Float32Array(1), words = new Int32Array(numbers.buffer);
 
 
 def inside(piece: Piece) -> Piece:
-    """A sum before it is made a word, for what does so itself."""
+    """A sum before it is made a word, for code that does so itself."""
     return Piece(piece.text[1:-len(f") {LOOSE}")], STRENGTH["+"], "+") if piece.sign == LOOSE else piece
 
 

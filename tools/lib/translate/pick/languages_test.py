@@ -1,6 +1,6 @@
 """tools/pick's text in languages without vectors has the bits of the library in C++.
 
-    python3 -m translate.pick.languages_test points FOLDER           what is passed, and what comes back in C++
+    python3 -m translate.pick.languages_test points FOLDER           the arguments, and the results in C++
     python3 -m translate.pick.languages_test LANGUAGE FOLDER         compiles and compares
 
 Exit status of the second: 0 the same, 1 not, 77 the compiler is not installed.
@@ -72,7 +72,7 @@ def functions(of: Module, arithmetic: str) -> dict[str, Function]:
 
 
 def write_points(folder: Path) -> None:
-    """For each arithmetic what is passed to the functions and what comes back."""
+    """The functions' arguments and results, for each arithmetic."""
     folder.mkdir(parents=True, exist_ok=True)
     for arithmetic in command.ARITHMETICS:
         of = module(arithmetic)

@@ -20,7 +20,7 @@ COMPARED = {"<": ("hn_i_less", "{0}, {1}"), ">": ("hn_i_less", "{1}, {0}")}
 UNSIGNED = {"/": "hn_i_quotient", "%": "hn_i_rest"}
 VECTORS = {f"hn_{prefix}vec{size}": ("float" if scalar == "float" else "int", AXES[:size])
            for scalar, prefix in PREFIXES.items() for size in (2, 3, 4)}
-# A component of what a function returns: the language has it of variables alone.
+# A component of a function's result: the language takes components of variables alone.
 COMPONENTS = {f"hn_i_{axis}_of_{name.removeprefix('hn_')}": (axis, name)
               for name, (_, axes) in VECTORS.items() for axis in axes}
 
@@ -133,7 +133,7 @@ int hn_i_to_word(float x) {
                          UNARY if negated else Piece("").binds)
         if type_ == "uint" and sign == "&" and (found := MASKED.fullmatch(left.text)) and right.text.isalnum():
             asked, kept = int(right.text, 0), int(found[2], 0)
-            if asked & kept == asked:  # what is masked already
+            if asked & kept == asked:  # masked already
                 left = Piece(found[1])
         return super().binary(sign, type_, left, right)
 

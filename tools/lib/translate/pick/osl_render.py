@@ -1,7 +1,7 @@
 """Renders shaders of OSL by Blender's Cycles, pixel by pixel: python3 osl_render.py FOLDER, where bpy can be imported.
 
 FOLDER/jobs.json has a list of {"shader": FILE, "width": N, "height": N, "node": FILE}. A shader has an output `shown`,
-a color, and sees a pixel as P: the first is at 0.5, 0.5. Of each it writes FILE.pixels, four floats a pixel. `node` is
+a color, and sees a pixel as P: the first is at 0.5, 0.5. For each it writes FILE.pixels, four floats a pixel. `node` is
 a shader that is compiled, and must have outputs; it may be left out. Exit status: 0 done, 1 not.
 """
 
@@ -59,7 +59,7 @@ def prepared() -> bpy.types.Scene:
 
 
 def compiled(tree: bpy.types.NodeTree, shader: Path) -> bpy.types.Node:
-    """A shader as a node. It is a new one, since a node keeps what it had if a shader is not compiled."""
+    """A shader as a node. It is a new one, since a node keeps its old one if a shader is not compiled."""
     script = tree.nodes.new("ShaderNodeScript")
     script.mode = "EXTERNAL"
     script.filepath = str(shader)

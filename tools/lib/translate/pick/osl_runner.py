@@ -1,5 +1,5 @@
 """Shaders of OSL that call picked functions, which Blender's Cycles renders: a column of pixels for each point, with
-what comes back from below."""
+the results from below."""
 
 from __future__ import annotations
 

@@ -3,7 +3,7 @@ have these pages in each language.
 
     tools/make snippets [--check] [--out DIR]
 
-Exit status: 0 done, or the pages are what they should be; 1 (--check) one is not, or a text cannot be picked; 2 bad
+Exit status: 0 done, or the pages are up to date; 1 (--check) one is not, or a text cannot be picked; 2 bad
 usage, or a folder that cannot be written.
 """
 
@@ -39,7 +39,6 @@ Picked = Callable[[str, str, str], str]  # the text of a function in a language,
 
 
 def page(name: str, picked: Picked, languages: Languages = OF_TREE) -> str:
-    """Of a function."""
     sections = [f"## {title}\n\n```{word}\n{picked(name, language, arithmetic)}```\n"
                 for title, language, arithmetic, word in languages]
     floats = ("They compute with floats (`HN_FAST`). " if languages == OF_TREE else

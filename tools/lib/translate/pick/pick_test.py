@@ -1,4 +1,4 @@
-"""Tests of tools/pick: the values of what it writes, its compilation, its size, and bad usage."""
+"""Tests of tools/pick: the values of its texts, their compilation, its size, and bad usage."""
 
 from __future__ import annotations
 
@@ -269,7 +269,7 @@ class Shaders(unittest.TestCase):
             found = []
 
             def value(of: object) -> int | None:
-                """Of a literal, and of what is computed of literals."""
+                """The value of a literal, and of an expression of literals."""
                 if isinstance(of, Number):
                     return int(of.at.text.rstrip("u"), 0) if re.fullmatch("0x[0-9A-F]+u?|[0-9]+u?", of.at.text) else None
                 if isinstance(of, Name) and of.at.text in constants:
@@ -298,7 +298,7 @@ class Shaders(unittest.TestCase):
         shown = text(*MIXED, language="godot")
 
         def joined(lines: Sequence[str]) -> str:
-            """Without what depends on how long the names are: which declarations share a line, and what is long."""
+            """Without parts that depend on the length of names: which declarations share a line, and what is long."""
             return re.sub(r"; (?:[iu]?vec[234]|float|u?int|bool) (\w+ =)", r", \1", " ".join(" ".join(lines).split()))
 
         self.assertEqual(joined(shown.splitlines()), joined(with_own_names(glsl.splitlines())))
@@ -358,7 +358,7 @@ class Statements(unittest.TestCase):
          "    result = a + 1.0;\n  } else {\n    result = a;\n  }\n  return result;\n}\n"),
         ("uint hn_same(uint a, bool b) { uint c = a & 0xFFFFFFFFu; return (c == 0u ? 0u : c) + (b ? 1u : 0u); }",
          "uint hn_same(uint a, bool b) { return a + (b ? 1u : 0u); }\n"),
-        # A condition behind the body is of what the body set, also where it was tested before.
+        # A condition behind the body reads variables of the body, also where it was tested before.
         ("uint hn_walk(uint x, uint n) { uint v = 9u; do { x = x * 5u + 1u; v = v >= n ? x : v; } while (v >= n); "
          "return v; }",
          "uint hn_walk(uint x, uint n) {\n  uint v = 9u;\n  do {\n    uint x2 = x * 5u + 1u;\n    x = x2;\n"
@@ -433,7 +433,7 @@ class Statements(unittest.TestCase):
 
 
 class Nodes(unittest.TestCase):
-    """Of three.js; npm.browser has what they compute."""
+    """The nodes of three.js; npm.browser has their values."""
     pick = staticmethod(command.picker())
 
     def test_a_module_has_a_node_of_each_function_and_both_texts(self) -> None:
@@ -482,7 +482,7 @@ class Comments(unittest.TestCase):
             self.assertRegex(line, self.REFERENCE)
 
     def test_all_is_explained(self) -> None:
-        """Of every function: it is in the library's comments, so it is in those of each language."""
+        """Every function is explained: it is in the library's comments, so each language has it."""
         for name, function in module("fast").forms.items():
             with self.subTest(name):
                 facts = comments.facts(function, GLSL, True)
@@ -538,16 +538,16 @@ class Comments(unittest.TestCase):
                  "From a cell at most 2.44e-6"),
                 ("hn_perlin2", "fast", "sine", "at most 4.58e-6 against the exact value, in any rounding mode. "
                  "From a cell at most 4.36e-6"),
-                ("hn_cellular_d2", "fixed", "octahedral", "that of hn_cellular, and of a derivative at most 1.08e-5 "
+                ("hn_cellular_d2", "fixed", "octahedral", "hn_cellular's, and of a derivative at most 1.08e-5 "
                  "divided by the distance"),
-                ("hn_clouds2", "fixed", "octahedral", "3 times that of hn_fbm, plus 2.6e-5"),
+                ("hn_clouds2", "fixed", "octahedral", "3 times hn_fbm's, plus 2.6e-5"),
                 ("hn_gradient_lattice2", "fixed", "sine", "less than 3.7e-5")):
             self.assertEqual(of(name, arithmetic, gradient).error, error, name)
         self.assertTrue(of("hn_perlin2", "fixed", "sine").returns.startswith(
             "[-1, 1], which is not scaled, mean 0, 0 at lattice points, "))
 
     def test_no_constant_is_named_that_a_text_lacks(self) -> None:
-        """In languages of the CPU, but for what is passed to hn_distribution: its own text has that."""
+        """In languages of the CPU, but for hn_distribution's argument: its own text has that."""
         of_library = {name: module("fast").constant(name).at.text for name in module("fast").constants if is_passed(name)}
         for (language, syntax), (name, count) in itertools.product(command.SYNTAXES.items(), (
                 ("hn_uniform", 0), ("hn_distribution", 18), ("hn_distribution_fbm", 0), ("hn_cellular2_jitter", 5))):
@@ -651,7 +651,7 @@ class Comments(unittest.TestCase):
             self.assertEqual("name all functions in one call" in done.stderr, bool(status))
 
     def test_two_files_of_a_shader_may_include_a_text(self) -> None:
-        """Of Metal there is no compiler here but that of C++."""
+        """Here only a C++ compiler reads Metal."""
         shown = self.pick(["hn_cellular2_jitter"], command.Choice("metal"))
         self.assertRegex(shown, r"\n#ifndef (HN_CELLULAR2_JITTER_[0-9A-F]{8}_H)\n#define \1\n#include <metal_stdlib>\n")
         main = "float4 main() : SV_Target { return hn_fbm(float2(1, 2), 6, 2.0, 0.5, 7u); }\n"
@@ -684,6 +684,11 @@ class Command(unittest.TestCase):
             except SystemExit as stop:
                 status = int(stop.code)
         return status, shown.getvalue()
+
+    def test_a_noise_for_sums_leaves_the_others_and_may_stand_anywhere(self) -> None:
+        status, shown = self.call("hn_fbm2", "--noise", "hn_simplex2", "hn_cellular2", "--language", "rust")
+        self.assertEqual(status, 0)
+        self.assertRegex(shown, r"(?s)pub fn fbm2\(.*pub fn cellular2\(")
 
     def test_it_says_what_it_wrote_and_how(self) -> None:
         status, shown = self.call("hn_value2", "--arithmetic", "fixed", "--language", "glsl-es")

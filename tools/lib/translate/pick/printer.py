@@ -1,4 +1,4 @@
-"""Statements over values as text: what is used more than once gets a name, the rest stands where it is used."""
+"""Statements over values as text: a value used more than once gets a name, the rest stands in its place."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from translate.pick.statements import (
 from translate.pick.values import SIZES, Constant, Node, Operation, Variable, operation, scalar_of
 
 WIDTH = 100  # of lines, as far as values have parts that can be named
-# Names that no variable has: those of the languages, and what readers would take for something else.
+# Names that no variable has: the languages' own, and what readers would take for something else.
 RESERVED = frozenset("""abs floor trunc sqrt min max float int uint bool vec2 vec3 vec4 ivec2 ivec3 ivec4 uvec2 uvec3
     uvec4 sample input output filter half fixed common partition active packed this resource patch centroid flat smooth
     mix sign step length distance normal dot cross float2 float3 float4 int2 int3 int4 uint2 uint3 uint4 asfloat asuint
@@ -45,32 +45,32 @@ BITS = ("|", "^", "&", "<<", ">>")  # readers want parentheses around and in the
 TRUTH = ("&&", "||")
 EXAMPLES = {"metric": "HN_METRIC_EUCLIDEAN", "kind": "HN_DISTRIBUTION_PERLIN2"}  # of what users pass
 DECLARATION = re.compile(r" *((?:precise |highp )*(?:(?:float|u?int)[234]?|bool|[iu]?vec[234])) (\w+(?: = .*)?;)")
-UNNAMED = {"floor": "whole", "abs": "size"}  # what a value is called that has no name in the library
+UNNAMED = {"floor": "whole", "abs": "size"}  # the name of a value that has no name in the library
 Place = tuple[tuple[int, int], ...]  # of a statement: of each block around it the number, and the index in it
 
 
 def guard(name: str, code: str) -> str:
-    """The name of the include guard of a text. It is that of this text alone, so that it leaves out no other one."""
+    """The name of the include guard of a text. It belongs to this text alone, so it leaves out no other."""
     return f"{name.upper()}_{zlib.crc32(code.encode('ascii')):08X}_H"
 
 
 @dataclass(frozen=True)
 class Language:
     """How a language writes the same. This is what those that come from C have in common."""
-    opening: str = ""     # what stands first
+    opening: str = ""     # stands first
     float_suffix: str = ""
     qualifier: str = ""   # before each type
     scope: str = ""       # first in each function that makes floats of integers
     function: str = ""    # before each function
     out: str = "out {}"
     inout: str = "inout {}"
-    passed: str = "{}"    # what is passed for these
+    passed: str = "{}"    # the arguments for these
     splats: bool = True   # whether operators take a vector and a number
     fills: bool = True    # whether constructors of vectors take one number
     structs: bool = True  # whether structs are defined
     joins: bool = True    # whether one statement declares several variables
     is_included: bool = False  # whether files include the text, and a shader may include two of them
-    names_choices: bool = False  # whether what is chosen from is computed before
+    names_choices: bool = False  # whether both choices are computed before
     no_precise: str = ""  # why it has no `precise`, and what to take
     names: Mapping[str, str] = field(default_factory=dict)  # of types and functions, where they are not GLSL's
     library: Mapping[str, str] = field(default_factory=dict)  # macros with which the library is read
@@ -87,11 +87,9 @@ class Language:
         return self.named(name)
 
     def variable(self, name: str) -> str:
-        """A parameter or a variable of that name."""
         return name
 
     def field(self, name: str) -> str:
-        """Of a struct."""
         return name
 
     def typed(self, type_: str) -> str:
@@ -243,7 +241,7 @@ class Expressions:
         return f"{parts[0]} {node.name} {parts[1]}", strength
 
     def _operands(self, node: Operation) -> list[Node]:
-        """Of an operator, as the language takes them."""
+        """The operands of an operator, as the language takes them."""
         left, right = node.arguments
         return [self._scalar(one) if SIZES[other.type] > 1 else one for one, other in ((left, right), (right, left))]
 
@@ -258,7 +256,7 @@ class Expressions:
 
 
 class Writer(Expressions):
-    """Of the body of one function. `hints` has what values are called in the library, `names` what is called."""
+    """Writes the body of one function. `hints` has the library's names of values, `names` the names of calls."""
     indent = 2
 
     def __init__(self, language: Language, block: list[Statement], hints: Mapping[Node, str], parameters: Iterable[str],
@@ -300,7 +298,7 @@ class Writer(Expressions):
     # Names, and their places.
 
     def _save(self) -> None:
-        """Copies what is a variable that was set before: _name_late gives it a name."""
+        """Copies a variable that was set before: _name_late gives it a name."""
         for block in blocks(self.block):
             changed: set[object] = set()
             for statement in block:
@@ -313,14 +311,14 @@ class Writer(Expressions):
                     changed.add(_key(statement.variable))
 
     def _choose(self) -> None:
-        """Names what is used more than once, where all its uses see it."""
+        """Names a value used more than once, where all its uses see it."""
         uses: Counter[Operation] = Counter()
         at: dict[Operation, list[Place]] = {}
         self._visit(self.block, (), at)
         for node, places in at.items():
             uses[node] = len(places)
         known = {node for node in values_of(self.block) if isinstance(node, Operation)}
-        for node in sorted(known, key=lambda one: -one.number):  # what it is an argument of has a higher number
+        for node in sorted(known, key=lambda one: -one.number):  # its user has a higher number
             place = _common(at[node])
             self._places[node] = place
             repeats = uses[node]
@@ -336,7 +334,7 @@ class Writer(Expressions):
         number = self._numbers[id(block)]
         first = 0
         for i, statement in enumerate(block):
-            # Variables that are set one after another are set at once, as it were, and what is returned is known then.
+            # Variables that are set one after another are set at once, as it were, and the result is known then.
             if not isinstance(statement, (Set, Return)):
                 first = i + 1
             place = (*around, (number, min(first, i)))
@@ -350,7 +348,7 @@ class Writer(Expressions):
                 self._visit(other, place, at)
 
     def _name_late(self) -> None:
-        """Names what would be read too late otherwise: behind a variable that it reads was set."""
+        """Names a value that would be read too late otherwise: behind a variable that it reads was set."""
         for block in blocks(self.block):
             changed: set[object] = set()
             for statement in block:
@@ -364,7 +362,7 @@ class Writer(Expressions):
                     changed.add(_key(statement.variable))
 
     def _name_precise(self) -> None:
-        """Names floats that go elsewhere than into a float: `precise` is of a variable, and of what makes it in the
+        """Names floats that go elsewhere than into a float: `precise` is of a variable, and of its maker in the
         same function."""
         known = values_of(self.block)
         gone = [value for statement in walk(self.block) for value in operands(statement)]
@@ -390,7 +388,7 @@ class Writer(Expressions):
         return found
 
     def _split(self) -> None:
-        """Names parts of what is too long for a line."""
+        """Names parts of a text too long for a line."""
         whole = [node for statement in walk(self.block) for node in operands(statement) if isinstance(node, Operation)]
         for node in (*whole, *sorted(self.named, key=lambda one: one.number)):
             while (length := self._length(node)) > WIDTH:
@@ -463,7 +461,7 @@ class Writer(Expressions):
         return f"{self._type(type_)} {self.language.variable(name)} = {text};"
 
     def _declared(self, variable: Variable, name: str, value: str | None) -> str:
-        """Of what branches and loops change."""
+        """The declarations of what branches and loops change."""
         shown = "" if value is None else f" = {value}"
         return f"{self._type(variable.type)} {self.language.variable(name)}{shown};"
 

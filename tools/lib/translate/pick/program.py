@@ -1,4 +1,4 @@
-"""Functions with what they need, and nothing else: which of those that they call stay functions, and their text."""
+"""Functions with their helpers, and nothing else: which of those that they call stay functions, and their text."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def name_of(row: Row, known: dict[tuple[str, tuple[str, ...]], str]) -> str:
 
 
 def names() -> dict[tuple[str, tuple[str, ...]], str]:
-    """The names of the forms by what the library calls them and the types that they take."""
+    """The names of the forms by their names in the library and their types."""
     return {(one.name, tuple(one.types)): name for name, one in read(GLSL, {}).forms.items()}
 
 
@@ -96,7 +96,7 @@ def expanded(names: Sequence[str]) -> list[str]:
 
 
 def listed(module: Module, library: Path) -> str:
-    """All forms, by function: what makes noise, and behind it the steps of loops."""
+    """All forms, by function: first noise, and behind it the steps of loops."""
     groups: dict[str, list[str]] = {}
     for name, function in sorted(module.forms.items()):
         groups.setdefault(function.name, []).append(f"  {name:32} {function.type} {function.name}"
@@ -109,7 +109,6 @@ def listed(module: Module, library: Path) -> str:
 
 
 def chosen(module: Module, names: Sequence[str]) -> list[Function]:
-    """The functions of these names."""
     found = {name: module.form(name) for name in names}
     for name, function in found.items():
         if function is None and JOINED.fullmatch(name):
@@ -166,9 +165,9 @@ def _with(module: Module, summed: Summed) -> Module:
     return with_other
 
 
-def not_summed(module: Module, function: Function, summed: Summed) -> str:
-    """Why --noise cannot stand for what this function calls, and which noise it takes: a form of the same one if it has
-    one, else another noise."""
+def not_summed(module: Module, function: Function, summed: Summed) -> tuple[str, bool]:
+    """Why --noise cannot stand for this function's calls, and which noise it takes: a form of the same one if it has
+    one, else another noise. And whether it is no sum at all."""
     types = _of_an_octave(function)
     for replaced in SUMMED:
         form = replaced.removeprefix("hn_perlin")
@@ -180,27 +179,30 @@ def not_summed(module: Module, function: Function, summed: Summed) -> str:
             root, = Program(_with(module, Summed(name, replaced, types)), [function]).roots
             if root.evaluation.sums_other_noise:
                 return (f"{wgsl_name(function)} sums {replaced}({', '.join(types)}), for which "
-                        f"--noise {name}{types[0][-1]} stands")
+                        f"--noise {name}{types[0][-1]} stands"), False
     why = (f"{function.name}({', '.join(function.types)}) is no sum that calls "
            f"{summed.replaced}({', '.join(summed.types)}), for which --noise could stand")
     if not function.name.startswith("hn_warp"):
-        return why
+        return why, True
     axes, noise = types[0][-1], summed.name.removesuffix("_d")
     add = f"hn_add_progressive{axes}" if function.name == "hn_warp_progressive" else f"hn_add{axes}_shifts"
     return (f"{why}. A warp by another noise is a loop (docs/reference/fractals.md#warps) over these functions: "
             f"tools/pick hn_octaves_of{axes} hn_shifts_of{axes} {add} hn_next{axes} hn_mean{axes}_shifts "
-            f"{noise}{axes}_place")
+            f"{noise}{axes}_place"), False
 
 
 def check_sums(program: Program, summed: Summed) -> None:
-    for root in program.roots:
-        if not root.evaluation.sums_other_noise:
-            raise Unknown(not_summed(program.module, root.function, summed))
+    """Functions that sum nothing stand beside sums: one text has the land and what masks it."""
+    others = [root for root in program.roots if not root.evaluation.sums_other_noise]
+    for root in others:
+        why, is_no_sum = not_summed(program.module, root.function, summed)
+        if not is_no_sum or len(others) == len(program.roots):
+            raise Unknown(why)
 
 
 @dataclass
 class Evaluated:
-    """A function with what it calls in it."""
+    """A function with its calls in it."""
     function: Function
     evaluation: Evaluation
     block: list[Statement]
@@ -244,8 +246,8 @@ class Program:
         self.called = self._called()
 
     def _start_with_calls(self) -> None:
-        """First every function stays one, and then those alone that are worth a call. A call that does not fit what is known
-        of the others has the function in its place, so each step is right."""
+        """First every function stays one, and then those alone that are worth a call. A call that does not fit the
+        known values of the others has the function in its place, so each step is right."""
         roots = {(root.name, root.types) for root in self._asked_for}
         self.kept = {key: Kept(*key, (None,) * len(key[1])) for key in self.module.functions if key not in roots}
         self._evaluate_all()
@@ -291,7 +293,7 @@ class Program:
         evaluation = Evaluation(self.module, keeps)
         parameters: list[Parameter] = []
         values: list[Typed] = []
-        nodes: list[Node] = []  # of what is passed
+        nodes: list[Node] = []  # of the arguments
         known = iter(kept.known)
         for parameter in function.parameters:
             leaves = {path: Variable(type_, dotted((parameter.at.text, *path)), is_parameter=True)
@@ -330,7 +332,6 @@ class Program:
         return path[0][1:] if path else AXES[0]
 
     def _all_passed(self, function: Function) -> Kept:
-        """The function with all of its arguments."""
         count = sum(len(self.module.passed(parameter)) for parameter in function.parameters)
         return Kept(function.name, function.types, (None,) * count)
 
@@ -427,8 +428,8 @@ class Program:
         return "".join([language.opening, constants, *functions])
 
     def pieces(self, language: Language, precise: bool = False) -> Iterator[tuple[str, str]]:
-        """Structs and functions, each behind what it needs. A name is the same in all languages of one program, and that of
-        a function that is wanted is the one of its form."""
+        """Structs and functions, each behind its helpers. A name is the same in all languages of one program, and that
+        of a function that is wanted is the one of its form."""
         names = self._names(language)
         for name in self.structs() if language.structs else []:
             yield name, language.struct(name, [(field, type_) for field, type_, _ in self.module.structs[name].fields])
@@ -443,7 +444,8 @@ class Program:
         return function.types[-1:] == ("uint",) and self.module.overload(function.name, function.types[:-1]) is not None
 
     def _names(self, language: Language) -> dict[Kept, str]:
-        """Of the functions that are called. Overloads may differ in what is left out alone: the later has a number."""
+        """The names of the functions that are called. Overloads may differ in what is left out alone: the later has a
+        number."""
         def head(name: str, types: tuple[str, ...]) -> object:
             return (name, types) if language.has_overloads else name
 

@@ -1,5 +1,5 @@
-"""Programs that call picked functions in other languages: they read the words of what is passed, and write the words of
-what comes back."""
+"""Programs that call picked functions in other languages: they read the words of arguments, and write the words of
+results."""
 
 from __future__ import annotations
 
@@ -55,14 +55,14 @@ class Case(NamedTuple):
 
 
 class Runner:
-    """Of a language. Words are read by `read` and written by `write`, where {} stands for the value."""
+    """Runs programs of a language. Words are read by `read` and written by `write`, where {} stands for the value."""
     syntax: type[Syntax]
     programs: Sequence[str]  # that are needed
     packages: str            # of Debian, which have them
     linters: Sequence[str] = ()  # programs that lint() needs beside them
     read: Mapping[str, str]
     write: Mapping[str, str]
-    faults: Mapping[tuple[str, str], str]  # operators of types, and what would be wrong with {} as operands
+    faults: Mapping[tuple[str, str], str]  # operators of types, and faults with {} as operands
     arithmetics: Sequence[str] = ("fast", "fixed", "precise")  # that the language has
     exact = ""               # a program that compares the helpers of the syntax with the language's own
     loop: str                # the head of a loop of {points}
@@ -102,7 +102,6 @@ class Runner:
         return self.syntax().declare(type_, name, value, changes)
 
     def result(self, results: Sequence[Part], number: int) -> str:
-        """One of what was returned."""
         raise NotImplementedError
 
     def passed(self, name: str, is_set: bool) -> str:
@@ -120,7 +119,7 @@ class Runner:
         results = results_of(function, module)
 
         def made(type_: str, name: str) -> Piece:
-            """A value of words: each is read into a variable first, since languages differ in what comes first."""
+            """A value of words: each is read into a variable first, since languages differ in the order."""
             if type_ not in module.structs:
                 lines.append(self.declare(type_, name, self.read[type_], False))
                 return Piece(name)
@@ -177,7 +176,7 @@ class RustRunner(Runner):
 """
 
     # Roots of all that two exponents have, or of one in 16 by default; those of
-    # others are the same times a power of 2. Of all floats one in 1021.
+    # others are the same times a power of 2. One float in 1021 of all.
     exact = """fn main() {
     for x in (0x3F80_0000..0x4080_0000).step_by(STEP).map(f32::from_bits) {
         assert_eq!(sqrt(x).to_bits(), x.sqrt().to_bits(), "the root of {x}");
@@ -231,7 +230,7 @@ class RustRunner(Runner):
 
 
 class LikeC(Runner):
-    """Of a language whose loops and declarations are those of C#."""
+    """A language with C#'s loops and declarations."""
     loop = "for (int point = 0; point < {points}; point++) {{"
 
     def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
@@ -300,7 +299,7 @@ int main(void) {{
             ran(folder, compiler, *self.WARNINGS, "-Wno-unused-function", "-fsyntax-only", *units)
 
     def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
-        """Of a number, a vector or a struct, and of pointers to others."""
+        """How a number, a vector or a struct is called, and pointers to others."""
         syntax = self.syntax()
         lines = [f"{syntax.type(part.type)} {part.name};" for part in results]
         pointers = [f"&{part.name}" for part in results if part.name != "value"]

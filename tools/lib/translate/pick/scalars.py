@@ -1,4 +1,4 @@
-"""Statements as text of languages that know numbers alone: what they have in common, and how each is described.
+"""Statements as text of languages that know numbers alone: their common parts, and the description of each.
 
 A vector is its components (pick.evaluate), and one that a function returns is an array, a tuple or a struct, as the
 language has it. Integers are computed as the library in C++ computes them: words wrap, and integers with a sign do not
@@ -80,13 +80,13 @@ class Facts(NamedTuple):
     what: str
     returns: str
     error: str
-    parameters: Mapping[str, str] = {}  # by their names in the language, those of a position together
+    parameters: Mapping[str, str] = {}  # by their names in the language, a position's together
     call: str = ""
-    sets: Sequence[str] = ()  # what it returns beside its result: the names of what it sets in GLSL
+    sets: Sequence[str] = ()  # its results beside the first: the outputs' names in GLSL
 
     @property
     def all_returns(self) -> str:
-        """With what is returned behind it."""
+        """With the other results behind it."""
         described = (f"{one}, {self.parameters.get(one, '').removeprefix('set to ')}".rstrip(", ") for one in self.sets)
         return "; then ".join(filter(None, [self.returns, *described]))
 
@@ -113,7 +113,7 @@ def spaced(parts: Sequence[str]) -> str:
 
 def block_comment(facts: Facts, tag: str, begin: str = "", types: Mapping[str, str] = {}) -> list[str]:
     """A comment for javadoc and JSDoc. Text behind a tag belongs to it. `begin` stands before a further paragraph, and
-    `types` has what stands before the names of parameters, and by "" before the result."""
+    `types` has the text before the names of parameters, and by "" before the result."""
     paragraphs = [facts.what, facts.call and f"{begin}Example: {facts.call}",
                   facts.error and f"{begin}Error: {facts.error}.",
                   *(f"@param {types.get(one, '')}{one} {text}." for names, text in facts.parameters.items()
@@ -132,7 +132,7 @@ def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: comments.Fa
     size = next(filter(None, (re.search(r"\d", type_) for type_ in function.types)), ["1"])[0]
 
     def of_language(text: str) -> str:
-        """With the names that functions and words have in the language: those of forms of as many dimensions."""
+        """With the names that functions and words have in the language: of forms with as many dimensions."""
         def called(found: re.Match[str]) -> str:
             known = (f"{found[0]}{size}", f"{found[0]}_of{size}", found[0])
             form = next((one for one in known if one in module.forms), "")
@@ -198,7 +198,7 @@ def bare(name: str) -> str:
 
 
 class Syntax:
-    """How a language writes the same. This is what the languages that come from C have in common."""
+    """How a language writes the same. These are the common parts of C's descendants."""
     indent = 4
     end = ";"
     head = "({})"                    # of a condition
@@ -209,7 +209,7 @@ class Syntax:
     helpers: Mapping[str, str] = {}  # functions that the language lacks, with their comments
     needs: Mapping[str, Sequence[str]] = {}  # of helpers: other helpers
     helpers_first = False            # whether functions stand before those that call them
-    sets_parameters = False          # whether what is returned beside the result is set by parameters of that name
+    sets_parameters = False          # whether other results are set by parameters of that name
     shifts_by_int = False            # whether the right operand of a shift has to be an int
     counts_a_range = False           # whether loops that count go through a range
     branches_are_values = False      # whether an if has a value
@@ -218,13 +218,13 @@ class Syntax:
     components = ""
     word = "uint"          # a word of 32 bits in comments
     item = "- "            # before an item of a list in a comment
-    name = ""              # of what the functions are in, if users may name it
+    name = ""              # the frame of the functions, if users may name it
     is_fixed = False       # whether the arithmetic is HN_FIXED, for who writes about it
-    example_of = ""        # what a call begins with, with that name
-    example_struct = "{}"  # what is passed for a struct that changes
-    example_set = ""       # what is passed for what a function sets
+    example_of = ""        # begins a call, with that name
+    example_struct = "{}"  # the argument for a struct that changes
+    example_set = ""       # the argument for an output
     passed = ""            # the declaration of a constant that users pass, with a place for its name and its number
-    joins: re.Pattern[str] | None = None  # what a declaration looks like, if several may share a line
+    joins: re.Pattern[str] | None = None  # a declaration, if several may share a line
 
     def __init__(self, precise: bool = False):
         self.precise = precise
@@ -239,14 +239,13 @@ class Syntax:
         return camel(bare(name))
 
     def type_name(self, name: str) -> str:
-        """Of a struct."""
         return pascal(bare(name))
 
     def field_name(self, name: str) -> str:
         return camel(name)
 
     def constant_name(self, name: str) -> str:
-        """Of one that users pass, such as HN_METRIC_EUCLIDEAN."""
+        """The name of a constant that users pass, such as HN_METRIC_EUCLIDEAN."""
         return name.removeprefix("HN_")
 
     def variable(self, name: str) -> str:
@@ -269,7 +268,7 @@ class Syntax:
         return AXES
 
     def helper(self, name: str) -> str:
-        """The name of what the language lacks, which is then written behind the functions."""
+        """The name of a function that the language lacks, which is then written behind the functions."""
         pending = [name]
         while pending:
             one = pending.pop()
@@ -305,7 +304,7 @@ class Syntax:
         return Piece(f"{parts[0]} {sign} {parts[1]}", strength, sign)
 
     def binary(self, sign: str, type_: str, left: Piece, right: Piece) -> Piece:
-        """`type_` is that of the operands, or of the left one in shifts."""
+        """`type_` is the operands', or the left one's in shifts."""
         made = self.infix(sign, left, right)
         return self.rounded(made) if type_ == "float" and sign in "+-*/" else made
 
@@ -323,7 +322,7 @@ class Syntax:
         return Piece(f"{of.within(UNARY)}.{axis}")
 
     def component_of(self, of: Piece, axis: str, type_: str) -> Piece:
-        """The same of an expression of that type."""
+        """The component of an expression of that type."""
         return self.member(of, axis)
 
     def convert(self, to: str, of: str, piece: Piece) -> Piece:
@@ -342,7 +341,7 @@ class Syntax:
         raise NotImplementedError
 
     def make_results(self, results: Sequence[Part], parts: Sequence[Piece]) -> Piece:
-        """Of a function that returns several."""
+        """The results of a function that returns several."""
         raise NotImplementedError
 
     # Statements.
@@ -361,7 +360,7 @@ class Syntax:
         return f"{name} {sign}= {by}"
 
     def returned(self, results: Sequence[Part], pieces: Sequence[Piece]) -> list[str]:
-        """The end of a function: what it returns, and what it returns beside that."""
+        """The end of a function: its result, and its other results."""
         whole = pieces[0] if len(pieces) == 1 else self.make_results(results, pieces)
         return [f"return {whole.text}{self.end}"]
 
@@ -381,7 +380,6 @@ class Syntax:
     # Functions.
 
     def function(self, name: str, parameters: Sequence[Taken], results: Sequence[Part], is_public: bool) -> str:
-        """The head."""
         raise NotImplementedError
 
     def beginning(self, parameters: Sequence[Taken], is_public: bool) -> list[str]:
@@ -389,7 +387,7 @@ class Syntax:
         return []
 
     def body(self, lines: Sequence[str]) -> Sequence[str]:
-        """Of a function, as it stands in the text."""
+        """The body of a function, as it stands in the text."""
         return lines
 
     def struct(self, name: str, fields: Sequence[Part]) -> str:
@@ -406,7 +404,7 @@ class Syntax:
         return [f"/// {line}".rstrip() for line in self.paragraphs(facts)]
 
     def paragraphs(self, facts: Facts) -> list[str]:
-        """Of a comment in sentences."""
+        """The paragraphs of a comment in sentences."""
         listed = [line for names, text in facts.parameters.items() if names not in facts.sets
                   for line in paragraph_lines(f"{names}: {text}.", begin=self.item, indent=" " * len(self.item))]
         paragraphs = [paragraph_lines(facts.what), listed,
@@ -441,12 +439,12 @@ class Syntax:
         return 0
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
-        """All of the text. The names are those of the public functions."""
+        """All of the text. The names are the public functions'."""
         return "\n".join([*(f"//{line}" for line in heading), "", spaced(parts)])
 
 
 class Scalars(Writer):
-    """Of the body of one function."""
+    """Writes the body of one function."""
 
     def __init__(self, syntax: Syntax, structs: Mapping[str, Sequence[Part]], block: list[Statement],
                  hints: Mapping[Node, str], axes: Mapping[Node, str], parameters: Iterable[str],
@@ -490,7 +488,7 @@ class Scalars(Writer):
                         self._dropped.add(id(after))
 
     def _find_counts(self) -> None:
-        """Of a language whose loops go through a range those that do: by one, to a limit that the loop does not change.
+        """The loops through a range, if the language has them: by one, to a limit that the loop does not change.
         The others ask a condition."""
         super()._find_counts()
         if self.syntax.branches_are_values:
@@ -693,7 +691,7 @@ def pieces(program: Program, syntax: Syntax) -> Iterator[tuple[str, str]]:
 
 
 def fields_of(module: Module, name: str) -> list[Part]:
-    """Of a struct: a vector is its components."""
+    """The fields of a struct: a vector has its components."""
     return [Part(dotted((field, *path)), part) for field, type_, _ in module.structs[name].fields
             for path, part in ([((), type_)] if type_ in module.structs else module.parts(type_))]
 
@@ -713,14 +711,14 @@ def _results() -> dict[str, tuple[str, ...]]:
 
 
 def components(function: Function) -> Sequence[str]:
-    """The names of the components of its result: those of a vector are its axes."""
+    """The names of the components of its result: a vector's are its axes."""
     is_mean_with_slopes = function.name == "hn_mean" and function.types[1:] and "slopes" in function.types[1]
     given = _results().get("hn_fbm_d" if is_mean_with_slopes else function.name, AXES)
     return expanded(given, SIZES[function.type] - 1) if len(given) > 1 and function.type in SIZES else AXES
 
 
 def _names(program: Program, syntax: Syntax, public: Sequence[str]) -> dict[Kept, str]:
-    """Of the functions that are called. There are no overloads: the later has a number."""
+    """The names of the functions that are called. There are no overloads: the later has a number."""
     parameters = (one.at.text for evaluated in (*program.roots, *program.called.values())
                   for one in evaluated.parameters)
     taken = {*public, *syntax.helpers, *syntax.reserved, *map(syntax.variable, parameters)}

@@ -1,4 +1,4 @@
-"""Languages without vectors: what the library has little of, as text. pick.languages_test compiles them."""
+"""Languages without vectors: rare parts of the library, as text. pick.languages_test compiles them."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def library() -> Module:
 
 
 def written(shown: str, syntax: type[Syntax] = Rust) -> str:
-    """The last function of a text in GLSL, without the heading and what the language lacks."""
+    """The last function of a text in GLSL, without the heading and the functions that the language lacks."""
     tree = Parser(list(tokens_of(shown, "the text", 1))).parse()
     return text(Program(Module(tree, {}, splits=True), tree[-1:]), syntax()).partition("\n/// x.")[0].strip("\n")
 

@@ -28,7 +28,7 @@ class Godot(Language):
 
 # In a fragment shader of GLSL ES numbers have 16 bits unless a declaration sets more, whatever the user's own
 # precision is. Elsewhere `highp` means nothing. A constructor should have the precision of its argument; NVIDIA's
-# driver gives it that of the scope, where float(100000) is infinite. And in a loop SwiftShader, on which browsers draw
+# driver gives it the scope's, where float(100000) is infinite. And in a loop SwiftShader, on which browsers draw
 # without a GPU, compiles twice as long for each branch, so that there may be no thirty.
 GLSL = Language(qualifier="highp ", scope="precision highp float;", names_choices=True)
 DESKTOP = replace(GLSL, qualifier="", scope="")  # naga refuses `highp` before a parameter

@@ -40,7 +40,7 @@ def device() -> Device:
 
 
 class Case(NamedTuple):
-    """A text of a function of a split module, what is passed to it, and how many bytes come back."""
+    """A text of a function of a split module, its arguments, and how many bytes come back."""
     module: Module
     function: Function
     text: str
@@ -49,9 +49,9 @@ class Case(NamedTuple):
 
 
 class Runner:
-    """Of a language."""
+    """Runs shaders of a language."""
     form: Form
-    arithmetics: Sequence[str] = ("fixed",)  # whose words are those of the library
+    arithmetics: Sequence[str] = ("fixed",)  # whose words are the library's
     # The text behind a pick, by the words that a call takes and gives at each of the points.
     entry: str
 

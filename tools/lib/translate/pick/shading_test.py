@@ -73,7 +73,7 @@ class Header(unittest.TestCase):
 
 
 class Bounds(unittest.TestCase):
-    """Golden values of HN_FAST, within what the suite allows."""
+    """Golden values of HN_FAST, within the suite's bounds."""
     runner: WgslRunner
     program: str
     page: Page

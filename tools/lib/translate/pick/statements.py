@@ -1,4 +1,4 @@
-"""Keeps what is left of a function that is partly evaluated: statements over values (values.py)."""
+"""Keeps the rest of a function that is partly evaluated: statements over values (values.py)."""
 
 from __future__ import annotations
 

@@ -63,7 +63,7 @@ class Translator(NamedTuple):
 
 
 def each(commands: Callable[[Path], Sequence[Sequence[str | Path]]]) -> Take:
-    """By commands that succeed, one after the other, in silence but for what they write to standard output."""
+    """By commands that succeed, one after the other, in silence but for standard output."""
     def refused(file: Path) -> str:
         for words in commands(file):
             done = subprocess.run([str(word) for word in words], cwd=file.parent, capture_output=True, text=True,
@@ -127,7 +127,7 @@ def through_spirv(find: Callable[[str], Path]) -> Take:
 
 
 def naga(version: str, *options: str) -> Take:
-    """Of crates.io, in MSL, HLSL and SPIR-V."""
+    """naga of crates.io, to MSL, HLSL and SPIR-V."""
     folder = ROOT / "build" / f"naga-{version}"
     if not (folder / "bin" / "naga").exists():
         done = subprocess.run([own("cargo"), "install", "naga-cli", "--version", version, "--locked", "--root", folder],

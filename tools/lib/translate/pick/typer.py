@@ -16,7 +16,7 @@ from translate.parsing.tokens import Token
 from translate.pick.values import AXES, SHIFTS, SIZES, Constant, Node, result_type, scalar_of, vector_of
 
 NUMBERS = ("float", "int", "uint")
-# Functions of the language, by how many arguments, all of one type, which is that of the result, too.
+# Functions of the language, by how many arguments, all of one type, which the result has, too.
 BUILTINS = {"abs": (1, ("float", "int")), "floor": (1, ("float",)), "trunc": (1, ("float",)), "sqrt": (1, ("float",)),
             "min": (2, NUMBERS), "max": (2, NUMBERS)}
 # Functions that reinterpret bits: from what, and to what.
@@ -41,8 +41,8 @@ def plain(node: Node) -> Typed:
 
 
 class Typer:
-    """`make` makes values of others: values.py, which computes what is known, or what leaves all as it is written.
-    `scope` is where an expression stands, for those who know variables."""
+    """`make` makes values of others: values.py, which computes known values, or a maker that leaves all as it is
+    written. `scope` is where an expression stands, for those who know variables."""
 
     make: ModuleType | SimpleNamespace
     chosen: Collection[str] = SIZES  # types that ?: may have
@@ -95,7 +95,6 @@ class Typer:
         return value
 
     def _assigned(self, statement: syntax.Assign, target: Typed, *scope: object) -> Typed:
-        """The value that is assigned."""
         at, sign = statement.at, statement.at.text
         if statement.value is None:
             if target.type != "int":
@@ -161,11 +160,10 @@ class Typer:
         return self._called(call, arguments, *scope)
 
     def _each(self, of: Callable[..., Node], *values: Typed) -> Typed:
-        """A function of values."""
         return plain(of(*(value.node for value in values)))
 
     def _construct(self, at: Token, arguments: Sequence[Typed]) -> Typed:
-        """A conversion, a vector of components alike, or of those of the arguments."""
+        """A conversion, a vector of components alike, or of the arguments' components."""
         size, sizes = SIZES[at.text], [SIZES.get(argument.type, 0) for argument in arguments]
         if 0 in sizes or (sum(sizes) != size and sizes != [1]):
             raise at.error(f"the translator does not know {at}({', '.join(one.type for one in arguments)})")

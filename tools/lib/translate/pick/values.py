@@ -22,7 +22,6 @@ WORD = 0xFFFFFFFF
 
 
 def scalar_of(type_: str) -> str:
-    """The type of a component."""
     if "vec" not in type_:  # a scalar, or a struct
         return type_
     return {"i": "int", "u": "uint"}.get(type_[0], "float")
@@ -42,7 +41,7 @@ class Constant:
 
 @dataclass(eq=False)
 class Variable:
-    """A parameter, or what a branch or a loop changes."""
+    """A parameter, or a variable that a branch or a loop changes."""
     type: str
     name: str               # as it is written, or like which it is to be called
     is_parameter: bool = False
@@ -100,7 +99,7 @@ NEUTRAL = {"+": 0, "-": 0, "|": 0, "^": 0, "<<": 0, ">>": 0, "*": 1, "/": 1}  # 
 
 @functools.lru_cache(maxsize=None)
 def result_type(sign: str, left: str, right: str) -> str | None:
-    """Of an operator between these types; None if there is none that the library needs."""
+    """The type of an operator's result between these types; None if the library needs none."""
     if left not in SIZES or right not in SIZES:
         return None
     one, other = scalar_of(left), scalar_of(right)
@@ -122,7 +121,7 @@ FLOATS: dict[str, Callable[[Fraction, Fraction], Fraction]] = {
 
 
 def hides(sign: str, left: Node) -> bool:
-    """Whether an operation that does nothing stays. An exclusive or hides from FXC what the number is, and an or keeps
+    """Whether an operation that does nothing stays. An exclusive or hides the number from FXC, and an or keeps
     the conversions of an integer apart for vkd3d (detail/word.glsl)."""
     return sign == "|" or sign == "^" and isinstance(left, Operation) and left.name == "floatBitsToUint"
 
@@ -146,7 +145,7 @@ def _folded(sign: str, left: Constant, right: Constant) -> Constant | None:
     if sign not in FLOATS or sign == "/" and not other or exact(one) is None or exact(other) is None:
         return None
     value = FLOATS[sign](one, other)
-    if not value:  # 0 has a sign: here that of +0, unless a 0 or a minus makes another
+    if not value:  # 0 has a sign: here +0's, unless a 0 or a minus makes another
         return NOTHING if one and sign in "+-" or sign in "*/" and "-" not in left.value + right.value else None
     return exact(value)
 
@@ -184,7 +183,7 @@ def binary(sign: str, left: Node, right: Node) -> Node:
         if right.value:
             quotient = _divided(left.value, right.value)
             return _wrapped(left.type, quotient if sign == "/" else left.value - quotient * right.value)
-    if sign == "-" and left is right and left.type in ("float", "int", "uint"):  # what is computed is finite
+    if sign == "-" and left is right and left.type in ("float", "int", "uint"):  # the computed number is finite
         return NOTHING if left.type == "float" else Constant(left.type, 0)
     if left.type == right.type == "uint" and sign == "-" and less_the_same(left, right):
         left, right = left.arguments[0], right.arguments[0]

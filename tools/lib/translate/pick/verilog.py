@@ -28,8 +28,8 @@ if TYPE_CHECKING:
     from translate.pick.command import Choice
 
 CLOCK = "100"  # MHz
-FRACTION, REST = 20, 4  # bits of a fraction, and of what an octave sum has beyond them
-# In ns, with the wires: what a register takes of a clock, a table of four inputs, a multiplier, a carry, and a bit of it.
+FRACTION, REST = 20, 4  # bits of a fraction, and of an octave sum's rest
+# In ns, with the wires: a register's part of a clock, a table of four inputs, a multiplier, a carry, and a bit of it.
 REGISTER, TABLE, MULTIPLIER, CARRY, CARRIED = 1.2, 1.0, 5.5, 1.6, 0.035
 SIGNS = {"plus": "+", "minus": "-", "times": "*", "and": "&", "or": "|", "xor": "^", "less": "<", "equal": "=="}
 RESERVED = frozenset("""always and assign automatic begin buf bufif0 bufif1 case casex casez cell cmos config deassign
@@ -68,7 +68,7 @@ class Used:
 
     def __init__(self, results: Sequence[tuple[Gate, int]]):
         self.results = results
-        self.same: dict[Gate, Gate] = {}  # sums whose used bits are those of one summand
+        self.same: dict[Gate, Gate] = {}  # sums with the used bits of one summand
         while self._find_bits():
             pass
 
@@ -187,7 +187,7 @@ class Pipeline(Used):
         return self.latency
 
     def set_stages(self, most: int) -> None:
-        """The same for the fastest clock with so few stages."""
+        """Sets the stages of the fastest clock with so few."""
         low, high = 0.0, 2000.0
         for _ in range(16):
             middle = (low + high) / 2
@@ -235,7 +235,7 @@ class Pipeline(Used):
 
 def with_multipliers(circuit: Circuit, results: Sequence[tuple[Gate, int]],
                      most: float) -> list[tuple[Gate, int]]:
-    """The same with products that multipliers compute, those that would take the most tables otherwise: at most so many
+    """With products that multipliers compute, those that would take the most tables otherwise: at most so many
     multipliers."""
     used = Used(results)
     costs: dict[Gate, tuple[float, int]] = {}  # tables for a multiplier, and multipliers
@@ -479,7 +479,7 @@ class Made:
 
 
 def constants(text: str) -> dict[str, str]:
-    """Of NAME=VALUE,NAME=VALUE."""
+    """The constants of NAME=VALUE,NAME=VALUE."""
     found: dict[str, str] = {}
     for one in filter(None, text.split(",")):
         name, sign, value = one.partition("=")

@@ -1,6 +1,6 @@
 """Runs modules beside the library in C++ or rows of vectors: Verilator simulates them, and as a second front end Icarus.
 
-A bench draws what is passed to a module, the ends of the ranges among it, and counts the values that differ.
+A bench draws the arguments of a module, the ends of the ranges among it, and counts the values that differ.
 """
 
 from __future__ import annotations

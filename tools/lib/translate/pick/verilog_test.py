@@ -90,7 +90,7 @@ class Simulated(unittest.TestCase):
     folder: Path
 
     def differing(self, of: Made, shown: str, name: str) -> tuple[int, int]:
-        """Of how many rows."""
+        """In how many rows they differ."""
         found = verilog_bench.vectors(of, self.folder / f"{name}.json")
         with tempfile.TemporaryDirectory() as folder:
             values = verilog_bench.icarus(of, shown, verilog_bench.of_read(of, found.points), Path(folder))

@@ -78,7 +78,7 @@ def stripped(lines: Iterable[str]) -> Iterator[str]:
             yield code
 
 
-# Blanks that a tokenizer does not need: those beside what is neither a word nor a sign that would join another.
+# Blanks that a tokenizer does not need: those beside a sign that is neither a word nor a sign that would join another.
 BLANK = re.compile(r"(?<=[\w.]) (?=[^\w.])|(?<=[^\w.]) (?=[\w.])|(?<=[][(){},;]) | (?=[][(){},;])")
 
 
@@ -86,7 +86,7 @@ MACRO = re.compile(r"(#define \w+(?:\([^)]*\))?)( |$)(.*)")
 
 
 def minified(lines: Iterable[str]) -> Iterator[str]:
-    """The same lines without blanks that mean nothing, so an error names the line that it named in the stripped file.
+    """The lines without blanks that mean nothing, so an error names the line that it named in the stripped file.
     The one behind a macro's name stays: it separates a macro without arguments from one with."""
     for line in stripped(lines):
         if macro := MACRO.fullmatch(line):
@@ -101,7 +101,7 @@ NUMBER = re.compile(r"#define (HN_\w+) (\d+)")
 
 def with_numbers(lines: Sequence[str]) -> list[str]:
     """The lines with a number where a macro of users is another one that stands for a number, as the default of a knob
-    is: PlayCanvas' preprocessor compares texts, and does not look up what a macro names."""
+    is: PlayCanvas' preprocessor compares texts, and does not look up a macro's value."""
     numbers = dict(match.groups() for line in lines if (match := NUMBER.match(line)))
     return [f"{match[1]}{numbers[match[2]]}  // {match[2]}"
             if (match := DEFAULT.fullmatch(line)) and match[2] in numbers else line for line in lines]

@@ -1,4 +1,4 @@
-"""The text as Godot takes it: what no knob decides is decided, and expanded.
+"""The text as Godot takes it: conditions and macros without a knob are expanded.
 
 Godot's preprocessor looks for every macro in every line, so that hundreds of them take seconds; and behind a second
 include it leaves macros with parameters in place. Its compiler for Vulkan
@@ -43,14 +43,13 @@ def _code(line: str) -> str:
 
 
 def _directive(line: str) -> tuple[str, str]:
-    """The name of a directive and what stands behind it; two empty texts for any other line."""
+    """The name of a directive and the text behind it; two empty texts for any other line."""
     match = DIRECTIVE.fullmatch(_code(line).strip())
     return (match[1], match[2]) if match else ("", "")
 
 
 @dataclass
 class _Branch:
-    """Of an open #if."""
     decided: bool
     holds: bool   # the present branch may be active
     before: bool  # and one above it is, if it is decided
@@ -70,7 +69,7 @@ class _Conditions:
         return self.active() and all(branch.decided or branch.guard for branch in self.branches)
 
     def take(self, name: str, rest: str) -> bool:
-        """Of a directive of conditions; whether it has to stay."""
+        """Takes a directive of conditions; returns whether it has to stay."""
         if name in ("if", "ifdef", "ifndef"):
             value = self.value(name, rest) if self.active() else False
             self.branches.append(_Branch(value is not None, value is not False, value is not False,

@@ -1,4 +1,4 @@
-"""tools/pick whole: what it makes compiles by itself, in every language, with nothing but a #version line."""
+"""tools/pick whole: its text compiles by itself, in every language, with nothing but a #version line."""
 
 import functools
 import itertools
@@ -235,7 +235,7 @@ class SingleFile(unittest.TestCase):
         self.assertIn("fbm2d.glsl the octave sums on the plane", " ".join(generate("--help").stdout.split()))
 
     def test_no_macro_that_a_condition_asks_for_names_another(self):
-        """As PlayCanvas' preprocessor needs it, which compares what stands behind a #define as a text."""
+        """As PlayCanvas' preprocessor needs it, which compares the text behind a #define."""
         def naming(lines):
             tested = set(re.findall(r"\bHN_\w+", "".join(line for line in lines if line.startswith("#if "))))
             defined = {match[1]: match[2] for line in lines if (match := re.match(r"#define (HN_\w+) (\w+)", line))}

@@ -27,7 +27,7 @@ PAGE = (ROOT / "docs" / "guide" / "languages.md").read_text(encoding="utf-8").pa
 
 
 class Imported(SlangRunner):
-    """Calls what a module has, in place of a text of its own."""
+    """Calls a module's functions, in place of a text of its own."""
     target = "wgsl"
     folder: Path
 

@@ -109,7 +109,7 @@ class Bevy(unittest.TestCase):
         whole = library("--import-path", "hashnoise", "--arithmetic", "HN_FIXED", "--strip")
         self.assertIn("0x85EBCA77u", whole)
         self.assertEqual(self.differing(whole.replace("0x85EBCA77u", "0x85EBCA79u")),
-                         set(SAMPLE) - {"noise1d.perlin"})  # it is that of the second axis
+                         set(SAMPLE) - {"noise1d.perlin"})  # it belongs to the second axis
 
     def test_what_is_not_there_is_refused(self):
         module = {"hashnoise": picked("hn_fbm2", "--language", "wgsl", "--import-path", "hashnoise")}

@@ -29,7 +29,7 @@ def header(name: str, settings: Settings, path: str) -> str:
 // hashnoise in WGSL. Made by tools/pick whole --language wgsl from {name} with {settings}.
 // Copyright (c) 2026 The hashnoise authors; MIT License.
 //
-// The functions are those of the GLSL, and so are their comments: vec2 there is vec2f here, ivec2 is vec2i, and uvec2
+// The functions and their comments are the GLSL's: vec2 there is vec2f here, ivec2 is vec2i, and uvec2
 // is vec2u. A function with several forms there has a name for each form here, and always takes the seed: hn_perlin(p,
 // seed) is hn_perlin2(p, seed), and hn_perlin(hn_tile(p, period), seed) is hn_perlin2_place(hn_tile2(p, period), seed).
 // A parameter that a function sets is a pointer: hn_cellular2_nearest(p, jitter, metric, seed, &nearest, &offset).

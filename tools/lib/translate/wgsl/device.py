@@ -44,7 +44,7 @@ def installed(package: str, *options: str) -> Path:
     if folder.exists():
         return folder
     folder.parent.mkdir(exist_ok=True)
-    with tempfile.TemporaryDirectory(dir=folder.parent) as place:  # what is in the folder itself is whole
+    with tempfile.TemporaryDirectory(dir=folder.parent) as place:  # the folder's own files are whole
         whole = Path(place) / "whole"
         command = [sys.executable, "-m", "pip", "install", "--quiet", "--no-input", *options, "--target", str(whole),
                    package]
@@ -67,7 +67,7 @@ class Device:
         self._wgpu = find_wgpu()
         try:
             self._device = self._wgpu.gpu.request_adapter_sync().request_device_sync()
-        except Exception as error:  # what it raises has no common type
+        except Exception as error:  # its errors have no common type
             raise Absent(f"wgpu finds no device here: {error}") from error
 
     def __str__(self) -> str:
@@ -75,11 +75,11 @@ class Device:
         return f"{info['device']} ({info['backend_type']})"
 
     def compile(self, text: str | bytes):
-        """A shader module, of WGSL or of SPIR-V; what is wrong in it is raised."""
+        """A shader module, of WGSL or of SPIR-V; an error in it is raised."""
         return self._device.create_shader_module(code=text)
 
     def compile_glsl(self, text: str) -> None:
-        """The same of a fragment shader in GLSL, which naga reads as well."""
+        """Compiles a fragment shader in GLSL, which naga reads as well."""
         self._device.create_shader_module(code=text, label="shader.frag")  # the label names the stage
 
     def evaluate(self, text: str, inputs: Sequence[Sequence[int]]) -> list[tuple[int, ...]]:

@@ -42,7 +42,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {{
 
 def module_over(knobs: str, bodies: Mapping[str, str], files: Iterable[str] = ("hashnoise.glsl",),
                 library: Path = GLSL) -> tuple[Module, dict[str, str]]:
-    """The library with a function for each body, and its name by that of the body. The knobs are lines of GLSL; what
+    """The library with a function for each body, and its name by the body's. The knobs are lines of GLSL; what
     the bodies need besides may stand there, too."""
     numbers = {name: f"evaluate_{number}" for number, name in enumerate(bodies)}
     functions = (f"uvec4 {numbers[name]}(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {{ {body} }}\n"

@@ -71,11 +71,10 @@ class Module:
         return Definition(struct.name, struct.comments.before, [*lines, "}"], needs)
 
     def definitions(self) -> list[Definition]:
-        """Of public functions, and of all that they need. A file without a public function is there as a whole."""
+        """Public functions, and all that they need. A file without a public function is there as a whole."""
         return self._definitions_of(self.public() or self.all_but_constants())
 
     def _definitions_of(self, names: Iterable[str]) -> list[Definition]:
-        """Of these, and of all that they need."""
         needed: set[str] = set()
         pending = list(names)
         while pending:
@@ -88,7 +87,7 @@ class Module:
         return [self.definition(name) for name in self.items if name in needed]
 
     def text(self, only: Iterable[str] = (), strip: bool = False) -> str:
-        """The module, or what these functions of it need."""
+        """The module, or its part that these functions need."""
         return "".join(self.pieces(only, strip))
 
     def pieces(self, only: Iterable[str] = (), strip: bool = False) -> list[str]:

@@ -2,7 +2,7 @@
 
     python3 -m translate.wgsl.wgpu_test HN_CONFORM
 
-The tolerances of floats, and their shaders, are those of the page that hn-conform writes for browsers. Exit status: 0
+The tolerances of floats, and their shaders, come from the page that hn-conform writes for browsers. Exit status: 0
 it does, 1 it does not, 77 there is no wgpu here.
 """
 

@@ -224,7 +224,7 @@ class Command(unittest.TestCase):
         self.assertEqual(self.call("--out", "/dev/null/absent", "hash.glsl").returncode, 2)
 
     def test_words_of_options(self):
-        """Options take the words that tools/pick takes for single functions, and those of the library, in any case."""
+        """Options take the words that tools/pick takes for single functions, and the library's, in any case."""
         one, *others = (self.call(*words.split(), "gradient.glsl").stdout for words in (
             "--arithmetic fixed --hash pcg --gradient sine", "--arithmetic HN_FIXED --hash PCG --gradient SINE",
             "--arithmetic Fixed --hash HN_HASH_PCG --gradient hn_gradient_sine"))

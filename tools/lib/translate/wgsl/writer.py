@@ -22,7 +22,7 @@ LANGUAGE = Wgsl(splats=False, fills=False)
 
 @dataclass
 class Definition:
-    """A function, a struct or a constant of the module, and what it needs of the others."""
+    """A function, a struct or a constant of the module, and its needs among the others."""
     name: str
     comments: tuple[str, ...]
     lines: list[str]
@@ -59,7 +59,6 @@ class Expressions(WgslExpressions):
         return self._text(value.node)
 
     def right(self, value: Typed) -> str:
-        """The right operand."""
         return self._text(self._operands(value.node)[1])
 
     def _constant(self, constant: Constant) -> str:
@@ -76,8 +75,6 @@ class Expressions(WgslExpressions):
 
 
 class FunctionWriter(Typer):
-    """Writes one function."""
-
     make = UNCHANGED
     chosen = tuple(name for name, size in SIZES.items() if size == 1)  # hn_i_select chooses other values
 
@@ -98,7 +95,7 @@ class FunctionWriter(Typer):
 
     def definition(self) -> Definition:
         function = self.function
-        # Twice: what is changed is known behind the first.
+        # Twice: changes are known behind the first.
         for _ in range(2):
             self.scopes = [{parameter.at.text: Variable(parameter.type, parameter.at.text, is_parameter=True)
                             for parameter in function.parameters}]

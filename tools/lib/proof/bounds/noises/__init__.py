@@ -43,14 +43,14 @@ class ProvenBounds:
     fixed_intermediate: float = 0.0  # the largest number on the way to it
 
     def bounds(self, noise: str, dimensions: int, gradient: Gradient | None) -> Bounds:
-        """Its row of the table. A limit is what the contract promises, unless rounding takes a value beyond."""
+        """Its row of the table. A limit is the contract's promise, unless rounding takes a value beyond."""
         return Bounds(noise, dimensions, gradient.name if gradient else "none", self.cell_error, self.error,
                       self.lipschitz, max(self.promise, self.largest), self.fixed_error,
                       max(self.promise, self.fixed_largest))
 
 
 def derived(promise: float, exact: float, lipschitz: float, cell_error: float, parts: dict[str, float]) -> ProvenBounds:
-    """Of a fixed error that is the sum of its parts; the cut takes no value out of its range."""
+    """Bounds of a noise with a fixed error that is the sum of its parts; the cut takes no value out of its range."""
     error, fixed = position_error(cell_error, lipschitz), sum(parts.values()) * SAFE
     return ProvenBounds(promise, exact, lipschitz, cell_error, error, exact + error, fixed,
                    exact + (sum(parts.values()) - parts["cut"]) * SAFE, parts)

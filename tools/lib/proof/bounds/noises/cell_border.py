@@ -1,4 +1,4 @@
-"""hn_cell_border: what is proven of it. It changes by no more than the place moves: inside of a cell it is the distance
+"""Proofs for hn_cell_border. It changes by no more than the place moves: inside of a cell it is the distance
 to the nearest of some lines or planes, and at the border it is 0 on both sides."""
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""hn_cellular: what is proven of it, from docs/reference/contract.md, section 16; and of hn_cellular_three, which has
+"""Proofs for hn_cellular, from docs/reference/contract.md, section 16; and of hn_cellular_three, which has
 its entry in cellular_three.py. features.py and distances.py of the folder above have the proofs.
 
 One bound holds for all metrics: the largest. The bound of floats is the hybrid metric's, whose distances are the largest;
-that of fixed arithmetic is the Euclidean one's, by the root of a small square. The errors of offsets are smaller.
+in fixed arithmetic the Euclidean one's, by the root of a small square. The errors of offsets are smaller.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ COUNT = 2
 
 
 def derived(dims: int, count: int) -> ProvenBounds:
-    """Of so many distances."""
+    """Bounds of so many distances."""
     most = {metric: features.largest_distance(dims, count, metric) for metric in features.METRICS}
     cell_error = max(distances.metric_error(metric, dims, largest) for metric, largest in most.items())
     slope = max(distances.metric_slope(metric, dims, largest) for metric, largest in most.items())

@@ -1,7 +1,7 @@
-"""hn_cellular_d: what is proven of it. The value is the first of hn_cellular, in the Euclidean metric.
+"""Proofs for hn_cellular_d. The value is the first of hn_cellular, in the Euclidean metric.
 
 A derivative is a component of (position - point) / distance. An error of the position moves it by that over the
-distance: without a bound near the point. So the errors of derivatives are those of a derivative times the distance, in
+distance: without a bound near the point. So the errors are for a derivative times the distance, in
 cells. They hold where the second distance is so much larger than the first that no other point is taken for the nearest
 one.
 """

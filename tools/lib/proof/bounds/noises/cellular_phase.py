@@ -1,4 +1,4 @@
-"""hn_cellular_phase: what is proven of it, from docs/reference/contract.md, section 16. moving.py of the folder above
+"""Proofs for hn_cellular_phase, from docs/reference/contract.md, section 16. moving.py of the folder above
 has the proofs. How fast distances change with the phase is not bounded here.
 
 One bound holds for the distances and for each component of an offset: the larger one. It is the offset's, which is
@@ -13,7 +13,7 @@ from proof.bounds import moving
 from proof.bounds.floats import position_error
 from proof.bounds.gradients import Gradient
 from proof.bounds.noises import ProvenBounds, cellular, listed
-from proof.bounds.table import rounded_up, scientific, shortest
+from proof.bounds.table import scientific
 
 CASES = cellular.CASES
 COUNT = cellular.COUNT
@@ -39,19 +39,12 @@ def ends(dims: int) -> list[float]:
 
 def quotes() -> list[tuple[str, str]]:
     plane, space = (listed(ends(dims)) for dims in (2, 3))
-    radii, twice = ([shortest(of * moving.RADIUS[dims], digits) for dims in (2, 3)] for of, digits in ((1, 4), (2, 5)))
     errors = [position_error(moving.distance_error(dims, ends(dims)[-1]), math.sqrt(dims)) for dims in (2, 3)]
     off = [moving.fixed_distance_error(dims) for dims in (2, 3)]
-    rooms = [str(-rounded_up(-moving.room(dims), 5)) for dims in (2, 3)]
-    floats, fixed = ([scientific(norm) for norm in norms] for norms in zip(
-        *((moving.rotation_error(dims, 1.0), moving.fixed_rotation_error(dims)) for dims in (2, 3))))
     return [("docs/measured/accuracy.md", text) for text in (
         f"With a phase the two distances stay below {plane} in 2D, and below {space} in 3D",
-        f"which is {radii[0]} in 2D and {radii[1]} in 3D",
-        f"the difference is {rooms[0]} in 2D and {rooms[1]} in 3D, and 2 r is {twice[0]} and {twice[1]}",
         f"distances is at most {scientific(errors[0])} in 2D and {scientific(errors[1])} in 3D",
-        f"the distances are within {scientific(off[0])} in 2D and {scientific(off[1])} in 3D",
-        f"off by {floats[0]} in 2D and by {floats[1]} in 3D", f"as a norm {fixed[0]} in 2D and {fixed[1]} in 3D")]
+        f"the distances are within {scientific(off[0])} in 2D and {scientific(off[1])} in 3D")]
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:

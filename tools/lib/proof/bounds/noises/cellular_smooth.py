@@ -1,4 +1,4 @@
-"""hn_cellular_smooth: what is proven of it. The sum of weights is largest where two points are at the place, in the
+"""Proofs for hn_cellular_smooth. The sum of weights is largest where two points are at the place, in the
 middle of a wall, and others as near as they can be. It is nowhere 4, so it fits 32 bits in units of 2^-30."""
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""hn_curl: what is proven of it, from docs/reference/contract.md, section 15.
+"""Proofs for hn_curl, from docs/reference/contract.md, section 15.
 
 On the plane its components are derivatives of hn_simplex_d, or their negatives. In space the component along x is
 a_y b_z - a_z b_y of two gradients a and b of hn_simplex_d, b at the place that is moved by m = (1/2, 0, 1/4). Let u be
@@ -24,7 +24,7 @@ derivatives, as in boxes.py. Derivatives by the place are as in kernels.py. A bo
 of them. Both factors are sinusoids of the angle, so their product is one of twice the angle, and a constant. Its second
 derivative is at most twice the product of their amplitudes, which are derivatives along some directions.
 
-Let S be the largest |a_y| + |a_z| + |b_y| + |b_z|, or that of two other axes. It is the sum of H and H_m along
+Let S be the largest |a_y| + |a_z| + |b_y| + |b_z|, or with two other axes. It is the sum of H and H_m along
 (0, +-1, +-1), so it is bounded likewise, over places alone. Whatever changes each derivative by at most e moves a
 component by at most S e + 2 e^2: the place, and the errors of the derivatives. |a_y b_z| + |a_z b_y| is at most a
 quarter of S^2.
@@ -105,7 +105,7 @@ def product(kernel: Kernel, parts: int, place: np.ndarray):
 
 
 def jets(kernel: Kernel, points: Points, boxes: Boxes) -> Iterator[Jet]:
-    """Of a derivative along any direction, for any gradients: by the place, along each axis."""
+    """The jets of a derivative along any direction, for any gradients: by the place, along each axis."""
     near = [Offsets.of(kernel, boxes, tuple(point)) for point in points]
     for axis in range(kernel.dims):
         total = Jet(0.0)

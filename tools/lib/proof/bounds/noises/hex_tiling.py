@@ -1,4 +1,4 @@
-"""hn_hex_tiling: what is proven of its weights and vectors, from docs/reference/contract.md, section 20. One bound
+"""Proofs for the weights and vectors of hn_hex_tiling, from docs/reference/contract.md, section 20. One bound
 holds for both.
 
 RANGE. Weights are from 0 to 1. A vector from a corner stays within the hexagon around it: half a cell along each axis.
@@ -13,7 +13,7 @@ FLOATS, in steps; a cell has two:
     a = u - v/2;  a or a - 1 or a + 1/2 or a - 1/2;    v or v - 1;    halved
 
 X is below 4 and rounds by up to 2^-22: SKEWED. u and v are exact after that, as are halves. Where that moves X over a
-whole number, the corners are those of the other side; where it moves u over v, the weights of both sides differ by no
+whole number, the corners are on the other side; where it moves u over v, the weights of both sides differ by no
 more than u moved. Each difference is at most 1 and rounds by up to 2^-24: ONE. So a weight is off by SKEWED and ONE,
 and a vector by half of SKEWED and twice ONE, which is less.
 
@@ -35,7 +35,7 @@ BELOW_ONE = 1 - 2.0**-24
 
 
 def skewed_error(ulps: float = 1.0) -> float:
-    """Of X, and so of u; a coordinate that is subnormal may be 0."""
+    """The error of X, and so of u; a coordinate that is subnormal may be 0."""
     return rounding(LARGEST_SKEWED, ulps) + 3 * TINY
 
 
@@ -45,7 +45,7 @@ def weight_error(ulps: float = 1.0) -> float:
 
 
 def offset_error(_: int, fixed: bool) -> float:
-    """Of a component of a vector, in cells."""
+    """The error of a component of a vector, in cells."""
     if fixed:
         return 1 / ONE
     return position_error((skewed_error() + 2 * rounding(BELOW_ONE, 1.0)) / 2, 1.0)

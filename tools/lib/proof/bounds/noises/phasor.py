@@ -1,4 +1,4 @@
-"""hn_phasor: what is proven of it, from docs/reference/contract.md, section 23. One bound holds for the value and for
+"""Proofs for hn_phasor, from docs/reference/contract.md, section 23. One bound holds for the value and for
 the quadrature: each is the real part of
 
     S * sum of w(t) e(a)        e(a) = exp(2 pi i a) for the value, and -i times that for the quadrature
@@ -62,12 +62,12 @@ class Waves(Kernel):
     waves: float = WAVES
 
 
-# The lattices and the distances are those of hn_simplex.
+# The lattices and the distances are hn_simplex's.
 KERNELS = {2: Waves(2, 819 / 1024, 1, 762, 3, EVEN, triangles=True), 3: Waves(3, 1.0, 2, 674, 4, EVEN)}
 CASES = tuple((dims, None) for dims in KERNELS)
 TURN = 2 * math.pi
 WAVE_CUT, ANGLE_UNIT = 2.0**-16, 2.0**-32  # in waves per cell, and in turns
-RAMP_ONE = 2**29  # the unit of what is multiplied with the weights
+RAMP_ONE = 2**29  # the unit of the factors of weights
 
 
 # --- Exactly ----------------------------------------------------------------------------------------------------------
@@ -85,7 +85,7 @@ def attained(kernel: Kernel, u: tuple[float, ...], rate: float, place: np.ndarra
 
 
 def second_derivative(kernel: Kernel, u: tuple[float, ...], rate: float, offsets: Offsets, axis: int) -> np.ndarray:
-    """A bound of that of what one point adds, in each box."""
+    """A bound of the derivative of one point's part, in each box."""
     fall = weight_jet(offsets, axis, 1) * Jet(offsets.along(u), abs(u[axis]))
     return np.hypot(2 * kernel.fall * fall.second, rate * weight_jet(offsets, axis).second)
 
@@ -128,13 +128,13 @@ def lipschitz_of(kernel: Waves) -> float:
 # --- Floats -----------------------------------------------------------------------------------------------------------
 
 def angle_error(kernel: Waves, own: kernel_floats.Offsets, ulps: float):
-    """Of the waves along an offset, before they are cut off."""
+    """The error of the waves along an offset, before they are cut off."""
     along = kernel_floats.total(Approx(-d.size(), d.size(), d.err, ulps).scaled(float(kernel.waves)) for d in own)
     return TURN * along.err / kernel.steps
 
 
 def wave_error(kernel: Waves, own: kernel_floats.Offsets, ulps: float):
-    """Of the cosine and the sine of a point."""
+    """The error of the cosine and the sine of a point."""
     return angle_error(kernel, own, ulps) + rotations.ANGLE_CUT + rotations.float_error(ulps)
 
 
@@ -163,7 +163,7 @@ def error_bound(kernel: Waves, ulps: float = 1.0) -> float:
 # --- Fixed ------------------------------------------------------------------------------------------------------------
 
 def fixed_wave_error(kernel: Kernel, offsets: Offsets):
-    """Of the cosine and the sine of a point, in each box."""
+    """The error of the cosine and the sine of a point, in each box."""
     along = WAVE_CUT * offsets.size.sum(axis=0) / kernel.steps + kernel.dims * ANGLE_UNIT
     return rotations.fixed_error() + TURN * along
 

@@ -13,13 +13,13 @@ LIPSCHITZ. The derivative of that along a vector s has in place of z
 Its length is convex in c and in b, so it is largest where both are: for both signs of their product. As in kernels.py
 it is bounded by the value in the middle of a box and the first derivatives.
 
-FLOATS. Of each point the derivative has fall * cosine * x, in any order, and then
+FLOATS. Each point adds to the derivative fall * cosine * x, in any order, and then
 
     S * sum;  on the plane times 2;  (k * 6.2831853) * z, of the quadrature or the value z as it is returned;  the sum
 
 On the plane the skewed coordinate moves the place for all of this alike.
 
-FIXED. The fall is that of kernel_fixed.py with a cosine in place of a ramp. The sum is in units of 2^-27 per step. Its
+FIXED. The fall is as in kernel_fixed.py, with a cosine in place of a ramp. The sum is in units of 2^-27 per step. Its
 product with S, in units of 2^-19, is exact in units of 2^-24 per cell, and so
 
     TURN     2 pi k_i is off by the largest error over all integers K, 2^21 + 1 in number, and by the cut of the wave,
@@ -59,7 +59,7 @@ FINE, LAST = 2.0**-24, 2.0**-16  # the units of the terms of a derivative, and o
 # --- Exactly ----------------------------------------------------------------------------------------------------------
 
 def range_of(kernel: Waves) -> float:
-    """Of a derivative, per cell."""
+    """The range of a derivative, per cell."""
     rate = phasor.rate_along(kernel, 1)
     return kernel.steps * scale_of(kernel) * max(phasor.largest(kernel, axis, rate, 1) for axis in kernels.axes(kernel))
 
@@ -77,7 +77,7 @@ def attained(kernel: Waves, u, s, rates: tuple[float, float], place: np.ndarray)
 
 
 def slope_along(kernel: Waves, u, s, rates: tuple[float, float], offsets: Offsets, axis: int) -> np.ndarray:
-    """A bound of the first derivative of what one point adds, in each box."""
+    """A bound of the first derivative of one point's part, in each box."""
     m = kernel.fall
     of_u, of_s = (Jet(offsets.along(v), abs(v[axis])) for v in (u, s))
     w, dw, ddw = (weight_jet(offsets, axis, order) for order in range(3))
@@ -111,7 +111,7 @@ def second_derivative(kernel: Waves, u: tuple[float, ...], s: tuple[float, ...],
 
 
 def lipschitz_of(kernel: Waves) -> float:
-    """Of a derivative, per cell."""
+    """The constant of a derivative, per cell."""
     if kernel.triangles:
         pairs = [(axis, sign, 2) for axis in kernels.axes(kernel) for sign in ((1.0, 1.0), (1.0, -1.0))]
     else:
@@ -201,7 +201,8 @@ class Point(kernel_fixed.Weighted):
 
 @functools.cache
 def fixed_rounding_effect(kernel: Waves) -> float:
-    """Of the points: on a derivative and, times 2 pi k, through the value; per cell, not scaled."""
+    """The effect of rounding at the points: on a derivative and, times 2 pi k, through the value; per cell, not
+    scaled."""
     rate = TURN * kernel.waves
 
     def of_boxes(boxes: Boxes):
@@ -213,7 +214,7 @@ def fixed_rounding_effect(kernel: Waves) -> float:
 
 
 def whole_turns(kernel: Waves) -> np.ndarray:
-    """T of every K up to that of the largest wave."""
+    """T of every K up to the largest wave's."""
     k = np.arange(-int(kernel.waves / WAVE_CUT), int(kernel.waves / WAVE_CUT) + 1)
     return (k * (205887 >> 9) + (k >> 9) * (205887 & 511)) >> 9
 

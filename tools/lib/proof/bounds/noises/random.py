@@ -1,10 +1,10 @@
-"""hn_random: what is proven of it, from docs/reference/contract.md, section 17.
+"""Proofs for hn_random, from docs/reference/contract.md, section 17.
 
 RANGE. A word's upper 24 bits, divided by 2^24: from 0 to 1 - 2^-24.
 
 LIPSCHITZ. None: it jumps between cells.
 
-FLOATS. A float holds 24 bits, so there is no error. The cell is floor(p), which is exact. (What is so small that
+FLOATS. A float holds 24 bits, so there is no error. The cell is floor(p), which is exact. (A number so small that
 HN_PRECISE or a driver takes it for 0 counts to the cell 0.)
 
 FIXED. There is no error either where the cell is the same. A coordinate is cut to a multiple of 2^-20 towards 0, so one

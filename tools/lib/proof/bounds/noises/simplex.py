@@ -1,4 +1,4 @@
-"""hn_simplex: what is proven of it, from docs/reference/contract.md, section 13. kernels.py has its range and slopes,
+"""Proofs for hn_simplex, from docs/reference/contract.md, section 13. kernels.py has its range and slopes,
 kernel_floats.py and kernel_fixed.py its errors; here they are put together, for all noises of this kind."""
 
 from __future__ import annotations

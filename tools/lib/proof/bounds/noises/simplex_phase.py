@@ -7,7 +7,6 @@ from proof.bounds.gradients import ROTATED, Gradient
 from proof.bounds.kernel_fixed import ramp_one
 from proof.bounds.kernels import ROTATING, SIMPLEX
 from proof.bounds.noises import ProvenBounds, listed, simplex
-from proof.bounds.table import shortest
 
 CASES = tuple((dims, None) for dims in ROTATING)
 
@@ -17,12 +16,12 @@ def range_of(dims: int) -> float:
 
 
 def unit(dims: int) -> float:
-    """Of ramps, scaled."""
+    """The unit of scaled ramps."""
     return ROTATING[dims].scale / 1024 / ramp_one(dims)
 
 
 def ratio(dims: int) -> float:
-    """Of the scales with and without a phase."""
+    """The ratio of the scales with and without a phase."""
     return ROTATING[dims].scale / SIMPLEX[dims].scale
 
 
@@ -48,9 +47,7 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
 
 def quotes() -> list[tuple[str, str]]:
     below = listed([range_of(dims) for dims, _ in CASES])
-    before = shortest(range_of(3) / (ROTATING[3].scale / 1024), 5)
-    return [("docs/measured/accuracy.md", f"and `hn_simplex` below {below}."),
-            ("docs/measured/accuracy.md", f"and {before} of simplex noise")]
+    return [("docs/measured/accuracy.md", f"and `hn_simplex` below {below}.")]
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:

@@ -1,4 +1,4 @@
-"""hn_value: what is proven of it, from docs/reference/contract.md, section 9, and of the derivatives of hn_value_d,
+"""Proofs for hn_value, from docs/reference/contract.md, section 9, and of the derivatives of hn_value_d,
 from section 10, which has its entry in value_d.py.
 
 RANGE. The number of a corner is within +-1, and -1 occurs. The weights are not negative and sum to 1, so the value is
@@ -8,7 +8,7 @@ within +-1, too. A derivative is s'(f_1) times an interpolation of differences o
 LIPSCHITZ. See suprema.py. At a corner's number within +-1, L is the largest sum_o |D w_o|.
 
 FLOATS. A number is computed with 3 added: it has 23 bits in [2, 4), exactly, and the difference of two is exact, too.
-Their interpolation is that of floats.py of the folder above. A value from 2 to 4 less 3 is exact, and so it is where it
+Their interpolation is in floats.py of the folder above. A value from 2 to 4 less 3 is exact, and so it is where it
 was rounded beyond. The computed value may be beyond +-1 by its error.
 
 FIXED. The fixed numbers are the exact ones. The fixed value differs from the exact one by four things. FADE and LERP
@@ -19,7 +19,7 @@ are bounded together, for each box:
     LERP     see integers.py.
     SCALE    (n + 128) >> 8 rounds to nearest, by 1/2 unit of 2^-21 at most.
 
-Of a derivative, the slope s'(f_1) is off by e', and the differences of numbers, at most 2, are interpolated along the
+In a derivative, the slope s'(f_1) is off by e', and the differences of numbers, at most 2, are interpolated along the
 other axes. With sum_o |change of w_o| over these, which is FADE in one dimension less, that comes to
 2 (|e'| + slope * FADE).
 """

@@ -1,4 +1,4 @@
-"""hn_value_cubic: what is proven of it, from docs/reference/contract.md, section 11.
+"""Proofs for hn_value_cubic, from docs/reference/contract.md, section 11.
 
 RANGE. The weights b of an axis are not negative and sum to 1, so the value is within +-1, as the numbers are.
 
@@ -14,7 +14,7 @@ FIXED. The fixed numbers are the exact ones. The fixed value differs from the ex
     CUT      a coordinate is cut to a multiple of 2^-20, and rounded to one of 2^-15: L * (2^-20 + 2^-16).
     WEIGHTS  at x, the four weights of an axis are off by |e| of sum E at most, evaluated for all x. The products of
              the weights change by at most (1 + E)^n - 1 in sum.
-    BLEND    four products round down by at most what is evaluated for all weights; the sums of |b| are 1.
+    BLEND    four products round down by at most the number evaluated for all weights; the sums of |b| are 1.
     SCALE    (n + 128) >> 8 rounds to nearest, by 1/2 unit of 2^-21 at most.
 """
 
@@ -110,7 +110,7 @@ def derive(dims: int, _: Gradient | None) -> ProvenBounds:
 
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
-    """A sum of four parts is at most as large as the numbers, with what it rounds by, since the weights sum to 1. (The
+    """A sum of four parts is at most as large as the numbers, with its roundings, since the weights sum to 1. (The
     words of the weights are checked as evaluated.)"""
     value = NUMBER_ONE + dims * spline_rounding()
     return {"number": 2.0**30, "part": part_intermediate(value, splines()), "blend": value + 128}

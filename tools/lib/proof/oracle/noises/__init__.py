@@ -5,7 +5,7 @@
     fixed(lattice, cell, fraction) -> tuple[int, ...]       with HN_FIXED; fractions in units of 2^-20
 
 They return the value, and after it the derivatives along x, y, z, w of a noise that has them. A fixed value is
-in units of 2^-21, a fixed derivative in units of 2^-19. A module with other names of what it returns has OUTPUTS, one
+in units of 2^-21, a fixed derivative in units of 2^-19. A module with other names of its results has OUTPUTS, one
 with other units UNITS. The gradients of a noise called ..._phase rotate, or its feature points do; of another that
 takes a phase the module has ROTATES.
 """
@@ -36,7 +36,7 @@ class Noise:
     name: str
     exact_in_cell: Callable[[Lattice, Sequence[int], Sequence[Fraction]], tuple[Fraction, ...]]
     fixed_in_cell: Callable[[Lattice, Sequence[int], Sequence[int]], tuple[int, ...]]
-    outputs: tuple[str, ...] = OUTPUTS  # the names of what it returns; as many as it has dimensions
+    outputs: tuple[str, ...] = OUTPUTS  # the names of its results; as many as it has dimensions
     units: tuple[int, ...] = UNITS
     phase: Real | None = None
     choice: Choice = Choice()  # of cellular noise, and of phasor noise
@@ -49,7 +49,7 @@ class Noise:
         return replace(self, phase=phase)
 
     def chosen(self, choice: Choice) -> Noise:
-        """The noise with what its caller chooses."""
+        """The noise with its caller's choices."""
         return replace(self, choice=choice)
 
     def lattice(self, knobs: Knobs, seed: int, periods: Sequence[int]) -> Lattice:

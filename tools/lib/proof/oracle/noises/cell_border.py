@@ -1,4 +1,4 @@
-"""Section 16 of docs/reference/contract.md: the distance to the border of what is nearer to one point than to any
+"""Section 16 of docs/reference/contract.md: the distance to the border of the places nearer to one point than to any
 other."""
 
 from __future__ import annotations
@@ -22,9 +22,8 @@ def smallest(field: Field, between: Callable[[Point, Point], Border],
     the units of the field.
 
     The distance to the border with a point Q is at least half of what Q is farther than the nearest point P, since P
-    and Q are no farther from each other than both distances. A cell is left out where this is more than what was found
-    by 1/64, which is far more than what fixed arithmetic rounds.
-    """
+    and Q are no farther from each other than both distances. A cell is left out where this is more than the found
+    distance by 1/64, which is far more than the roundings of fixed arithmetic."""
     slack = field.arithmetic.unit // 64
     (nearest,), found = field.nearest(1), None
     distance = math.isqrt(square(nearest.offset)) + 1

@@ -34,7 +34,7 @@ def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple
 
 
 def fixed_weight(rank: int) -> int:
-    """The fourth power of what the distance lacks of 1, in units of 2^-30."""
+    """The fourth power of 1 less the distance, in units of 2^-30."""
     t = min(max(2**18 - fixed_root(rank), 0) // 4, 65535)
     q = t * t // 2**16
     return q * q // 4

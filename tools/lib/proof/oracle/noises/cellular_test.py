@@ -1,4 +1,4 @@
-"""Tests of cellular_d.py, cellular_smooth.py and cell_border.py: by hand, and by what they are."""
+"""Tests of cellular_d.py, cellular_smooth.py and cell_border.py by hand, and of cellular_phase.py by a naive search."""
 
 from __future__ import annotations
 
@@ -9,61 +9,38 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from unittest import mock
 
-from proof.golden.generator import generator_of
-from proof.oracle import noises
-from proof.oracle.feature_points import EUCLIDEAN, SQUARED, root
-from proof.oracle.gradients import Knobs
-from proof.oracle.integers import UNIT
-from proof.oracle.lattice import Choice
-from proof.oracle.noises import Noise, cell_border, cellular_d, cellular_smooth
+from proof.golden.generator import generator_of, to_f32
+from proof.golden.simplex_rows import PHASES
+from proof.oracle import feature_points, moving_points, noises
+from proof.oracle.feature_points import BlockTooSmall, direction2, direction3
+from proof.oracle.integers import UNIT, cosine_and_sine
+from proof.oracle.lattice import Choice, Lattice
+from proof.oracle.nearest import NEAREST, OFFSET
+from proof.oracle.noises import Noise, cellular_d
+from proof.oracle.rotation import angle
+from proof.oracle.testing import FORMS, KNOBS
 
-LATTICE = Knobs("lattice")
-SLOPES, SMOOTH, BORDER = map(noises.find, ("cellular_d", "cellular_smooth", "cell_border"))
+SLOPES, SMOOTH, BORDER, MOVING = map(noises.find, ("cellular_d", "cellular_smooth", "cell_border", "cellular_phase"))
 GRID = Choice(0.0)  # points are in the middle of cells
-
-
-def samples(name: str, n: int, count: int = 12) -> Iterator[tuple[list[Fraction], int, Choice]]:
-    """Positions that fixed arithmetic does not cut, seeds and jitters."""
-    numbers = generator_of(f"{name}{n}")
-    for index in range(count):
-        jitter = (1.0, numbers.integer(0, UNIT) / UNIT, 0.0)[index % 3]
-        yield [Fraction(numbers.integer(-2**24, 2**24), UNIT) for _ in range(n)], numbers.word(), Choice(jitter)
+# With these phases sines and cosines in units of 2^-16 are 65536, and -65536.
+LARGEST = tuple(quarter / 4 + beside for quarter in range(-2, 3) for beside in (-2.0**-17, 2.0**-17))
 
 
 def both(noise: Noise, p: Sequence[float]) -> list[tuple[Fraction, ...]]:
-    return [noise.exact(LATTICE, p), noise.fixed(LATTICE, p)]
+    return [noise.exact(KNOBS, p), noise.fixed(KNOBS, p)]
 
 
-class Derivatives(unittest.TestCase):
-    def test_by_hand(self) -> None:
+class ByHand(unittest.TestCase):
+    """A direction, a weight or a border that is cut in another place, or counts another point or a metric."""
+
+    def test_derivatives(self) -> None:
         # From (1/2, 1/2), and on a wall, where the point with the smaller y counts.
         for y, up in ((0.0, 1), (0.001, -1)):
-            for value, dx, dy in both(SLOPES.chosen(GRID), (0.875, y)):
-                self.assertLess(abs(value - Fraction(5, 8)), 2**-10)
-                self.assertLess(abs(dx - Fraction(3, 5)), 2**-10)
-                self.assertLess(abs(dy - up * Fraction(4, 5)), 2**-10)
-        self.assertEqual(SLOPES.chosen(GRID).exact(LATTICE, (0.875, 0.0)),
-                         (Fraction(5, 8), Fraction(3, 5), Fraction(4, 5)))
-
-    def test_at_a_point_they_are_0(self) -> None:
-        for n in (2, 3):
+            for found in both(SLOPES.chosen(GRID), (0.875, y)):
+                for a, b in zip(found, (Fraction(5, 8), Fraction(3, 5), up * Fraction(4, 5)), strict=True):
+                    self.assertLess(abs(a - b), 2**-10)
+        for n in (2, 3):  # at a point
             self.assertEqual(both(SLOPES.chosen(GRID), (-7.5,) * n), [(0,) * (n + 1)] * 2)
-
-    def test_small_offsets_keep_their_direction(self) -> None:
-        # As far as whole offsets have one: all of them that are small, and all ways to enlarge them.
-        factors = set()
-        for d in itertools.product((-3, -1, 0, 1, 2, 31, 32, 127, 128, 1023, 1024, 32768, 131072), repeat=2):
-            large = cellular_d.enlarged(d)
-            if any(d):
-                factors.add(max(large, key=abs) // max(d, key=abs))
-                # A root of 2^17 or more is off by 1, and its square by 2^12 of 2^34 or more.
-                self.assertGreaterEqual(max(map(abs, large)), 2**17 - 2**12)
-                length = math.hypot(*d)
-                for slope, x in zip(cellular_d.fixed_slopes(d), d):
-                    self.assertLess(abs(slope / 2**21 - x / length), 2**-15)
-                    self.assertEqual((slope > 0) - (slope < 0), (x > 0) - (x < 0))
-        self.assertEqual(factors, {1, 4, 32, 128, 1024, 4096, 32768, 131072} & factors)
-        self.assertLess({1, 1024, 131072}, factors)
 
     def test_enlarging_by_hand(self) -> None:
         for m, k in ((1, 131072), (3, 131072), (4, 32768), (31, 32768), (32, 4096), (127, 4096), (128, 1024),
@@ -71,54 +48,109 @@ class Derivatives(unittest.TestCase):
                      (131072, 1), (2**20, 1)):
             self.assertEqual(cellular_d.enlarged((m // 2, -m)), (k * (m // 2), -k * m))
 
-
-class Smooth(unittest.TestCase):
-    def test_by_hand(self) -> None:
-        # In the middle of a cell its own point counts alone: at 1 others count no more.
-        for n in (2, 3):
-            value, = SMOOTH.chosen(GRID).exact(LATTICE, (2.5,) * n)
-            self.assertEqual(value, 1 - root(root(1 + Fraction(1, 4096))))
-        # In the middle of a wall in the plane: two at 1/2.
-        value, = SMOOTH.chosen(GRID).exact(LATTICE, (2.0, -0.5))
-        self.assertEqual(value, 1 - root(root(Fraction(2, 16) + Fraction(1, 4096))))
-
-    def test_where_no_point_is_near(self) -> None:
-        # The summand keeps it below 1, and the value has no root of 0.
-        with mock.patch.object(cellular_smooth, "near_points", return_value=()):
-            self.assertEqual(both(SMOOTH, (0.0, 0.0)), [(Fraction(7, 8),)] * 2)
-
-    def test_fixed_weights(self) -> None:
-        for rank in (0, 1, 2**10, 2**20, 2**26, 2**27, 2**28 - 2**13, 2**28 - 1, 2**28, 2**30):
-            exact = max(0.0, 1 - math.sqrt(rank) / 2**14)**4
-            self.assertLess(abs(cellular_smooth.fixed_weight(rank) / 2**30 - exact), 2**-13, rank)
-        self.assertEqual([cellular_smooth.fixed_weight(rank) for rank in (2**28, 2**30)], [0, 0])
-
-    def test_no_crease_where_the_nearest_point_changes(self) -> None:
-        step = Fraction(1, 2**20)
-        below, at, above = (SMOOTH.chosen(GRID).exact(LATTICE, (i * step, Fraction(3, 8)))[0] for i in (-1, 0, 1))
-        self.assertLess(abs((above - at) - (at - below)), 64 * step**2)
-
-
-class Borders(unittest.TestCase):
-    def test_by_hand(self) -> None:
-        # Without a jitter borders are the walls.
-        for p, distance in (((0.25, 0.5), 2), ((0.25, 0.875), 1), ((0.5, 0.5), 4), ((0.0, 0.5), 0), ((3.0, -2.0), 0),
-                            ((-0.375, 7.375), 3), ((0.5, 0.625, 0.75), 2), ((0.5, 0.5, 0.5), 4)):
-            self.assertEqual(both(BORDER.chosen(GRID), p), [(Fraction(distance, 8),)] * 2, p)
-
-    def test_points_are_never_in_one_place(self) -> None:
-        # The root of fixed arithmetic divides. The nearest two points of different cells face each other at a wall.
-        for n, jitter in itertools.product((2, 3), (2**20, 2**20 - 1, 2**19, 1, 0)):
-            largest = 511 if n == 2 else 510
-            d = (2**20 - largest * jitter // 2**10 - -(-largest * jitter // 2**10),) + (0,) * (n - 1)
-            self.assertGreater(cell_border.fixed_root(cell_border.fixed_square([x // 2 for x in d])), 0)
-
-
-class ByMetric(unittest.TestCase):
     def test_a_border_knows_no_metric(self) -> None:
-        # Nor do derivatives and the smooth one: they have none to choose.
-        for noise in (SLOPES, SMOOTH, BORDER):
-            for p, seed, choice in samples("metric", 2, 6):
-                found = {noise.chosen(Choice(choice.jitter, metric)).exact(LATTICE, p, seed)
-                         for metric in (EUCLIDEAN, SQUARED, 3, 4, 5)}
-                self.assertEqual(len(found), 1)
+        # Nor do derivatives and the smooth one: they have none to choose. Points that move have the Euclidean one.
+        for of, form in itertools.product((SLOPES, SMOOTH, BORDER, MOVING, NEAREST.rotated(0.3)), FORMS):
+            self.assertEqual(len({getattr(of.chosen(Choice(0.75, metric)), form)(KNOBS, (0.3, 0.9), 5)
+                                  for metric in (1, 2, 3, 4, 5)}), 1)
+
+
+def at(noise: Noise, phase: float, jitter: float = 1.0) -> Noise:
+    return noise.chosen(Choice(jitter)).rotated(phase)
+
+
+def samples(name: str, n: int, count: int = 24) -> Iterator[tuple[list[Fraction], int, float, float]]:
+    """Positions that fixed arithmetic does not cut, seeds, phases and jitters."""
+    numbers = generator_of(f"{name}{n}")
+    edges = [*PHASES, *LARGEST]
+    for index in range(count):
+        phase = edges[index // 2 % len(edges)] if index % 2 else numbers.uniform(-2, 2)
+        jitter = (1.0, numbers.integer(0, UNIT) / UNIT, 1.0, 0.0)[index % 4]
+        p = [Fraction(numbers.integer(-2**24, 2**24), UNIT) for _ in range(n)]
+        if index % 3 == 0:  # on a wall
+            p[index % n] = Fraction(round(p[index % n]))
+        yield p, numbers.word(), phase, jitter
+
+
+def t(e: int, b: int) -> int:
+    """The contract's rotated(e, b)."""
+    return ((e >> 8) * b >> 8) + ((e & 255) * b >> 16)
+
+
+def sines(phase: float) -> tuple[int, int, int, int, int]:
+    """C, S, CC, SS and SC."""
+    c, s = cosine_and_sine(angle(phase))
+    return c, s, (c >> 1) * c + 2**14 >> 15, (s >> 1) * s + 2**14 >> 15, (s >> 1) * c + 2**14 >> 15
+
+
+def fixed_offset(f: Sequence[int], o: Sequence[int], word: int, phase: float, jitter: float) -> list[int]:
+    """D, from the text of the contract, without a loop over the axes."""
+    c, s, cc, ss, sc = sines(phase)
+    whole = int(Fraction(jitter) * 2**20)
+    if len(f) == 2:
+        j = whole * 7 >> 3
+        ux, uy = (int(512 * x) for x in direction2(word))
+        ex, ey = f[0] - 2**19, f[1] - 2**19
+        return [t(ex, c) + t(ey, s) - 16 * o[0] * c - 16 * o[1] * s - (ux * j >> 10),
+                t(ex, -s) + t(ey, c) + 16 * o[0] * s - 16 * o[1] * c - (uy * j >> 10)]
+    j = whole * 25 >> 5
+    ux, uy, uz = (int(512 * x) for x in direction3(word))
+    ex, ey, ez = (x - 2**19 for x in f)
+    return [t(ex, c) + t(ey, s) - 16 * (o[0] * c + o[1] * s) - (ux * j >> 10),
+            t(ex, -sc) + t(ey, cc) + t(ez, s) - 16 * (o[1] * cc + o[2] * s - o[0] * sc) - (uy * j >> 10),
+            t(ex, ss) + t(ey, -sc) + t(ez, c) - 16 * (o[0] * ss - o[1] * sc + o[2] * c) - (uz * j >> 10)]
+
+
+def forwards(d: Sequence[int], phase: float) -> tuple[int, ...]:
+    """The right offset, in units of -2^-20."""
+    c, s, cc, ss, sc = sines(phase)
+    if len(d) == 2:
+        x, y = d
+        return t(x, c) + t(y, -s), t(x, s) + t(y, c)
+    x, y, z = d
+    return t(x, c) + t(y, -sc) + t(z, ss), t(x, s) + t(y, cc) + t(z, -sc), t(y, s) + t(z, c)
+
+
+class Moving(unittest.TestCase):
+    """A step of fixed arithmetic that is cut or rounded in another place. (No program in C has points that move.)"""
+
+    def test_all_of_fixed_arithmetic(self) -> None:
+        for n in (2, 3):
+            for p, seed, phase, jitter in samples("fixed", n, 48 if n == 2 else 16):
+                cell = [math.floor(x) for x in p]
+                f = [int((x - c) * UNIT) for x, c in zip(p, cell)]
+                found = []
+                for o in itertools.product(range(-2, 3), repeat=n):
+                    name = tuple(c + a for c, a in zip(cell, o))
+                    d = fixed_offset(f, o, Lattice(KNOBS, seed).word(name), phase, jitter)
+                    found.append((sum(x * x for x in d) >> 12, max(map(abs, o)) > 1, name[::-1], d))
+                (first, _, name, d), (second, *_), *_ = sorted(found)
+                self.assertEqual(at(MOVING, phase, jitter).fixed(KNOBS, p, seed),
+                                 tuple(Fraction(math.isqrt(rank << 8), 2**18) for rank in (first, second)))
+                self.assertEqual(at(NEAREST, phase, jitter).fixed(KNOBS, p, seed), name[::-1])
+                self.assertEqual(at(OFFSET, phase, jitter).fixed(KNOBS, p, seed),
+                                 tuple(Fraction(-a, UNIT) for a in forwards(d, phase)))
+
+    def test_rotations_by_hand(self) -> None:
+        # 46341 is the root of 1/2; 23170 * 46341 is 32767.1 times 2^15, and with 1/2 32767.6. Of 3/8 the cosine is
+        # negative: -23171 * -46341 is 32768.5, and with 1/2 32769.02. S comes first in SC. A product of ones is 2^31
+        # before it is divided.
+        c = 46341
+        for phase, expected in ((0.125, ((c, c, 0), (-32767, 32767, c), (32767, -32767, c))),
+                                (0.375, ((-c, c, 0), (32767, 32769, c), (32767, 32767, -c))),
+                                (2.0**-17, ((65536, 3, 0), (-2, 65536, 3), (0, -2, 65536)))):
+            self.assertEqual(moving_points.backwards(3, phase), expected)
+
+    def test_ties_are_those_of_the_contract(self) -> None:
+        # At a corner, without a jitter, points are equally far: that of the cell with the smallest z, y, x counts. In
+        # space the rounded B makes some axes longer than others, unless it turns by whole quarters.
+        for phase in (*PHASES, *LARGEST, to_f32(0.3)):
+            for p, cell in (((4.0, -6.0), (3, -7)), ((4.0, -6.0, 8.0), (3, -7, 7))):
+                self.assertEqual(at(NEAREST, phase, 0.0).exact(KNOBS, p), cell, phase)
+                if len(p) == 2 or phase * 4 % 1 == 0:
+                    self.assertEqual(at(NEAREST, phase, 0.0).fixed(KNOBS, p), cell, phase)
+
+    def test_a_block_that_is_too_small_is_found(self) -> None:
+        for form in FORMS:
+            with mock.patch.object(feature_points, "AROUND", 0), self.assertRaises(BlockTooSmall):
+                getattr(at(MOVING, 0.3), form)(KNOBS, (0.0, 0.25), 1)

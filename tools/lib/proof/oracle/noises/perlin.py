@@ -29,7 +29,6 @@ def scale(lattice: Lattice, n: int) -> Fraction:
 
 
 def ramp(lattice: Lattice, corner: Sequence[int], offset: Sequence[Fraction]) -> Fraction:
-    """The ramp of a corner at an offset from it."""
     return sum((Fraction(g) * x for g, x in zip(lattice.gradient(corner), offset)), Fraction(0))
 
 

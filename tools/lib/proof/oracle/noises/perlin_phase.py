@@ -1,4 +1,4 @@
-"""Section 14 of docs/reference/contract.md: Perlin noise whose gradients rotate, as those of the lattice do."""
+"""Section 14 of docs/reference/contract.md: Perlin noise with gradients that rotate."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ Number = TypeVar("Number", int, Fraction)
 OUTPUTS = ("value", "quadrature")
 ROTATES = True
 UNITS = (NOISE_UNIT,) * 2
-# By the number of dimensions. The lattices and t are those of simplex noise. In space the same weight falls twice as
+# By the number of dimensions. The lattices and t are as for simplex noise. In space the same weight falls twice as
 # fast, since t does.
 KERNELS = {2: replace(simplex.KERNELS[2], weight=kernels.PLANE_EVEN, scale=762),
            3: replace(simplex.KERNELS[3], weight=kernels.SPACE_EVEN, scale=674)}
@@ -42,7 +42,7 @@ def clamped(wave: Sequence[Real]) -> list[Fraction]:
 
 def summed(waves: Iterable[tuple[Number, Sequence[Number]]],
            product: Callable[[Number, Number], Number]) -> tuple[Number, ...]:
-    """The sum of cosines, and that of sines: of each point its weight, and both."""
+    """The sums of cosines and of sines: of each point its weight, and both."""
     return tuple(map(sum, zip(*([product(x, weight) for x in wave] for weight, wave in waves))))
 
 
@@ -61,7 +61,7 @@ def turns(lattice: Lattice, kernel: Kernel, h: int, d: Sequence[Fraction]) -> Fr
 
 def waves(lattice: Lattice, cell: Sequence[int],
           f: Sequence[Fraction]) -> Iterator[tuple[Sequence[Fraction], Fraction, tuple[Fraction, Fraction]]]:
-    """Of each point the offset from it in steps, t, and the cosine and the sine of its turns."""
+    """For each point the offset from it in steps, t, and the cosine and the sine of its turns."""
     kernel = KERNELS[len(cell)]
     for point, d, t in kernels.weighted_points(kernel, tuple(f)):
         yield d, t, rotation.cosine_and_sine(turns(lattice, kernel, point.word(kernel, lattice, cell), d))
@@ -93,7 +93,7 @@ def fixed_turns(lattice: Lattice, kernel: Kernel, h: int, d: Sequence[int]) -> i
 
 def fixed_waves(lattice: Lattice, cell: Sequence[int],
                 fraction: Sequence[int]) -> Iterator[tuple[Sequence[int], tuple[int, int], tuple[int, int]]]:
-    """Of each point the offset from it in units of 2^-20 steps, t and Q, and the cosine and the sine times 2^29."""
+    """For each point the offset from it in units of 2^-20 steps, t and Q, and the cosine and the sine times 2^29."""
     kernel = KERNELS[len(cell)]
     for point in kernels.fixed_points(kernel, fraction):
         a = fixed_turns(lattice, kernel, point.word(kernel, lattice, cell), point.offset)

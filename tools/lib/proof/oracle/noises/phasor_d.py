@@ -1,4 +1,5 @@
-"""Section 23 of docs/reference/contract.md, derivatives: phasor noise with those of its value and of its quadrature."""
+"""Section 23 of docs/reference/contract.md, derivatives: phasor noise with the slopes of its value and its
+quadrature."""
 
 from __future__ import annotations
 
@@ -40,7 +41,7 @@ def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple
 
 
 def of_weights(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> list[tuple[int, int]]:
-    """A_j and B_j along each axis: what follows from the weights, in units of 2^-24."""
+    """A_j and B_j along each axis: the parts by the weights, in units of 2^-24."""
     kernel = KERNELS[len(cell)]
     totals = [[0, 0] for _ in cell]
     for offset, powers, wave in phasor.fixed_waves(lattice, cell, fraction):

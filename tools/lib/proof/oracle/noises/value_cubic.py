@@ -27,7 +27,6 @@ def spline_weights(f: Fraction) -> tuple[Fraction, ...]:
 
 @functools.lru_cache(maxsize=4096)
 def point_weights(f: tuple[Fraction, ...]) -> list[tuple[tuple[int, ...], Fraction]]:
-    """The offsets of the points, with their weights."""
     weights = [dict(zip(OFFSETS, spline_weights(x))) for x in f]
     return [(offset, math.prod(of_axis[o] for of_axis, o in zip(weights, offset)))
             for offset in itertools.product(OFFSETS, repeat=len(f))]

@@ -2,7 +2,7 @@
 above, times the scale of docs/reference/contract.md, section 6.
 
 RANGE. The scales of the octahedral gradient are multiples of 1/1024 below the inverse of the supremum before scaling.
-It is 1/2 times 511/512 on the line, 1.03636 in space and 1.07346 in 4D. On the plane it is that of gradients that
+It is 1/2 times 511/512 on the line, 1.03636 in space and 1.07346 in 4D. On the plane it is for gradients that
 rotate with a phase, which have the same scale: 0.559017, in the middle of the cell, where gradients that do not rotate
 reach 0.508437. In space gradients that rotate reach 1.16420 and have a scale of their own. The rest up to 1 is room for
 the errors of the fixed arithmetic; in space the scale without a phase could be 3/1024 larger.

@@ -1,5 +1,5 @@
 """The error of hn_perlin and of the derivatives of hn_perlin_d in fixed arithmetic (docs/reference/contract.md,
-sections 8 and 10), proven; that the noise stays in range, and that what must not wrap does not.
+sections 8 and 10), proven; that the noise stays in range, and that nothing wraps that must not.
 
 HN_PERLIN. The fixed value differs from the exact one by five things. FADE, LERP and RAMP are bounded together, for each
 box:
@@ -7,8 +7,8 @@ box:
     CUT      a coordinate is cut to a multiple of 2^-20, by less than that: at most L * 2^-20.
     FADE     see integers.py. At the cut position the ramps are exact.
     LERP     see integers.py.
-    RAMP     octahedral ramps are exact. Of the sine gradient each axis rounds down by less than 1 unit of 2^-28; and g
-             is off, see below.
+    RAMP     octahedral ramps are exact. With the sine gradient each axis rounds down by less than 1 unit of 2^-28; and
+             g is off, see below.
     SCALE    (((n + 256) >> 9) * S + 256) >> 9 is off by at most 256 S / 2^18 + 1/2 units of 2^-21 (n >> 7 by less than
              1).
 
@@ -118,7 +118,7 @@ def slope_error_parts(dims):
 # --- Overflow ---------------------------------------------------------------------------------------------------------
 
 # The largest difference of two ramps, or of two values between ramps, along an axis: their offsets are f and 1 - f
-# there, and at most 1 along other axes. Of two ramps it is 4 in space, where both other axes are at an end, at corners
+# there, and at most 1 along other axes. For two ramps it is 4 in space, where both other axes are at an end, at corners
 # without a weight: then 2^31 wraps, and the value does not depend on it. Else it is less, by 2^-20 or more. Behind an
 # interpolation along x it is at most 7/2: h is at most 1 + max(x, f), or 1 + max(1 - x, f), and likewise for 1 - f, and
 # the mean of x and 1
@@ -149,7 +149,7 @@ def largest_intermediates(dims, gradient):
 
 
 def largest_slope_intermediates(dims, slope):
-    """Of derivatives up to that."""
+    """The words of derivatives up to that."""
     one = RAMP_ONE[OCTAHEDRAL][dims]
     apart = LARGEST_DERIVATIVES_DIFFERENCE[dims] * one / 4 if dims == 3 else None
     largest = slope / SCALE[OCTAHEDRAL][dims] * one / 4

@@ -45,7 +45,7 @@ def approx_plane_ramp(own, ulps):
 
 
 def approx_sum_of_two(own, ulps):
-    """Of the two that are largest, with the two largest errors."""
+    """The sum of the two that are largest, with the two largest errors."""
     size, err = (sum(two_largest(np.broadcast_arrays(*numbers))) for numbers in
                  ([d.size() for d in own], [d.err for d in own]))
     return Approx(-size, size, err, ulps).rounded()
@@ -82,7 +82,7 @@ def value_error(lo, hi, gradient, ulps):
 
 
 def slope_error(lo, hi, ulps):
-    """The same of the derivatives, with octahedral gradients."""
+    """The error of the derivatives, with octahedral gradients."""
     component = OCTAHEDRAL.component(len(lo))
     derivatives = approx_derivatives(*ramps_and_fractions(lo, hi, OCTAHEDRAL, ulps),
                                      Approx(-component, component, 0.0, ulps))

@@ -1,0 +1,73 @@
+"""Tests of tools/measure likeness: it finds a known scale and factor, and that what is no noise looks like none."""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import io
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+from measure import likeness
+
+PORTS = Path(likeness.__file__).with_name("ports.glsl")
+
+
+class Likeness(unittest.TestCase):
+    def setUp(self) -> None:
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        self.enterContext(mock.patch.object(likeness, "Renderer", functools.partial(likeness.Renderer, side=256)))
+
+    def measure(self, file: Path, *arguments: str) -> tuple[int, str]:
+        with contextlib.redirect_stdout(io.StringIO()) as out, contextlib.redirect_stderr(out):
+            try:
+                status = likeness.main([str(file), *arguments])
+            except SystemExit as ended:
+                status = ended.code
+        return status, out.getvalue()
+
+    def test_a_known_scale_and_factor_are_found(self) -> None:
+        """By a file that includes another; the library's own call with other numbers."""
+        (self.folder / "library.glsl").write_text(likeness.our_library("hn_simplex(", 2))
+        file = self.folder / "known.glsl"
+        file.write_text('#version 120\n#include "library.glsl"\n'
+                        "float known(vec2 p) { return 0.3 + 0.7 * hn_simplex(0.6 * p + 17.0, 3u); }\n")
+        status, printed = self.measure(file, "known(p)", "hn_simplex(p, 7u)")
+        self.assertEqual(status, 0, printed)
+        self.assertRegex(printed, r"\n0\.(29|30|31) \+ 0\.(69|7[01]) \* hn_simplex\(\(0\.(59|6[01]) \* p\), 7u\): mean 0\.")
+
+    def test_the_row_of_a_page_is_found(self) -> None:
+        status, printed = self.measure(PORTS, "gradient_noise(p)", "hn_perlin(p, 7u)")
+        self.assertEqual(status, 0, printed)
+        self.assertRegex(printed, r"\n0\.50 \+ 0\.7[012] \* hn_perlin\(\((0\.9[89]|1\.00) \* p\), 7u\): mean 0\.50")
+
+    def test_what_no_scale_makes_alike_is_status_1(self) -> None:
+        status, printed = self.measure(PORTS, "value_noise(p)", "hn_value(0.01 * p * p, 7u)")
+        self.assertEqual(status, 1, printed)
+
+    def test_bad_usage(self) -> None:
+        for arguments, part in (((PORTS, "stand_out(p)", "hn_perlin(p, 7u)"), "stand_out"),
+                                ((self.folder / "none.glsl", "p.x", "hn_perlin(p, 7u)"), "none.glsl")):
+            status, printed = self.measure(*arguments)
+            self.assertEqual(status, 2)
+            self.assertIn(part, printed)
+
+    def test_half_is_where_it_is(self) -> None:
+        for size in (0.05, 0.7, 0.8, 5.0):
+            found = likeness.half(lambda *lags, size=size: [max(1.0 - 0.5 * lag / size, -0.1) for lag in lags])
+            self.assertAlmostEqual(found, size, places=3)
+        with self.assertRaisesRegex(ValueError, "does not vary"):
+            likeness.half(lambda *lags: [float("nan") for _ in lags])
+
+    def test_a_version_is_the_name_that_git_has(self) -> None:
+        file = self.folder / "a.glsl"
+        file.write_text("float a() { return 1.0; }\n")
+        blob = subprocess.run(["git", "hash-object", file], capture_output=True, text=True, check=True).stdout
+        self.assertEqual(likeness.version(file), f"blob {blob[:10]}")
+
+
+if __name__ == "__main__":
+    unittest.main()
