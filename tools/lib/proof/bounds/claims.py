@@ -105,7 +105,8 @@ def wrong_error(sum_: Sum) -> str:
     factor, more = int((stated[1] or "1")[0].replace("t", "2")), 0.1 if "more" in sum_.error else 0.01
     if all(factor - 0.01 < ratio < factor + more for ratio in found):
         return ""
-    return f"the error {sum_.error} is not proven: proven are {found[0]:.3g} times that, with HN_FIXED {found[1]:.3g} times"
+    return (f"the error {sum_.error} is not proven: "
+            f"proven are {found[0]:.3g} times that, with HN_FIXED {found[1]:.3g} times")
 
 
 def wrong_sum(sum_: Sum) -> Iterator[str]:

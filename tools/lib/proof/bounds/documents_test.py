@@ -168,7 +168,8 @@ class Tree(unittest.TestCase):
             (noise2d, "at most 2.44e-6", "at most 1e-9", r"1e-9 of hn_perlin\(place2, uint\) should be 3e-6"),
             (noise2d, "at most 2.44e-6", "at most 2^-30", r"2\^-30 of hn_perlin\(place2, uint\) should be 2\^-18"),
             (noise2d, "at most 2.44e-6", "at most 0.01", r"0.01 of hn_perlin\(place2, uint\) should be 3e-6"),
-            (clouds, "twice hn_turbulence's", "twice hn_turbulence's, plus 2^-30", r"2\^-30 of hn_billow.* is derived nowhere"),
+            (clouds, "twice hn_turbulence's", "twice hn_turbulence's, plus 2^-30",
+             r"2\^-30 of hn_billow.* is derived nowhere"),
             (first, "at most 6.57e-6", "at most 6.56e-6",
              r"6.56e-6 of hn_perlin_d\(place1, uint\) should be 6.57e-6"),
             (first, "at most 7.47e-6", "at most 7.46e-6", r"7.46e-6 of hn_perlin_d\(place1, uint\) should be 7.47e-6"),
@@ -191,7 +192,7 @@ class Tree(unittest.TestCase):
                  r"perlin_d: the range of d in 2D is \[-2.92, 2.92\]; derived are \[.*2.90564.*\]$"),
                 ("catalog/noises.toml", "d = [[-2.69, 2.69]", "d_phase = [[-2.7, 2.7], [], [], []]\nd = [[-2.69, 2.69]",
                  r"perlin_d: the range of d_phase in 1D is \[-2.7, 2.7\]; nothing derives it$"),
-                ("catalog/noises.toml", 'returns = "[-1, 1], mean 0, 0 at', 'returns = "[0.4, 0.5], proven, mean 0, 0 at',
+                ("catalog/noises.toml", 'returns = "[-1, 1], mean 0, 0', 'returns = "[0.4, 0.5], proven, mean 0, 0',
                  r"perlin: returns has \[0.4, 0.5\], which is not its range$"),
                 (self.comment_over("*2d.glsl", " hn_perlin(hn_"), "[-1, 1] (proven", "[0, 1] (proven",
                  r"\[0, 1\] is not the range of hn_perlin in catalog/$")):
