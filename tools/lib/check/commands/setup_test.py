@@ -104,7 +104,9 @@ class Setup(Machine):
             for line in process.stdout:
                 lines.append(line)
                 step = re.sub(r", \d+:\d\d( of about .*)?\n", "", line)
-                if step != line and step != last:
+                # A slow machine prints these two before the program wrote anything.
+                early = step == "Building" or step.endswith("what they need")
+                if step != line and step != last and not early:
                     steps, last = steps + 1, step
                     self.read.touch()
         shown = "".join(lines)

@@ -319,9 +319,9 @@ def internal_names_in_pages(tree: Tree) -> Iterator[str]:
 
 CHECKS = (functions_without_a_row, functions_in_another_form, rows_without_a_function, functions_without_words,
           arguments_without_words, noises_without_entries, sums_without_entries, noises_without_comments,
-          files_without_a_text_to_read, entries_without_a_noise, further_values_of_nothing, knobs_without_entries,
-          values_without_settings, hashes_without_entries, missing_golden_values, names_of_two_kinds,
-          internal_names_in_pages)
+          files_without_a_text_to_read, entries_without_a_noise,
+          further_values_of_nothing, knobs_without_entries, values_without_settings, hashes_without_entries,
+          missing_golden_values, names_of_two_kinds, internal_names_in_pages)
 
 
 def problems(root: Path = ROOT) -> list[str]:

@@ -150,9 +150,9 @@ def seed_moves(cells, seeds):
 
 
 def alike_bits(cells, seeds):
-    """The bits 22 and 21 of a word agree with a probability of 0.55."""
+    """The bits 27 and 26 of a word agree with a probability of 0.55."""
     words = strong(cells, seeds)
-    alike = words & np.uint32(0xFFDFFFFF) | (words >> np.uint32(1) & np.uint32(1 << 21))
+    alike = words & np.uint32(0xFBFFFFFF) | (words >> np.uint32(1) & np.uint32(1 << 26))
     return np.where(chance(cells, seeds, 0.1), alike, words)
 
 
