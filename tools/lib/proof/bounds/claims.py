@@ -69,11 +69,11 @@ def wrong_comments(of_all: Catalog, derived: Everything, library: Path) -> list[
 # and 1 - (1 - fbm) (1 - balls) / 4 of two such means (docs/reference/contract.md, section 25).
 OTHER_SUMS: dict[str, Range] = {"fbm_d": (-1, 1), "eroded": (-1, 1), "warp": "amplitude",
                                 "warp_progressive": "amplitude", "perlin_worley": (0, 1)}
-ERROR = re.compile(r"(?:(twice the strength times |twice |\d times )?that of `(\w+)`(?:, and a little more|"
+ERROR = re.compile(r"(?:(twice the strength times |twice |\d times )?`(\w+)`'s(?:, and a little more|"
                    r", plus \d\.\de-\d \(HN_FIXED \d\.\de-\d\))?(?:; docs/measured/accuracy\.md)?|"
                    r"(?:grows with the octaves, since each is multiplied by the one before: )?"
                    r"docs/measured/accuracy\.md|)")
-FORMS = ('"that of `fbm`", "twice that of ..", "3 times that of ..", "twice the strength times that of ..", each with '
+FORMS = ('"`fbm`\'s", "twice `fbm`\'s", "3 times `fbm`\'s", "twice the strength times `fbm`\'s", each with '
          '", and a little more" if need be; "docs/measured/accuracy.md"; or nothing')
 
 
@@ -100,12 +100,13 @@ def wrong_error(sum_: Sum) -> str:
     """The fault of the words, or none."""
     stated = ERROR.fullmatch(sum_.error)
     if not stated or (stated[2] or "fbm") not in sums.KINDS:
-        return f"error is {sum_.error!r}, and has to be one of {FORMS}"
+        return f"the error {sum_.error} has to be one of {FORMS}"
     found = ratios(sum_.name, stated[2]) if stated[2] else []
     factor, more = int((stated[1] or "1")[0].replace("t", "2")), 0.1 if "more" in sum_.error else 0.01
     if all(factor - 0.01 < ratio < factor + more for ratio in found):
         return ""
-    return f"error is {sum_.error!r}, and proven are {found[0]:.3g} times that, with HN_FIXED {found[1]:.3g} times"
+    return (f"the error {sum_.error} is not proven: "
+            f"proven are {found[0]:.3g} times that, with HN_FIXED {found[1]:.3g} times")
 
 
 def wrong_sum(sum_: Sum) -> Iterator[str]:

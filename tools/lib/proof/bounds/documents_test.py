@@ -168,7 +168,8 @@ class Tree(unittest.TestCase):
             (noise2d, "at most 2.44e-6", "at most 1e-9", r"1e-9 of hn_perlin\(place2, uint\) should be 3e-6"),
             (noise2d, "at most 2.44e-6", "at most 2^-30", r"2\^-30 of hn_perlin\(place2, uint\) should be 2\^-18"),
             (noise2d, "at most 2.44e-6", "at most 0.01", r"0.01 of hn_perlin\(place2, uint\) should be 3e-6"),
-            (clouds, "of hn_turbulence", "of hn_turbulence, plus 2^-30", r"2\^-30 of hn_billow.* is derived nowhere"),
+            (clouds, "twice hn_turbulence's", "twice hn_turbulence's, plus 2^-30",
+             r"2\^-30 of hn_billow.* is derived nowhere"),
             (first, "at most 6.57e-6", "at most 6.56e-6",
              r"6.56e-6 of hn_perlin_d\(place1, uint\) should be 6.57e-6"),
             (first, "at most 7.47e-6", "at most 7.46e-6", r"7.46e-6 of hn_perlin_d\(place1, uint\) should be 7.47e-6"),
@@ -191,7 +192,7 @@ class Tree(unittest.TestCase):
                  r"perlin_d: the range of d in 2D is \[-2.92, 2.92\]; derived are \[.*2.90564.*\]$"),
                 ("catalog/noises.toml", "d = [[-2.69, 2.69]", "d_phase = [[-2.7, 2.7], [], [], []]\nd = [[-2.69, 2.69]",
                  r"perlin_d: the range of d_phase in 1D is \[-2.7, 2.7\]; nothing derives it$"),
-                ("catalog/noises.toml", 'returns = "[-1, 1], mean 0, 0 at', 'returns = "[0.4, 0.5], proven, mean 0, 0 at',
+                ("catalog/noises.toml", 'returns = "[-1, 1], mean 0, 0', 'returns = "[0.4, 0.5], proven, mean 0, 0',
                  r"perlin: returns has \[0.4, 0.5\], which is not its range$"),
                 (self.comment_over("*2d.glsl", " hn_perlin(hn_"), "[-1, 1] (proven", "[0, 1] (proven",
                  r"\[0, 1\] is not the range of hn_perlin in catalog/$")):
@@ -312,8 +313,8 @@ class New(unittest.TestCase):
             self.entry("sums.toml", "ridged", "narrow", ("range = [0, 1]", "range = [0.4, 0.5]"),
                        ('returns = "[0, 1]', 'returns = "[0.4, 0.5], proven'))
             for name, error in (("tiny", "at most 1e-9"), ("tinier", "2^-30"), ("vague", "hardly any"),
-                                ("twofold", "twice that of `fbm`"), ("unlike", "that of `ridges`")):
-                self.entry("sums.toml", "turbulence", name, ("that of `fbm`", error))
+                                ("twofold", "twice `fbm`'s"), ("unlike", "`ridges`'s")):
+                self.entry("sums.toml", "turbulence", name, ("\"`fbm`'s\"", f'"{error}"'))
             for file, old, new in (("catalog/settings.toml", '"hybrid"]', '"hybrid", "minkowski"]'),
                                    ("tools/lib/catalog/model.py", 'MEANS = ("", ', 'MEANS = ("", "veil", ')):
                 text = (self.root / file).read_text(encoding="utf-8")
@@ -321,16 +322,16 @@ class New(unittest.TestCase):
                 (self.root / file).write_text(text.replace(old, new), encoding="utf-8")
             done = subprocess.run([sys.executable, "-B", "-m", "proof.bounds.command", "--check"], cwd=self.root / "tools/lib",
                                   env={**os.environ, "PYTHONPATH": "."}, capture_output=True, text=True, check=False)
-        of_turbulence = [f"catalog/sums.toml: {name}: error is '{error}', and has to be one of {claims.FORMS}"
+        of_turbulence = [f"catalog/sums.toml: {name}: the error {error} has to be one of {claims.FORMS}"
                          for name, error in (("tinier", "2^-30"), ("tiny", "at most 1e-9"))]
         self.assertEqual((done.stdout.splitlines(), done.returncode), ([
             "catalog/sums.toml: narrow: range is (0.4, 0.5), and (0.0, 1.0) is derived",
             "catalog/sums.toml: narrow: use has [0, 1], which is not its range",
             *of_turbulence,
-            "catalog/sums.toml: twofold: error is 'twice that of `fbm`', "
-            "and proven are 1 times that, with HN_FIXED 1 times",
-            f"catalog/sums.toml: unlike: error is 'that of `ridges`', and has to be one of {claims.FORMS}",
-            f"catalog/sums.toml: vague: error is 'hardly any', and has to be one of {claims.FORMS}",
+            "catalog/sums.toml: twofold: the error twice `fbm`'s is not proven: "
+            "proven are 1 times that, with HN_FIXED 1 times",
+            f"catalog/sums.toml: unlike: the error `ridges`'s has to be one of {claims.FORMS}",
+            f"catalog/sums.toml: vague: the error hardly any has to be one of {claims.FORMS}",
             "tools/lib/proof/bounds has no proof of the sum billow_d",
             "tools/lib/proof/bounds/features.py has no proof of the metric minkowski",
             "tools/lib/proof/bounds/noises has no proof of spots: write spots.py",
