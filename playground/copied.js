@@ -1,6 +1,6 @@
 // The texts to copy: the functions of code.js with the colours, with their helpers, and as a whole shader.
 import { decimal, declaration, functions, kLanguages, kTypes, knobs, numbers } from "./code.js";
-import { bakeLines, isOneLine, pythonLines } from "./lines.js";
+import { bakeLines, pythonLines } from "./lines.js";
 import { isLeaning, mapsOf, numbersOfTinted, rangeOf, shownLayers } from "./model.js";
 import { partsOfColour, rampOf } from "./palette.js";
 import { isScalar, scalarCode } from "./scalar.js";
@@ -246,7 +246,10 @@ export function copied(library, language, state, kind = "function", withLibrary 
   const waits = isScalar(language) ? !library.pieces.cpu : !["cpp", "python", "bake"].includes(language) && !library.pieces.shading;
   if (waits) return { head: [], library: () => [], code: ["…"], waits };
   if (language === "python") return { head: [`# ${first}`], library: () => [], code: pythonLines(state) };
-  if (language === "bake") return bakeText(library, state, first);
+  if (language === "bake") {
+    const hash = state.hash === "lattice" ? [] : ["# tools/bake has the default hash."];
+    return { head: [`# ${first}`, ...hash], library: () => [], code: bakeLines(state) };
+  }
   if (isScalar(language)) {
     const { head, ...rest } = scalarCode(library, language, state);
     const hash = state.hash === "lattice" ? [] : ["// With the default hash: the page has no other in this language."];
@@ -312,19 +315,6 @@ function tslText(library, state, first) {
       ...(isLeaning(state) ? [node("slice", p.slice(0, 4), p)] : []),
       node("colour", "vec3", mapsOf(state).length > 1 ? p : "float value"),
     ],
-  };
-}
-
-// A command; and the file that it reads where no option is enough.
-function bakeText(library, state, first) {
-  const lines = bakeLines(state);
-  if (isOneLine(state)) return { head: [`# ${first}`], library: () => [], code: lines };
-  const { lines: code, at } = functions(library, "glsl", state, numbers("glsl", state), ["position"]);
-  const hash = state.hash === "lattice" ? [] : ["# tools/bake has the default hash."];
-  return {
-    head: [`# ${first}`, ...hash, "cat > pattern.glsl << END"],
-    library: () => [],
-    code: [...sliceLines("glsl", state), ...code, ...masks(state, at), "END", ...lines],
   };
 }
 

@@ -1,5 +1,6 @@
 // The picture as lines for tools/bake and for Python, which compute grids.
 import { kStepBeside } from "./code.js";
+import { kAxes } from "./scalar.js";
 import { kNoises, kSums } from "./tables.js";
 import { isLeaning, numbersOfTinted, rangeOf, remapOf, shownLayers, tintedLayers, uses } from "./model.js";
 import { kPartsOfCell, leaningNumbers } from "./view.js";
@@ -32,7 +33,7 @@ function functionOf({ sum, noise }) {
   return ["cellular_between", "cells"].includes(noise) ? undefined : kNoises[noise].calls.replace("hn_", "");
 }
 
-export const isOneLine = (state) => {
+const isOneLine = (state) => {
   const shown = shownLayers(state);
   const { weight, offset } = remapOf(state, state.layers.indexOf(shown[0]));
   const [{ warp, scale }] = shown;
@@ -56,9 +57,15 @@ export function bakeLines(state) {
   const period = state.period ? ` --period ${Array(dimensions).fill(state.period).join("x")}` : "";
   const range = rangeOf(state).map((end) => Number(end.toFixed(4))).join(":");
   const rest = `${period} --range=${range} --arithmetic ${state.arithmetic} -o noise.png`;
-  const masks = numbersOfTinted(state).map((number) => [`mask_${number}(p)`, `${period} --range=0:1 --arithmetic ${state.arithmetic} -o mask_${number}.png`]);
-  if (!isOneLine(state))
-    return [["pattern(p)", rest], ...masks].map(([value, end]) => `tools/bake --expression '${isLeaning(state) ? value.replace("(p)", "(slice(p))") : value}' --source pattern.glsl ${place}${end}`);
+  if (!isOneLine(state)) {
+    if (!isInPython(state)) return ["# tools/bake has no sums of distances: GLSL and WGSL have all pictures."];
+    const { lines, call } = patternOf(state, kAxes);
+    const masks = numbersOfTinted(state).map((number) => ` --range=0:1 -o mask_${number}.png`);
+    const commands = [` --range=${range} -o noise.png`, ...masks].map(
+      (end, at) => `tools/bake --expression '${call}${masks.length ? `[${at}]` : ""}' --source pattern.py ${place}${end}`,
+    );
+    return ["cat > pattern.py << END", ...lines, "END", ...commands];
+  }
   const [layer] = shownLayers(state);
   const at = state.layers.indexOf(layer);
   const options = Object.entries(optionsOf(state, layer, at)).map(([name, value]) => `--${name} ${value}`);
@@ -76,26 +83,41 @@ const kSlope = [
 export function pythonLines(state) {
   const { width, height, dimensions } = state;
   const shown = shownLayers(state);
-  if (state.hash !== "lattice" || shown.some((layer) => !functionOf(layer)))
-    return ["# Python has no such hash, and no sums of distances: tools/bake has all pictures."];
-  const axes = ["x", "y", "z", "w"].slice(0, dimensions);
-  const written = (options) =>
-    Object.entries({
-      ...(state.period ? { period: state.period } : {}),
-      ...options,
-      ...(state.arithmetic === "fast" ? {} : { arithmetic: "fixed" }),
-    })
-      .map(([name, value]) => `${name}=${typeof value === "string" ? `"${value}"` : value}`).join(", ");
-  const index = (layer) => (layer.sum === "none" && kShown[layer.noise] !== undefined ? `[${kShown[layer.noise]}]` : "");
+  if (state.hash !== "lattice" || !isInPython(state))
+    return ["# Python has no such hash, and no sums of distances: GLSL and WGSL have all pictures."];
   const step = Number(((state.view === "tiles" ? 3 * state.period : state.cells) / Math.min(width, height)).toPrecision(9));
   if (isOneLine(state) && dimensions === 2) {
     const first = [[state.x, width], [state.y, height]].map(
       ([middle, side]) => Math.round(Number(middle) / kPartsOfCell / step) - Math.floor(side / 2),
     );
-    const options = written(optionsOf(state, shown[0], state.layers.indexOf(shown[0])));
+    const options = pythonOptions(state, optionsOf(state, shown[0], state.layers.indexOf(shown[0])));
     const grid = `"${functionOf(shown[0])}", (${width}, ${height}), step=${step}, first=(${first.join(", ")})`;
-    return ["import hashnoise", "", `values = hashnoise.grid(${grid}, ${options})${index(shown[0])}`];
+    return ["import hashnoise", "", `values = hashnoise.grid(${grid}, ${options})${indexOf(shown[0])}`];
   }
+  const { lines, call } = patternOf(state, ["x", "y", state.z, state.w]);
+  const line = `numpy.arange(${width}) * ${step}`;
+  return [
+    "import hashnoise", "import numpy", "", ...lines, "",
+    dimensions === 1 ? `x = ${line}` : `x, y = numpy.meshgrid(${line}, numpy.arange(${height}) * ${step})`,
+    `${["values", ...numbersOfTinted(state).map((number) => `mask_${number}`)].join(", ")} = ${call}`,
+  ];
+}
+
+const indexOf = (layer) => (layer.sum === "none" && kShown[layer.noise] !== undefined ? `[${kShown[layer.noise]}]` : "");
+const isInPython = (state) => shownLayers(state).every((layer) => functionOf(layer));
+const pythonOptions = (state, options) =>
+  Object.entries({
+    ...(state.period ? { period: state.period } : {}),
+    ...options,
+    ...(state.arithmetic === "fast" ? {} : { arithmetic: "fixed" }),
+  })
+    .map(([name, value]) => `${name}=${typeof value === "string" ? `"${value}"` : value}`).join(", ");
+
+// The picture as a function of Python, and its call at a place.
+function patternOf(state, place) {
+  const { dimensions } = state;
+  const shown = shownLayers(state);
+  const axes = kAxes.slice(0, dimensions);
   // As integers are in other languages, as soon as something is done with the value of a noise.
   const isClipped = state.arithmetic === "fixed" && (shown.length > 1 || shown[0].weight !== 1 || shown[0].offset !== 0);
   let mask = "";
@@ -105,16 +127,16 @@ export function pythonLines(state) {
     const at = state.layers.indexOf(layer);
     const scaled = layer.scale === 1 ? axes : axes.map((axis) => `${layer.scale} * ${axis}`);
     const period = state.period ? { period: state.period * layer.scale } : {};
-    const options = written({ ...optionsOf(state, layer, at), ...period });
+    const options = pythonOptions(state, { ...optionsOf(state, layer, at), ...period });
     const warped = layer.warp !== "none" && (dimensions === 2 || dimensions === 3);
     const moves = axes.map((axis) => `d${axis}`);
     const { octaves, lacunarity, gain, amplitude } = layer;
-    const ofWarp = written({ seed: (layer.seed + 1) % 4294967296, octaves, lacunarity, gain, amplitude, ...period });
+    const ofWarp = pythonOptions(state, { seed: (layer.seed + 1) % 4294967296, octaves, lacunarity, gain, amplitude, ...period });
     const warp = warped
       ? [`    ${moves.join(", ")} = hashnoise.${layer.warp}(${scaled.join(", ")}, ${ofWarp})`]
       : [];
     const passed = warped ? scaled.map((axis, i) => `${axis} + ${moves[i]}`) : scaled;
-    const value = `hashnoise.${functionOf(layer)}(${passed.join(", ")}, ${options})${index(layer)}`;
+    const value = `hashnoise.${functionOf(layer)}(${passed.join(", ")}, ${options})${indexOf(layer)}`;
     const { weight, offset } = remapOf(state, at);
     const remapped = `${weight === 1 ? "" : `${weight} * `}${value}${offset ? ` + ${offset}` : ""}`;
     const next = {
@@ -142,14 +164,13 @@ export function pythonLines(state) {
     const result = number ? made : remapped;
     return [...before, `    v = ${isClipped ? `numpy.clip(${result}, -8, 8)` : result}`];
   }, []);
-  const place = ["x", "y", state.z, state.w].slice(0, dimensions);
   const leaning = leaningNumbers(state).map((row) => row.map((part, at) => `${part} * ${place[at]}`).join(" + "));
   const passed = isLeaning(state) ? [...leaning, ...place.slice(3)] : place;
-  const line = `numpy.arange(${width}) * ${step}`;
-  return [
-    "import hashnoise", "import numpy", "", ...(below.length ? kSlope : []), ...below, "# Positions are in cells.",
-    `def pattern(${parameters}):`, ...lines, `    return ${["v", ...masks].join(", ")}`, "",
-    dimensions === 1 ? `x = ${line}` : `x, y = numpy.meshgrid(${line}, numpy.arange(${height}) * ${step})`,
-    `${["values", ...numbersOfTinted(state).map((number) => `mask_${number}`)].join(", ")} = pattern(${passed.join(", ")})`,
-  ];
+  return {
+    lines: [
+      ...(below.length ? kSlope : []), ...below, "# Positions are in cells.",
+      `def pattern(${parameters}):`, ...lines, `    return ${["v", ...masks].join(", ")}`,
+    ],
+    call: `pattern(${passed.slice(0, dimensions).join(", ")})`,
+  };
 }

@@ -5,7 +5,7 @@ import { remapOf } from "./model.js";
 import { named } from "./pieces.js";
 import { kMetrics, kNoises, kSums } from "./tables.js";
 
-const kAxes = ["x", "y", "z", "w"];
+export const kAxes = ["x", "y", "z", "w"];
 const kPlain = ["perlin", "value", "simplex"]; // these have functions of a position
 const signed = (seed) => String(seed | 0); // where words are numbers with a sign
 

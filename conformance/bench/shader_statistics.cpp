@@ -198,7 +198,7 @@ Words words_of(const char* file) {
   return words;
 }
 
-// The value of a function, or its error, behind what it is of.
+// The value of a function, or its error, behind the subject of it.
 template <typename Function>
 bool print(const char* of, Function function) {
   bool is_error = false;

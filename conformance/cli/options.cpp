@@ -140,10 +140,6 @@ void add_run(CLI::App& app, RunCommand& run, const std::string& faults) {
       ->type_name("FAULT");
   command.add_flag("--timings", run.output.timings,
                    "Also time the functions of the cases, as multiples of Perlin/Float");
-  command
-      .add_option("--record-costs", run.output.costs,
-                  "Write what the cases took, without Mesa's cache of shaders, as conformance/cases/costs.csv has it")
-      ->type_name("FILE");
 }
 
 void add_merge(CLI::App& app, MergeCommand& options) {

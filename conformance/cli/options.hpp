@@ -1,4 +1,4 @@
-// The options of the command line.
+// The command line: what is to be done.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ struct ListCommand {
   std::vector<std::string> filters;
   bool thorough = false;
   bool about = false;
-  bool checks = false;  // a text on each check, instead
+  bool checks = false;  // what each check is, instead
 };
 
 // Which cases run, and on which drivers.
@@ -50,8 +50,7 @@ struct RunOutput {
   std::string out = "out";
   bool resume = false;  // what is there
   bool timings = false;
-  std::string costs;  // where to write the times of cases
-  std::string line;   // the command line
+  std::string line;  // the command line
 };
 
 struct RunCommand {

@@ -1,21 +1,17 @@
 // hn-conform drivers, run and merge
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <sys/utsname.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
-#include <thread>
 
 #include "base/file.hpp"
 #include "base/temporary_folder.hpp"
 #include "base/text.hpp"
 #include "base/worker.hpp"
-#include "cases/costs.hpp"
 #include "cases/deal.hpp"
 #include "cli/command.hpp"
 #include "expected/exact_sets.hpp"
@@ -276,31 +272,6 @@ int conclude(const std::vector<Run>& runs, const std::string& out, std::vector<s
 
 bool is_here(const Run& run) { return run.absent.empty() && run.driver != kReferenceCompiler; }
 
-// Prints the plan of the run before it begins; nothing for a short one.
-void announce(const RunPlan& plan) {
-  std::size_t count = 0;
-  double seconds = 0.0;
-  std::vector<std::string_view> names;
-  for (const DriverPlan& driver : plan.drivers) {
-    count += driver.ids.size();
-    seconds += Costs::recorded().seconds_of(driver.ids);
-    names.push_back(driver.driver);
-  }
-  constexpr double kMoment = 10.0;
-  if (seconds < kMoment) return;
-  const auto cores = static_cast<double>(std::min<std::size_t>(plan.jobs, std::thread::hardware_concurrency()));
-  const double here = seconds * Costs::recorded().factor_here();
-  complain(fmt::format("{} cases on {}: about {:.0f} s, less what Mesa has compiled before", count,
-                       fmt::join(names, ", "), std::max(here / cores, 1.0)));
-}
-
-// For the table of costs. A case of a driver in a process of its own has no processor time.
-Result<void> write_costs(const std::string& path, const std::vector<Run>& runs) {
-  std::vector<CaseResult> results;
-  for (const Run& run : runs) results.insert(results.end(), run.cases.begin(), run.cases.end());
-  return write_file(path, Costs::of(results, calibration_here()).text());
-}
-
 // Why there can be no verdict: drivers that were named are not here, or none is.
 std::vector<std::string> missing_drivers(const std::vector<Run>& runs, const std::set<std::string>& named) {
   std::vector<std::string> missing;
@@ -401,7 +372,6 @@ std::string reason_to_end(const Journal& journal, int signal) {
 // The cases, their results, and the exit status.
 int run_to_the_end(const RunPlan& plan, const RunOutput& output, const RunInputs& inputs, const DriverChoice& choice,
                    Journal& journal, const Interruption& interruption) {
-  announce(plan);
   auto [runs, problems] = run_plan(plan, output.out, journal, stderr);
   if (output.timings && journal.problem().empty()) add_timings(runs, plan, output.out);
   for (Run& run : runs) {
@@ -418,9 +388,6 @@ int run_to_the_end(const RunPlan& plan, const RunOutput& output, const RunInputs
   const int signal = interruption.signal();
   const std::string reason = reason_to_end(journal, signal);
   bool whole = !note_what_was_not_run(plan, runs, reason, problems);
-  if (whole && !output.costs.empty()) {
-    if (const auto written = write_costs(output.costs, runs); !written) problems.push_back(written.error().text());
-  }
   whole = !(output.timings && note_what_was_not_timed(runs, reason, problems)) && whole;
   const int status = conclude(runs, output.out, problems);
   const bool ended_early = !whole && !reason.empty();
@@ -471,7 +438,6 @@ int run_command(const RunCommand& run, Interruption& interruption) {
   }
   const auto inputs = read_inputs(selection, execution);
   if (!inputs) return usage_error(inputs.error().text());
-  if (!output.costs.empty()) setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);  // of the processes of drivers
   interruption.note_the_first();
   const Inquiry inquiry(interruption.fd());
   const auto choice = choose_drivers(selection.drivers, inquiry);

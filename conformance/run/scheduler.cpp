@@ -4,7 +4,6 @@
 #include <poll.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -13,7 +12,6 @@
 #include "base/progress.hpp"
 #include "base/version.hpp"
 #include "base/worker.hpp"
-#include "cases/costs.hpp"
 
 namespace hn {
 namespace {
@@ -54,7 +52,6 @@ class Lane {
   }
   Worker* worker() { return worker_ ? &*worker_ : nullptr; }
   std::size_t done() const { return results_.size(); }
-  double cost_done() const { return cost_done_; }
   std::size_t bad() const { return bad_; }
   // There will be more about the last case.
   bool examining() const { return worker_ && examining_; }
@@ -165,7 +162,6 @@ class Lane {
     const bool excused = !excuse_for(whole_.expectations, plan_.driver, renderer, result).empty();
     if (is_bad(result.outcome.status) && !excused) ++bad_;
     pending_.erase(result.id);
-    cost_done_ += Costs::recorded().seconds_of(result.id);
     results_.emplace(result.id, std::move(result));
   }
 
@@ -221,7 +217,6 @@ class Lane {
   std::string absent_;
   std::optional<Worker> worker_;
   std::size_t bad_ = 0;
-  double cost_done_ = 0.0;
   std::size_t next_ = 0;               // all before it are done
   bool ready_ = false;                 // this process
   bool examining_ = false;             // this process makes the evidence of the last case
@@ -239,8 +234,7 @@ class Scheduler {
  public:
   Scheduler(const RunPlan& plan, const std::filesystem::path& directory, Journal& journal, std::FILE* progress)
       : plan_(plan), journal_(journal), progress_(progress, total(plan)) {
-    for (const DriverPlan& driver : plan.drivers) expected_ += costs_.seconds_of(driver.ids);
-    for (const DriverPlan& driver : plan.drivers) add_parts(driver, piece_of(plan));
+    for (const DriverPlan& driver : plan.drivers) add_parts(driver);
     std::map<std::string, int> counts;
     for (const DriverPlan& part : parts_) {
       const int number = ++counts[part.driver];
@@ -276,39 +270,37 @@ class Scheduler {
         std::move(run.cases.begin(), run.cases.end(), std::back_inserter(runs.back().cases));
       }
     }
+    for (Run& run : runs) sort_as_planned(run);
     return {std::move(runs), std::move(problems)};
   }
 
  private:
-  // If there are fewer drivers than processes may run, the cases of each are split by cost into so many parts that no
-  // core waits long for the last one. Cases that share a program stay together.
-  void add_parts(const DriverPlan& driver, double piece) {
-    DriverPlan part{.driver = driver.driver, .ids = {}, .whole = driver.whole};
-    double seconds = 0.0;
+  // If there are fewer drivers than processes may run, the functions of each are dealt to several parts in turn. So a
+  // part takes about as long as another, no core waits long for the last one, and cases that ran stand for the others.
+  void add_parts(const DriverPlan& driver) {
+    const auto draws = [](const DriverPlan& one) { return one.driver != kReferenceCompiler; };
+    const auto drivers = static_cast<std::size_t>(std::ranges::count_if(plan_.drivers, draws));
+    constexpr std::size_t kPartsOfAProcess = 6;
+    constexpr std::size_t kLeast = 60;  // cases, which take a few times as long as loading a driver
+    const std::size_t most = drivers < plan_.jobs ? kPartsOfAProcess * plan_.jobs : 1;
+    const std::size_t count = std::clamp<std::size_t>(driver.ids.size() / kLeast, 1, most);
+    std::vector<DriverPlan> parts(count, {.driver = driver.driver, .ids = {}, .whole = driver.whole});
+    std::size_t function = 0;
     for (std::size_t i = 0; i < driver.ids.size(); ++i) {
-      const bool shared = i > 0 && program_of(driver.ids[i]) == program_of(driver.ids[i - 1]);
-      if (seconds >= piece && !shared) {
-        parts_.push_back(part);
-        part.ids.clear();
-        seconds = 0.0;
-      }
-      part.ids.push_back(driver.ids[i]);
-      seconds += costs_.seconds_of(driver.ids[i]);
+      if (i > 0 && function_of(driver.ids[i]) != function_of(driver.ids[i - 1])) ++function;
+      parts[function % count].ids.push_back(driver.ids[i]);
     }
-    parts_.push_back(std::move(part));
+    std::erase_if(parts, [](const DriverPlan& part) { return part.ids.empty(); });
+    std::move(parts.begin(), parts.end(), std::back_inserter(parts_));
   }
 
-  static std::string_view program_of(std::string_view id) { return id.substr(0, id.rfind('.')); }
-
-  // How much a process runs at the least, in seconds: a few times what loading a driver takes. With a driver for each
-  // process there is nothing to split.
-  double piece_of(const RunPlan& plan) const {
-    const auto draws = [](const DriverPlan& one) { return one.driver != kReferenceCompiler; };
-    const auto drivers = std::ranges::count_if(plan.drivers, draws);
-    if (drivers >= static_cast<std::ptrdiff_t>(plan.jobs)) return std::numeric_limits<double>::infinity();
-    constexpr double kLeast = 5.0;
-    constexpr std::size_t kPiecesOfAProcess = 3;
-    return std::max(expected_ / static_cast<double>(kPiecesOfAProcess * plan.jobs), kLeast);
+  void sort_as_planned(Run& run) const {
+    std::map<std::string_view, std::size_t> places;
+    for (const DriverPlan& plan : plan_.drivers) {
+      if (plan.driver != run.driver) continue;
+      for (const std::string& id : plan.ids) places.emplace(id, places.size());
+    }
+    std::ranges::sort(run.cases, {}, [&](const CaseResult& result) { return places.at(result.id); });
   }
 
   static std::size_t total(const RunPlan& plan) {
@@ -384,16 +376,14 @@ class Scheduler {
     return count;
   }
 
-  // From what cases cost where that was recorded, and how long those that ran have taken here.
-  std::optional<double> seconds_left() {
-    double done = 0.0;
-    for (const Lane& lane : lanes_) done += lane.cost_done();
+  // As long for each case as for those that ran here.
+  std::optional<double> seconds_left(std::size_t done) {
     if (!begin_done_) begin_done_ = done;  // of an earlier run
-    const double here = done - *begin_done_;
+    const auto here = static_cast<double>(done - *begin_done_);
     const double elapsed = std::chrono::duration<double>(SteadyClock::now() - begin_).count();
     constexpr double kEnough = 2.0;  // before that it would jump
-    if (here <= kEnough || elapsed <= kEnough) return std::nullopt;
-    return (expected_ - done) * elapsed / here;
+    if (here == 0.0 || elapsed <= kEnough) return std::nullopt;
+    return static_cast<double>(total(plan_) - done) * elapsed / here;
   }
 
   void show_progress() {
@@ -403,16 +393,14 @@ class Scheduler {
       done += lane.done();
       if (lane.worker()) current += fmt::format("{}{} {}", current.empty() ? "" : " | ", lane.driver(), lane.current());
     }
-    progress_.show(done, bad(), current, seconds_left());
+    progress_.show(done, bad(), current, seconds_left(done));
   }
 
   const RunPlan& plan_;
   std::vector<DriverPlan> parts_;
   Journal& journal_;
   Progress progress_;
-  const Costs& costs_ = Costs::recorded();
-  double expected_ = 0.0;  // seconds of processor time on the machine of record
-  std::optional<double> begin_done_;
+  std::optional<std::size_t> begin_done_;
   const SteadyClock::time_point begin_ = SteadyClock::now();
   std::vector<Lane> lanes_;
   bool stopping_ = false;

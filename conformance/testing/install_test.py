@@ -118,7 +118,7 @@ class Options(WithoutPrograms):
     def test_who_lacks_a_package_leaves_out_what_needs_it_by_one_option(self):
         done = self.configure(SOURCE, "-DHASHNOISE_CONFORMANCE=ON", "-DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON")
         self.assertNotEqual(done.returncode, 0)
-        self.assertIn("src/bake/CMakeLists.txt", done.stderr)  # the first that needs CLI11, and the cache could keep it
+        self.assertIn("CLI11", done.stderr)
         self.assertIn("-DHASHNOISE_CONFORMANCE=OFF builds the library without them", done.stdout)
         done = self.configure(SOURCE, "-DHASHNOISE_CONFORMANCE=OFF")
         self.assertEqual(done.returncode, 0, done.stderr)

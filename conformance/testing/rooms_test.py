@@ -76,7 +76,7 @@ class Rooms(unittest.TestCase):
                 self.assertEqual(of_the_suite(path.read_text(encoding="utf-8"), set(FOLDERS)), [], path)
 
     def test_an_include_of_the_suite_is_reported(self) -> None:
-        text = '#include "base/file.hpp"\n#include "bake/run.hpp"\n#include "files.hpp"\n#include "{}"\n'
+        text = '#include "base/file.hpp"\n#include "grid/run.hpp"\n#include "files.hpp"\n#include "{}"\n'
         for name in ("run/job.hpp", "../../conformance/run/job.hpp"):
             self.assertEqual(of_the_suite(text.format(name), {"base", "run"}), [name])
 

@@ -567,6 +567,9 @@ test("a copied text has the chosen settings", () => {
   );
   assert.match(copiedText(library, "bake", stateOf("#seed=9&period=4")), /^tools\/bake fbm --seed 9 .*--period 4x4 .*-o noise\.png$/m);
   assert.match(copiedText(library, "bake", stateOf("#sum=eroded&noise=simplex")), /^tools\/bake eroded --noise simplex_d /m);
+  const layers = copiedText(library, "bake", stateOf("#blend2=mask&blend3=add&dimensions=3&period=4"));
+  assert.match(layers, /^def pattern\(x, y, z\):$/m);
+  assert.match(layers, /^tools\/bake --expression 'pattern\(x, y, z\)' --source pattern\.py --size \d+x\d+x1 .*-o noise\.png$/m);
   assert.match(copiedText(library, "python", stateOf("#arithmetic=fixed&blend2=add")), /^ {4}v = numpy\.clip\(v \+ .*, -8, 8\)$/m);
   assert.match(copiedText(library, "python", stateOf("#seed=9")), /^values = hashnoise\.grid\("fbm", \(1024, 1024\), .*seed=9/m);
 });

@@ -98,13 +98,4 @@ Result<void> write_file(const std::filesystem::path& path, std::string_view byte
   return cannot_write(path, why);
 }
 
-Result<void> try_to_write(const std::filesystem::path& path) {
-  const auto draft = open_draft(path);
-  if (!draft) return tl::unexpected(draft.error());
-  std::fclose(draft->out);
-  std::error_code error;
-  std::filesystem::remove(draft->path, error);
-  return {};
-}
-
 }  // namespace hn

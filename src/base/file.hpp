@@ -16,9 +16,6 @@ namespace hn {
 // file as it was: what is no regular file is an error, too.
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
 
-// Whether write_file can make the file, whose folder is there. Nothing is left of the attempt.
-Result<void> try_to_write(const std::filesystem::path& path);
-
 // The bytes of a file. An error names it, and ends with the hint: what the file should be, or where it comes from.
 Result<std::string> read_file(const std::filesystem::path& path, std::string_view hint = {});
 

@@ -1,5 +1,5 @@
-// These rules state what settings may be. The constructor of Field checks them, so the Python package and hn-bake do,
-// too. They read from here the rules that they need before there is a Field. docs/guide/cpu.md has it as a table.
+// These rules state what settings may be. The constructor of Field checks them, and with it the Python package, which
+// also reads from here what it has to know before there is a Field. docs/guide/cpu.md has it as a table.
 #pragma once
 
 #include <cmath>

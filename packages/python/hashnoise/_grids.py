@@ -162,11 +162,11 @@ def instruction_sets():
 
 def field_of(function, name, dimensions, options):
     """The field that the function called `name` is of, with its defaults for what is left out or None."""
-    settings = _options(function, name, {option: value for option, value in options.items() if value is not None})
+    settings = options_of(function, name, {option: value for option, value in options.items() if value is not None})
     return make_field(function, dimensions, settings.pop("noise", None), settings.pop("fractal"), settings)
 
 
-def _options(function, name, given):
+def options_of(function, name, given):
     """The noise, the fractal and the options that make the function called `name`: its defaults, and the given ones."""
     if isinstance(name, str) and name in _noises.NOISES:
         own, chosen = _noises.NOISES[name], {"noise": name, "fractal": ""}

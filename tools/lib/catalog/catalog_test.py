@@ -2,6 +2,7 @@
 
 import ast
 import contextlib
+import dataclasses
 import io
 import re
 import shutil
@@ -117,6 +118,13 @@ HN_FN hn_float hn_i_ping_pong(hn_octaves2 o, hn_float strength) {
 }
 """)
         self.assertLessEqual(max(map(len, (shaders.comment(ping_pong) + shaders.forms(ping_pong)).splitlines())), 120)
+
+    def test_a_step_that_the_library_does_not_have(self):
+        for step in ("cubes", "part"):
+            message = (rf"^catalog/sums\.toml: fbm: step is '{step}', and has to be one of bent, bounded_size, .*, wave, "
+                       r"or a new hn_i_add_.* in glsl/hashnoise/detail/octave\.glsl$")
+            with self.assertRaisesRegex(CatalogError, message):
+                shaders.check_steps([dataclasses.replace(read().sums[0], step=step)])
 
     def test_made_code_is_code(self):
         for path, text in command.files().items():

@@ -16,6 +16,7 @@ except ImportError:  # before Python 3.11
 
 CATALOG = ROOT / "catalog"
 SHAPES = ("value", "slopes", "two_distances", "three_distances", "distance_with_slopes", "vector", "value_and_quadrature")
+WITH_VALUE = "value", "slopes", "value_and_quadrature"  # shapes with a component of that name
 AXES = "xyzw"
 OWN = "own"  # the noise of a sum that leaves no choice
 MEANS = ("", "density", "billows", "bounded")  # glsl/hashnoise/detail/octave.glsl
@@ -84,6 +85,12 @@ class Noise(Function):
     small: bool  # whether the twin in WebAssembly has it
     jumps: bool  # whether it is not continuous
     ranges: Mapping[str, tuple[Range, ...]]  # by component, for each dimension from the first on
+
+    @property
+    def all_ranges(self) -> Mapping[str, tuple[Range, ...]]:
+        """Also that of a value without one: src/grid/ranges.hpp takes it as in [-1, 1]."""
+        usual = ((-1, 1),) * (self.last - self.first + 1) if self.shape in WITH_VALUE else ()
+        return {"value": usual, **self.ranges}
 
     @property
     def called_with_phase(self) -> str:

@@ -10,7 +10,8 @@ import textwrap
 from collections.abc import Sequence
 from pathlib import Path
 
-from catalog.model import Catalog, Sum
+from base.tree import GLSL
+from catalog.model import Catalog, CatalogError, Sum
 from catalog.python import WIDTH
 from catalog.sections import with_section
 
@@ -23,6 +24,17 @@ SETTINGS = ("hn_int octaves", "hn_float lacunarity", "hn_float gain")
 def sums_of_values(catalog: Catalog) -> list[Sum]:
     """The steps in fbm2d.glsl."""
     return [sum_ for sum_ in catalog.sums if sum_.is_of_values]
+
+
+def check_steps(sums: Sequence[Sum]) -> None:
+    """A step may also exist for a detail or a footprint, which add a part of an octave: no sum has such a one."""
+    text = (GLSL / "detail" / "octave.glsl").read_text(encoding="utf-8")
+    steps = set(re.findall(r"\bhn_i_add_(\w+)\(hn_i_octave_sum s, hn_float n[,)]", text)) - {"part", "resolved"}
+    for sum_ in sums:
+        if sum_.step not in steps:
+            raise CatalogError(f"catalog/sums.toml: {sum_.name}: step is {sum_.step!r}, and has to be one of "
+                               f"{', '.join(sorted(steps))}, or a new hn_i_add_{sum_.step}(s, n) in "
+                               "glsl/hashnoise/detail/octave.glsl")
 
 
 def named(text: str) -> str:
@@ -120,6 +132,7 @@ def public_steps(sums: Sequence[Sum]) -> str:
 
 def files(catalog: Catalog) -> dict[Path, str]:
     sums = sums_of_values(catalog)
+    check_steps(sums)
     with_loops = with_section(SUMS, "loops", "".join(map(loop, sums)))[1]
     # fBm's are written by hand there, with the parts that all others take from it.
     others = "\n".join(comment(sum_) + forms(sum_) for sum_ in sums if sum_.name != "fbm")

@@ -15,9 +15,9 @@ import time
 OURS = "hashnoise"
 SIDE, CELLS = 1024, 16  # pixels and cells along a side
 STEP = CELLS / SIDE
-FEW = 128  # pixels along a side, for what is called point by point
+FEW = 128  # pixels along a side, for calls point by point
 
-# Of a module: what is measured, and how many points that is.
+# The makers return a call of a module, and how many points it computes.
 
 
 def _ours(function, **settings):
@@ -89,7 +89,7 @@ def main(rounds):
             if package == OURS:
                 sys.exit(f"{sys.executable} has no package {OURS}")
             continue
-        run()  # what is compiled or imported at first is not measured
+        run()  # compilations and imports are not measured
         calls.append(([noise, package, importlib.metadata.version(package)], run, points))
     for _ in range(rounds):
         for line, run, points in calls:

@@ -18,7 +18,7 @@ from measure.record import Change, Record
 
 KEY, VALUE = ("id",), ("ratio", "spread")
 PIXELS = 1920 * 1080
-# Of ids: noises and octave sums of positions with the default hash and floats, as people draw them.
+# Ids of noises and octave sums of positions with the default hash and floats, as people draw them.
 DRAWN = re.compile(r"(noise[23]d|fbm(_d)?|curl|warp|\w+_vector)\.(?!\w*_(cell|offset|full|nearest)(_|\b))\w*\.(lattice|any)$")
 OTHERS = re.compile(r"(table\.)?(?!empty)[^.]+$")  # tables in textures, and shaders of others
 FRAME = """A frame of 1920 x 1080 pixels with one evaluation for each pixel, at the default settings. The milliseconds are
@@ -56,7 +56,7 @@ def print_comparison(before: Record, now: Record) -> dict[str, Change]:
 
 
 def milliseconds(row: dict[str, str]) -> str:
-    """Of a frame with an evaluation for each pixel; or the word that stands in place of a number."""
+    """The time of a frame with an evaluation for each pixel; or the word in place of a number."""
     rate = record.number(row["evaluations_per_second"])
     return record.three_digits(1e3 * PIXELS / rate) if rate else row["evaluations_per_second"]
 

@@ -9,7 +9,5 @@
 # 4 it could not be built.
 help_if_asked "$build/conformance/hn-conform" bench -- "$@"
 refuse_unknown_options "$called" "$root/conformance/cli/options.cpp" "$root/tools/lib/measure/clock.sh" -- "$@"
-runs=$(cost run bench)
-(($# == 0)) || [[ $# == 2 && $1 == --out ]] || runs=
-setup clock "$runs"
+setup conform vulkan
 exec "$root/tools/lib/base/scientific-python" --with jinja2 -m measure.clock "$@"

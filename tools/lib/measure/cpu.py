@@ -65,7 +65,7 @@ def rows_of(noise: str, report: str) -> list[dict[str, str]]:
 
 
 def page_table(rows: Sequence[Row]) -> str:
-    """Each noise by the instruction sets."""
+    """A line for each noise, with numbers by instruction sets."""
     heads = [f"{first} : {second}" for first, second in COMPARED.values()]
     lines = []
     for noise in dict.fromkeys(row["noise"] for row in rows):

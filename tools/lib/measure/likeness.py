@@ -29,7 +29,7 @@ from base.usage import Parser
 from catalog.tables.glsl import files_of
 from translate.single_file.files import text
 
-LIMIT = 0.06  # so far may the deviation and the size be from theirs: what is rounded, and 1% for the places that are tried
+LIMIT = 0.06  # so far may the deviation and the size be from theirs: the rounding of numbers, and 1% for the places
 # Places lie in a cube of this size, in cells: many features, and less than the 289 after which webgl-noise repeats.
 CELLS = 250
 # In which the size is looked for, in cells. It is doubled until the correlation is less than 1/2.
@@ -98,13 +98,13 @@ def version(path: Path) -> str:
 
 
 def our_library(calls: str, axes: int) -> str:
-    """The files of what is called, as all files take a second to compile."""
+    """The files of the calls, as all files take a second to compile."""
     files = [file for name in re.findall(r"\bhn_\w+", calls) for file in files_of(name) if file.endswith(f"{axes}d.glsl")]
     return text(list(dict.fromkeys(files)), strip=True)
 
 
 def look(renderer: Renderer, source_: str, expression: str, axes: int) -> Look:
-    """An expression of p in the source."""
+    """The look of an expression of p in the source."""
     words = {"SOURCE": source_, "EXPRESSION": expression, "VECTOR": f"vec{axes}" if axes > 1 else "float",
              "AXES": str(axes), "CELLS": str(CELLS)}
     program = renderer.program(re.sub("|".join(words), lambda word: words[word[0]], SHADER))

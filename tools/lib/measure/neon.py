@@ -61,7 +61,7 @@ class Counter:
 
 
 def page_table(rows: Sequence[Mapping[str, str]]) -> str:
-    """Instructions a point, and quotients as those of tools/measure cpu."""
+    """Instructions a point, and quotients as tools/measure cpu has them."""
     lines = [[f"`{row['noise']}`", *(record.three_digits(float(row[name])) for name in COLUMNS),
               *(f"{float(row[second]) / float(row[first]):.2f}" for first, second in QUOTIENTS)] for row in rows]
     return table(("noise", *COLUMNS, *(f"{first} : {second}" for first, second in QUOTIENTS)), lines)

@@ -29,7 +29,8 @@ def printed(*command: object, **options: object) -> list[list[str]] | None:
 
 
 def rows_of(lines: Iterable[Sequence[str]], typical=statistics.median, **first: str) -> list[dict[str, str]]:
-    """Of "noise, package, version, nanoseconds of each round": the typical of these, the time in ours, and its spread."""
+    """The lines are "noise, package, version, nanoseconds of each round"; a row has the typical of these, the time in
+    ours, and its spread."""
     times = {(noise, package, number): [float(one) for one in some] for noise, package, number, *some in lines}
     ours = {noise: some for (noise, package, _), some in times.items() if package == OURS}
     rows = []

@@ -44,7 +44,7 @@ class Commands(unittest.TestCase):
         return [",".join(list(row.values())[:-1]) for row in stamps.read(self.folder / name).rows]
 
     def test_each_package_is_compared_with_ours(self) -> None:
-        """Of each round the quotient; of the times the median, and of crates the least."""
+        """The quotient of each round; the median of the times, and for crates the least."""
         lines = LINES.replace("hashnoise,", "hashnoise,0.4,").replace("fixed,", "fixed,0.4,").replace("noiz,", "vnoise,0.1,")
         status, output = self.call(python, "--python", self.script("python", f'printf "{lines}"; test "$3" = 5'), "--rounds", "5")
         self.assertEqual((status, output.strip()), (0, str(self.folder / "python.csv")))

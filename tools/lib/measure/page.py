@@ -15,7 +15,7 @@ STYLE = ROOT / "conformance" / "output" / "style.mustache"  # that of hn-conform
 
 
 class Section(NamedTuple):
-    """A page by tables.html."""
+    """A part of a page by tables.html."""
     title: str
     text: str
     heads: Sequence[str]

@@ -8,7 +8,5 @@
 # Exit status: 0 done, 1 something could not be measured, 2 bad usage, 3 no usable driver, 4 it could not be built.
 help_if_asked "$build/conformance/hn-conform" paper -- "$@"
 refuse_unknown_options "$called" "$root/conformance/cli/options.cpp" -- "$@"
-runs=$(cost run paper)
-(($# == 0)) || [[ $# == 2 && $1 == --out ]] || runs=
-setup paper "$runs"
+setup conform vulkan
 exec "$root/tools/lib/base/scientific-python" --with jinja2,matplotlib,numpy,scipy -m measure.paper.reproduction "$@"

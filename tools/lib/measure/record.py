@@ -25,7 +25,7 @@ class Quantity(NamedTuple):
 
 
 def ratio(samples: Sequence[float], reference: Sequence[float]) -> Quantity:
-    """Of each round the quotient: their median, and half the distance between their quartiles."""
+    """The median of the quotients of each round, and half the distance between their quartiles."""
     low, middle, high = statistics.quantiles(one / other for one, other in zip(samples, reference, strict=True))
     return Quantity(middle, (high - low) / 2)
 

@@ -290,7 +290,7 @@ def stale(path: Path, library: Path = GLSL) -> list[Row]:
 
 
 def paths(folder: Path = RESULTS) -> list[Path]:
-    """Of all records. ValueError for a file that is none."""
+    """All records. ValueError for a file that is none."""
     found = sorted(path for path in folder.rglob("*.*") if path.name != "README.md")
     for path in found:
         if path.name not in KINDS:

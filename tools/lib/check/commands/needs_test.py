@@ -115,7 +115,7 @@ def needed(command: str) -> tuple[int, int]:
 
 def of_python() -> list[str]:
     """The commands that begin as Python, and import from lib/."""
-    return [path.name for path in sorted(TOOLS.iterdir()) if path.is_file() and path.name != "costs.csv"
+    return [path.name for path in sorted(TOOLS.iterdir()) if path.is_file()
             and path.read_text(encoding="utf-8").startswith("#!/usr/bin/env python3") and imported(path.read_text())]
 
 

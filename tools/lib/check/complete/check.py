@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
+import catalog.model
 from base.golden_values import head_of
 from base.tree import BOUNDS, GLSL, GOLDEN, ROOT, glsl_files
 from catalog.asked import snippets
@@ -95,7 +96,8 @@ def rows_without_a_function(tree: Tree) -> Iterator[str]:
     for function in tree.functions:
         for types in function.overloads:
             if (function.calls, types) not in declared:
-                yield lacks(function, f"declare {function.calls}({', '.join(types)}) in {GLSL.name}/")
+                yield lacks(function, f"declare {function.calls}({', '.join(types)}) in {GLSL.name}/, unless "
+                            "tools/make catalog and tools/make umbrella write it")
 
 
 def functions_without_words(tree: Tree) -> Iterator[str]:
@@ -156,6 +158,21 @@ def noises_without_entries(tree: Tree) -> Iterator[str]:
         if not re.search(rf"`{function.calls}`[^.]* (?:takes positions of|have the forms of)", contract):
             yield lacks(function, f"state in docs/reference/contract.md that `{function.calls}` takes positions of "
                         f"{function.axes} dimensions, and what its value is")
+
+
+OF_SUMS = (  # of a sum of values what it has in which file, and by which mark
+    ("oracle/sums.py", '"{name}": ', "its exact and its fixed value, from docs/reference/contract.md"),
+    ("bounds/steps.py", '"{step}": ', "its computation and its errors in integers"),
+    ("sums/bounds.cpp", "case SumStep::{step}:", "its errors in floats, proven"))
+
+
+def sums_without_entries(tree: Tree) -> Iterator[str]:
+    for sum_ in catalog.model.read(tree.root / "catalog").sums:
+        for file, mark, what in OF_SUMS if sum_.takes_noise else ():
+            if not sum_.is_of_values:  # with slopes, or of vectors
+                file, mark = re.sub(r"\w+\.py", "jacobians.py", file), mark.replace("step}\"", "name}\"")
+            if mark.format(name=sum_.name, step=sum_.step or sum_.name) not in tree.text(f"tools/lib/proof/{file}"):
+                yield f"catalog/sums.toml: {sum_.name}: write in tools/lib/proof/{file} {what}"
 
 
 def noises_without_comments(tree: Tree) -> Iterator[str]:
@@ -301,10 +318,10 @@ def internal_names_in_pages(tree: Tree) -> Iterator[str]:
 
 
 CHECKS = (functions_without_a_row, functions_in_another_form, rows_without_a_function, functions_without_words,
-          arguments_without_words, noises_without_entries, noises_without_comments, files_without_a_text_to_read,
-          entries_without_a_noise, further_values_of_nothing,
-          knobs_without_entries, values_without_settings, hashes_without_entries, missing_golden_values, names_of_two_kinds,
-          internal_names_in_pages)
+          arguments_without_words, noises_without_entries, sums_without_entries, noises_without_comments,
+          files_without_a_text_to_read, entries_without_a_noise,
+          further_values_of_nothing, knobs_without_entries, values_without_settings, hashes_without_entries,
+          missing_golden_values, names_of_two_kinds, internal_names_in_pages)
 
 
 def problems(root: Path = ROOT) -> list[str]:

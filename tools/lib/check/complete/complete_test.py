@@ -74,7 +74,7 @@ class Deletions(unittest.TestCase):
         for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", ROOT / "docs" / "reference" / "contract.md",
                      ROOT / "docs" / "reference" / "knobs.md", ROOT / "docs" / "reference" / "noises.md", ROOT / "docs" / "guide" / "random.md",
                      ROOT / "docs" / "guide" / "same-bits.md", ROOT / "docs" / "guide" / "uniform.md", CATALOG, BOUNDS,
-                     *(ROOT / "tools" / "lib" / "proof" / of / "noises" for of in ("oracle", "bounds"))):
+                     *(ROOT / "tools" / "lib" / "proof" / of for of in ("oracle", "bounds", "sums"))):
             target = self.root / path.relative_to(ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
             (shutil.copytree if path.is_dir() else shutil.copy)(path, target)
@@ -155,6 +155,18 @@ class Deletions(unittest.TestCase):
     def test_the_bounds(self) -> None:
         shutil.rmtree(self.root / PERLIN.format("bounds"))
         self.noticed(r"^catalog: noise3d\.perlin_cell: write tools/lib/proof/bounds/noises/perlin\.py, what is proven")
+
+    def test_a_sum(self) -> None:
+        for name, path, mark, message in (
+                ("ridged", "oracle/sums.py", '"ridged": ', "its exact and its fixed value"),
+                ("ping_pong", "bounds/steps.py", '"wave": ', "its computation"),
+                ("weighted", "sums/bounds.cpp", "case SumStep::bent:", "its errors"),
+                ("eroded", "oracle/jacobians.py", '"eroded": ', "its exact and its fixed value"),
+                ("warp", "bounds/jacobians.py", '"warp": ', "its computation"),
+                ("warp_progressive", "sums/bounds.cpp", "case SumStep::warp_progressive:", "its errors")):
+            with self.subTest(name):
+                self.change(f"tools/lib/proof/{path}", mark)
+                self.noticed(rf"^catalog/sums\.toml: {name}: write in tools/lib/proof/{path} {message}")
 
     def test_a_row_of_the_bounds(self) -> None:
         self.change(BOUNDS_FILE, r'^NOISE_BOUNDS\("perlin", 3.*\n')

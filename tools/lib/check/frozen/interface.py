@@ -42,7 +42,7 @@ OF_JAVASCRIPT = re.compile(r"^export (?:interface|declare class) (\w+) \{(.*?)^\
 OPTIONAL = re.compile(r"(?:; |(?<=[({]))(\w+\?: [^;,(){}]+)(?=[;)}])")  # a member, or the last parameter
 BOUNDS_OF = re.compile(r'^(\w+)_BOUNDS\((?:"(\w+)", (\d, \w+), )?(.+)\)$', re.M)
 TABLES_OF_BOUNDS = re.compile(r"<!-- tools/make bounds: (?:sums|Jacobians) -->(?:\n[^\n]*){2}\n(.*?)<!-- end -->", re.S)
-WITH_VALUE = "value", "slopes", "value_and_quadrature"  # shapes with a component of that name
+PACKAGE = ("packages", "python", "hashnoise")
 # In the row of hn_uniform, the numbers that belong to hn_distribution_fbm.
 OF_DISTRIBUTIONS = (2, 3, 6, 7)
 
@@ -89,10 +89,8 @@ def catalog() -> Iterator[Row]:
         kind = "fractal" if isinstance(function, model.Sum) else "noise"
         yield from ((kind, f"{function.name} {n}D", function.shape) for n in range(function.first, function.last + 1))
     for noise in of.noises:
-        # src/grid/ranges.hpp takes a value without a range as one in [-1, 1], so a range of its own would be another.
-        value = {"value": [(-1, 1)] * (noise.last - noise.first + 1)} if noise.shape in WITH_VALUE else {}
         yield from ((RANGE, f"{noise.name} {n}D, {component}", f"{pair[0]} {pair[1]}")
-                    for component, pairs in {**value, **noise.ranges}.items()
+                    for component, pairs in noise.all_ranges.items()
                     for n, pair in enumerate(pairs, noise.first) if pair)
     for sum_ in of.sums:
         yield RANGE, sum_.name, sum_.range if isinstance(sum_.range, str) else f"{sum_.range[0]} {sum_.range[1]}"
@@ -107,7 +105,7 @@ def catalog() -> Iterator[Row]:
     yield from (("default", "wave", f"{found} along x")
                 for found in re.findall(r"\boptions\.wave\[0\] = ([\d.]+)f;", text_at("src", "grid", "plan.cpp")))
     yield from (("default", "arithmetic of tools/bake", found)
-                for found in re.findall(r'\barithmetic = "(\w+)";', text_at("src", "bake", "arguments.hpp")))
+                for found in re.findall(r'"arithmetic": "(\w+)"', text_at(*PACKAGE, "_bake.py")))
 
 
 def cpp() -> Iterator[Row]:
@@ -127,7 +125,7 @@ def python() -> Iterator[Row]:
     """Parameters: their place, unless they are passed by name alone, and their default, of the first overload."""
     for module in ("__init__", "dask"):
         prefix = "" if module == "__init__" else f"{module}."
-        for function in ast.parse(text_at("packages", "python", "hashnoise", f"{module}.pyi")).body:
+        for function in ast.parse(text_at(*PACKAGE, f"{module}.pyi")).body:
             if isinstance(function, ast.FunctionDef):
                 of = function.args
                 ordered = [*of.posonlyargs, *of.args]

@@ -62,7 +62,7 @@ CHANGES = (  # of a file; the report
      "javascript Field.points 2: it was ( coordinates: Coordinates"),
     ("packages/npm/package.json", "./tsl/fixed\"", "./tsl/exact\"",
      "javascript hashnoise/tsl/fixed: it was import, and is gone."),
-    ("src/bake/arguments.hpp", 'arithmetic = "fixed"', 'arithmetic = "fast"',
+    ("packages/python/hashnoise/_bake.py", '"arithmetic": "fixed"', '"arithmetic": "fast"',
      "default arithmetic of tools/bake: it was fixed, and is fast."),
     ("src/grid/plan.cpp", "wave[0] = 3.0f", "wave[0] = 2.0f", "default wave: it was 3.0 along x, and is 2.0 along x."),
     ("packages/blender/nodes.py", "SCALE = 5.0", "SCALE = 4.0", "blender Scale: it was 5.0, and is 4.0."),

@@ -32,7 +32,7 @@ SUITE = (*(f"{room}/*.[ch]pp" for room in ("src/base", "conformance/library", "c
          "conformance/expected/*.inc", "catalog/*.toml")
 PAGES = ("README.md", "docs/guide/gallery/README.md",
          *(f"docs/{page}.md" for page in (
-             "guide/cellular", "guide/conformance", "guide/engines", "guide/languages", "guide/uniform",
+             "guide/cellular", "guide/engines", "guide/languages", "guide/uniform",
              "measured/default-hash", "measured/gpu-operations", "measured/hashes", "measured/judge",
              "measured/measuring", "measured/quality", "measured/results/README", "measured/silicon",
              "reference/fractals", "reference/knobs", "reference/noises")))
@@ -51,14 +51,14 @@ PARTS = (
          # config.glsl is by hand, and the products above this part are made of it.
          ("glsl/hashnoise/[!c]*.glsl", "glsl/hashnoise/c[!o]*.glsl", "glsl/hashnoise/detail/*"), python=(3, 9)),
     Part("readme", "pictures, numbers and tables of pages", "half a minute", "ship.readme.command",
-         (*PAGES, *LIBRARY, *RECORDS, "tools/costs.csv", "tools/lib/ship/readme/*.[ch]pp",
+         (*PAGES, *LIBRARY, *RECORDS, "tools/lib/ship/readme/*.[ch]pp",
           "catalog/*.toml", "packages/blender/nodes.py"),
          (*PAGES, "docs/images/*.png", "docs/guide/gallery/*.png", "packages/*/README.md")),
     Part("bounds", "ranges, slopes and errors, proven: bounds.inc, and the tables of docs/measured/accuracy.md",
          "half a minute", "proof.bounds.command",
          (*LIBRARY, "docs/measured/accuracy.md", "docs/reference/knobs.md", "docs/reference/fractals.md",
           "tools/lib/proof/bounds/noises/*.py",
-          "tools/lib/proof/bounds/*.cpp", "tools/lib/proof/sums/*.[ch]pp", "catalog/sums.toml"),
+          "tools/lib/proof/bounds/*.cpp", "tools/lib/proof/sums/*.[ch]pp", "catalog/*.toml"),
          ("conformance/expected/bounds.inc", "docs/measured/accuracy.md"), scientific=True),
     Part("golden", "golden files, by the oracle", "five minutes", "proof.golden.command",
          ("catalog/*.toml", "tools/lib/proof/oracle/noises/*.py"), ("conformance/expected/golden/*.golden",),

@@ -1,4 +1,4 @@
-// hn-bench-cpu: what hashnoise::grid costs on this processor, beside FastNoise2. Without a word it prints its subjects.
+// Times the fills of a subject on this processor, beside those of FastNoise2. Without a word it prints its subjects.
 //
 //   bench SUBJECT [fastnoise2=FILE] [strict=FILE] [options of Google Benchmark]
 #include <benchmark/benchmark.h>

@@ -17,9 +17,9 @@ using hashnoise::Field;
 using hashnoise::InstructionSet;
 using hashnoise::Settings;
 
-std::vector<float> out;  // what is filled: of all fills, since one runs at a time
+std::vector<float> out;  // all fills write it, since one runs at a time
 
-// Where the points of a list are: those of the grid.
+// A list has the points of the grid.
 template <int D>
 std::array<std::vector<float>, D> positions_of_grid() {
   const auto size = grid<D>().size;

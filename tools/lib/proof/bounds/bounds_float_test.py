@@ -342,12 +342,6 @@ class Octaves(OctaveErrors, unittest.TestCase):
                     self.check(lambda rng, name: self.random_sum(rng, name, gain=0.5, p_max=4.0, octaves=3, **others),
                                (name,), simulated=fewer)
 
-    def test_fails_without_a_step(self):
-        """Ping-pong makes more of the error of a noise than an fBm does."""
-        with mock.patch.object(float_sums, "rule_of", lambda s: "fbm"):
-            with self.assertRaises(AssertionError):
-                self.check(lambda rng, name: self.random_sum(rng, name, octaves=1, strength=64.0), ("ping_pong",))
-
     def test_edges(self):
         def tolerance(octaves, gain=0.5, dims=2, gradient=OCTAHEDRAL, kind="fbm", **others):
             return float_sums.octave_tolerance(sums.Sum(kind, 1.0, octaves, 2.0, gain, **others), proven(gradient, dims))

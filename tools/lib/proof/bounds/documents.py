@@ -243,10 +243,12 @@ def missing_quotes(derived: Everything, root: Path = ROOT) -> list[str]:
 # The kind of a number, in reading order: a heading, a knob, or a number.
 # The range of a derivative has few decimals, and is known by its brackets. "of the offset": the errors after it are
 # for the out parameter. "From a cell": those after it are for places that hn_place makes of a cell and a fraction,
-# and smaller than for positions.
+# and smaller than for positions. Under `error` any other number with a point or a power is an error as well, but not a
+# position "2^-20 below" another.
 WORD = re.compile(r"^   ?(?P<heading>[a-z]+)  |HN_FIXED|HN_GRADIENT_SINE|(?P<offset>of the offset)"
                   r"|(?P<cell>[Ff]rom a cell)|(?P<error>\d\.\d+e-\d+)"
-                  r"|(?P<range>\d\.\d{3,}|(?<=\[-)\d+\.\d+|\d+\.\d+(?=\]))", re.MULTILINE)
+                  r"|(?P<range>\d\.\d{3,}|(?<=\[-)\d+\.\d+|\d+\.\d+(?=\]))"
+                  r"|(?P<other>\d+\^-\d+\b(?! below)|[\d.]+e-\d+|\d+\.\d+)", re.MULTILINE)
 NO_ERROR = re.compile(r"^   ?error  +none", re.MULTILINE)
 REFERS = re.compile(r"^   ?error  +as ", re.MULTILINE)  # to another comment, instead of a number
 
@@ -297,6 +299,8 @@ def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gr
         return sine.fixed_sine_error() if fixed else SINE.component_error
     if function.name == "hn_clouds" and kind == "error":
         return sums.cloud_error() if fixed else beyond_fbm("clouds")
+    if function.name == "hn_fraction" and kind == "error":
+        return 2.0**-24  # to which it is cut off
     if function.name == "hn_fbm_d" and kind == "range":
         return sums.ROTATIONS[0]  # by which a derivative's range grows
     if function.name in UNIFORM and kind == "error":
@@ -311,7 +315,7 @@ def beyond_fbm(kind: str) -> float:
 
 def wrong_numbers(function: glsl.Declaration, derived: Everything) -> dict[tuple, str]:
     """The faults of the comment over a function, by the line, the number and the right value."""
-    messages, fixed, gradient, offset_next, in_cell, ends = {}, False, GRADIENTS[0], False, False, 0
+    messages, heading, fixed, gradient, offset_next, in_cell, ends = {}, "", False, GRADIENTS[0], False, False, 0
     text = "\n".join(function.comment.lines)
     if (noise_of(function) in noises.names() and not REFERS.search(text)
             and not (NO_ERROR.search(text) and of_function(function, gradient, derived).error == 0)
@@ -321,7 +325,7 @@ def wrong_numbers(function: glsl.Declaration, derived: Everything) -> dict[tuple
     for offset, text in enumerate(function.comment.lines):
         for word in WORD.finditer(text):
             if word["heading"]:
-                fixed, gradient, offset_next, in_cell = False, GRADIENTS[0], False, False
+                heading, fixed, gradient, offset_next, in_cell = word["heading"], False, GRADIENTS[0], False, False
             elif word["cell"]:
                 fixed, gradient, in_cell = False, GRADIENTS[0], True
             elif word["offset"]:
@@ -330,12 +334,13 @@ def wrong_numbers(function: glsl.Declaration, derived: Everything) -> dict[tuple
                 fixed, gradient = True, GRADIENTS[0]
             elif word[0] == "HN_GRADIENT_SINE":
                 gradient = SINE
-            else:
+            elif heading == "error" or not word["other"]:
                 kind = ("range" if word["range"] else "offset" if offset_next else "in a cell" if in_cell
                         else "error")
                 value = derived_for(function, kind, fixed, gradient, derived, ends)
                 ends, digits = ends + (kind == "range"), len(_significant(word[0]))
-                right = value and (shortest(value, digits) if kind == "range" else scientific(value, digits))
+                right = value and (shortest(value, digits) if kind == "range" else
+                                   f"2^{math.ceil(math.log2(value))}" if "^" in word[0] else scientific(value, digits))
                 if word[0] != right:
                     place = f"{function.path}:{function.comment.line + offset}"
                     messages[place, word[0], right] = (f"{place}: {word[0]} of {function} "

@@ -17,7 +17,7 @@ from unittest import mock
 
 from base.tree import ROOT
 from catalog.tables import glsl
-from proof.bounds import command, documents, noises, table
+from proof.bounds import claims, command, documents, noises, table
 from proof.bounds.gradients import OCTAHEDRAL, SINE
 from proof.bounds.noises import ProvenBounds
 from proof.bounds.table import rounded_up, scientific, shortest
@@ -83,11 +83,14 @@ class Tree(unittest.TestCase):
         patch = mock.patch.object(noises, "names", return_value=NAMES)
         patch.start()
         self.addCleanup(patch.stop)
-        for part in ("glsl", "docs/measured/accuracy.md", "docs/reference/knobs.md", "docs/reference/fractals.md", str(table.PATH.relative_to(ROOT))):
+        for part in ("catalog", "glsl", "docs/measured/accuracy.md", "docs/reference/knobs.md",
+                     "docs/reference/fractals.md", str(table.PATH.relative_to(ROOT))):
             (self.root / part).parent.mkdir(parents=True, exist_ok=True)
             (shutil.copytree if (ROOT / part).is_dir() else shutil.copy)(ROOT / part, self.root / part)
         for path in (path for name in OTHERS for path in (self.root / "glsl").rglob(f"{name}*.glsl")):
             path.unlink()
+        # A phase has bounds of its own.
+        self.change("catalog/noises.toml", "d_phase = [[], [-2.93, 2.93], [-3.34, 3.34], []]\n", "")
         self.write()  # what depends on RAW's parts
 
     def write(self):
@@ -162,6 +165,10 @@ class Tree(unittest.TestCase):
             (noise3d, "HN_FIXED 5.40e-5", "HN_FIXED 5.39e-5", r"should be 5.40e-5"),
             (noise3d, "HN_GRADIENT_SINE 1.40e-4", "HN_GRADIENT_SINE 1.4e-5", r"should be 1.4e-4"),
             (noise3d, "proven bound 0.99689", "proven bound 0.9968", r"0.9968 of .* should be 0.9969"),
+            (noise2d, "at most 2.44e-6", "at most 1e-9", r"1e-9 of hn_perlin\(place2, uint\) should be 3e-6"),
+            (noise2d, "at most 2.44e-6", "at most 2^-30", r"2\^-30 of hn_perlin\(place2, uint\) should be 2\^-18"),
+            (noise2d, "at most 2.44e-6", "at most 0.01", r"0.01 of hn_perlin\(place2, uint\) should be 3e-6"),
+            (clouds, "of hn_turbulence", "of hn_turbulence, plus 2^-30", r"2\^-30 of hn_billow.* is derived nowhere"),
             (first, "at most 6.57e-6", "at most 6.56e-6",
              r"6.56e-6 of hn_perlin_d\(place1, uint\) should be 6.57e-6"),
             (first, "at most 7.47e-6", "at most 7.46e-6", r"7.46e-6 of hn_perlin_d\(place1, uint\) should be 7.47e-6"),
@@ -177,6 +184,21 @@ class Tree(unittest.TestCase):
                 self.change(path, old, new)
                 found, = self.differences()
                 self.assertRegex(found, rf"^{path}:{self.line(path, new)}: .*{message}")
+
+    def test_ranges_are_compared(self):
+        for path, old, new, message in (
+                ("catalog/noises.toml", "d = [[-2.69, 2.69], [-2.91, 2.91]", "d = [[-2.69, 2.69], [-2.92, 2.92]",
+                 r"perlin_d: the range of d in 2D is \[-2.92, 2.92\]; derived are \[.*2.90564.*\]$"),
+                ("catalog/noises.toml", "d = [[-2.69, 2.69]", "d_phase = [[-2.7, 2.7], [], [], []]\nd = [[-2.69, 2.69]",
+                 r"perlin_d: the range of d_phase in 1D is \[-2.7, 2.7\]; nothing derives it$"),
+                ("catalog/noises.toml", 'returns = "[-1, 1], mean 0, 0 at', 'returns = "[0.4, 0.5], proven, mean 0, 0 at',
+                 r"perlin: returns has \[0.4, 0.5\], which is not its range$"),
+                (self.comment_over("*2d.glsl", " hn_perlin(hn_"), "[-1, 1] (proven", "[0, 1] (proven",
+                 r"\[0, 1\] is not the range of hn_perlin in catalog/$")):
+            with self.subTest(new=new):
+                self.setUp()
+                self.change(path, old, new)
+                self.assertRegex("\n".join(self.differences()), rf"(?m)^{path}:.*{message}")
 
     def test_each_comment_states_an_error(self):
         path = self.comment_over("*4d.glsl", " hn_perlin_d(hn_")
@@ -287,6 +309,11 @@ class New(unittest.TestCase):
             self.entry("sums.toml", "clouds", "veiled", ('mean = "density"', 'mean = "veil"'))
             self.entry("sums.toml", "fbm_d", "billow_d")
             self.entry("noises.toml", "value", "spots")
+            self.entry("sums.toml", "ridged", "narrow", ("range = [0, 1]", "range = [0.4, 0.5]"),
+                       ('returns = "[0, 1]', 'returns = "[0.4, 0.5], proven'))
+            for name, error in (("tiny", "at most 1e-9"), ("tinier", "2^-30"), ("vague", "hardly any"),
+                                ("twofold", "twice that of `fbm`"), ("unlike", "that of `ridges`")):
+                self.entry("sums.toml", "turbulence", name, ("that of `fbm`", error))
             for file, old, new in (("catalog/settings.toml", '"hybrid"]', '"hybrid", "minkowski"]'),
                                    ("tools/lib/catalog/model.py", 'MEANS = ("", ', 'MEANS = ("", "veil", ')):
                 text = (self.root / file).read_text(encoding="utf-8")
@@ -294,7 +321,16 @@ class New(unittest.TestCase):
                 (self.root / file).write_text(text.replace(old, new), encoding="utf-8")
             done = subprocess.run([sys.executable, "-B", "-m", "proof.bounds.command", "--check"], cwd=self.root / "tools/lib",
                                   env={**os.environ, "PYTHONPATH": "."}, capture_output=True, text=True, check=False)
+        of_turbulence = [f"catalog/sums.toml: {name}: error is '{error}', and has to be one of {claims.FORMS}"
+                         for name, error in (("tinier", "2^-30"), ("tiny", "at most 1e-9"))]
         self.assertEqual((done.stdout.splitlines(), done.returncode), ([
+            "catalog/sums.toml: narrow: range is (0.4, 0.5), and (0.0, 1.0) is derived",
+            "catalog/sums.toml: narrow: use has [0, 1], which is not its range",
+            *of_turbulence,
+            "catalog/sums.toml: twofold: error is 'twice that of `fbm`', "
+            "and proven are 1 times that, with HN_FIXED 1 times",
+            f"catalog/sums.toml: unlike: error is 'that of `ridges`', and has to be one of {claims.FORMS}",
+            f"catalog/sums.toml: vague: error is 'hardly any', and has to be one of {claims.FORMS}",
             "tools/lib/proof/bounds has no proof of the sum billow_d",
             "tools/lib/proof/bounds/features.py has no proof of the metric minkowski",
             "tools/lib/proof/bounds/noises has no proof of spots: write spots.py",

@@ -212,6 +212,15 @@ def fade_of_footprint(s, i):
     return 1.0 if s.footprint is None else np.clip(1.5 - s.footprint * max(s.lacunarity, 1) ** i, 0, 1)
 
 
+def density(mean):
+    t = np.clip(2 * mean + 0.25, 0, 1)
+    return t * t * (3 - 2 * t)
+
+
+# The value of a sum, from the mean of its octaves.
+ENDS = {"": lambda mean: mean, "bounded": lambda mean: mean, "billows": lambda mean: 2 * mean - 1, "density": density}
+
+
 def octaves(kind, s, p):
     """An octave sum (bounds.sums.Sum)."""
     count, seed, total, before, weight = max(math.ceil(s.octaves), 0), 0, 0.0, 0.5, 1.0
@@ -229,6 +238,4 @@ def octaves(kind, s, p):
         q = [x * s.lacunarity for x in p]
         p = [x + shift for x, shift in zip(rotate(q) if s.rotates else q, SHIFT)]
         seed = u32(seed + 0x9E3779B9)
-    mean = total / sum(powers) if count else np.zeros(np.shape(p[0]))
-    t = np.clip(2 * mean + 0.25, 0, 1)
-    return {"": mean, "bounded": mean, "billows": 2 * mean - 1, "density": t * t * (3 - 2 * t)}[CATALOG[s.kind].mean]
+    return ENDS[CATALOG[s.kind].mean](total / sum(powers) if count else np.zeros(np.shape(p[0])))

@@ -50,13 +50,8 @@ def _answer(what: str, rule: str, s: Sum, *others: float) -> list[float]:
 
 def _told(what: str, s: Sum, *bounds: Bounds) -> float:
     of_noise = [x for b in bounds for x in (b.dimensions, b.cell_error, b.error, b.lipschitz, b.limit)]
-    number, = _answer(what, rule_of(s), s, *of_noise)
+    number, = _answer(what, s.kind, s, *of_noise)
     return number
-
-
-def rule_of(s: Sum) -> str:
-    """By the rule with which a sum adds octaves."""
-    return s.kind
 
 
 def octave_tolerance(s: Sum, noise: Bounds, slope: Bounds | None = None) -> float:

@@ -251,7 +251,8 @@ class GoldenContents(unittest.TestCase):
     def test_a_function_that_the_oracle_does_not_have(self) -> None:
         function = FUNCTIONS["noise2d.perlin"]
         for change, message in (({"bound": "merlin"}, r"noise2d\.perlin: .*write .*/oracle/noises/merlin\.py"),
-                                ({"family": "octave_sum"}, r"the oracle has no noise2d\.perlin")):
+                                ({"family": "octave_sum"}, r"/oracle/sums\.py, and name it in SUMS"),
+                                ({"family": "independent"}, r"/oracle/functions\.py, in OF_WORDS")):
             file = GoldenFile(replace(function, **change), [setting for setting in SETTINGS if setting.name == "lattice"])
             with self.assertRaisesRegex(CatalogError, message):
                 file.text()

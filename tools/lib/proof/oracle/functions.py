@@ -107,7 +107,15 @@ def _evaluator_of(function: Function, fixed: bool) -> Evaluate:
         return _noise_evaluator(function, fixed)
     if family in OCTAVE_SUMS and function.bound in (*sums.SUMS, *jacobians.SUMS, *OF_THEIR_OWN):
         return _sum_evaluator(function, fixed)
-    raise function.error(f"the oracle has no {function.id}: tools/lib/proof/oracle/functions.py finds what it evaluates")
+    raise function.error(f"the oracle has no {function.id}: write its values from docs/reference/contract.md in "
+                         f"tools/lib/proof/oracle/{place_of(family)}")
+
+
+def place_of(family: str) -> str:
+    """Where the oracle has the functions of a family; those that are no noises and sums are named in this file, too."""
+    if family in OCTAVE_SUMS:
+        return "sums.py, and name it in SUMS there; with slopes, and of vectors, in jacobians.py"
+    return "noises/" if family in NOISES else "functions.py, in OF_WORDS, OF_SPREADS or OF_A_PLACE, or as a new form"
 
 
 def _candidate_evaluator(function: Function) -> Evaluate:

@@ -3,9 +3,9 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../../base/setup.sh"
 folder=$1
 
-mkdir -p "$build"
-: >"$log"
-install_missing "${npm_packages[@]}" >&2
+begin_log
+mapfile -t packages < <(packages npm)
+install_missing "${packages[@]}" >&2
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"; rmdir "$folder" 2>/dev/null || true' EXIT  # a folder that we made stays if something is in it

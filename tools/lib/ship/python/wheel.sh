@@ -7,8 +7,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../../base/setup.sh"
 folder=$1 python=$2 library=${3-} manylinux=${4-}
 
-mkdir -p "$build"
-: >"$log"
+begin_log
 packages=(cmake g++ libfmt-dev ninja-build)
 # A Python of the user's own has what Debian's is without.
 if ! "$python" -c 'if True:

@@ -1,9 +1,8 @@
 """Makes the pages' parts from the library: their pictures, the table of typical values, the tables of costs, which
-file has which function, the size of all of them in one, how long the commands take, and what packages for other
-programs have.
+file has which function, the size of all of them in one, and what packages for other programs have.
 
     tools/make readme            writes them
-    tools/make readme --check    whether they are up to date, and the README states the costs and the times
+    tools/make readme --check    whether they are up to date, and the README states the costs
 
 A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of
 docs/guide/gallery. The typical values are those of 2^16 points. The costs are those of
@@ -11,8 +10,7 @@ docs/measured/results/llvmpipe/bench.csv, which hn-conform bench writes, and of 
 peers writes. Costs on GPUs by their compilers are of docs/measured/results/gpu, by tools/measure gpu, and compile.csv
 is by tools/measure compile. How random hashes are is in docs/measured/results/quality.csv, directions.csv and
 hashes.csv, by tools/measure hashes, how noises are in judged.csv beside them, by tools/measure noise, and how uniform
-values are in uniform.csv, by tools/measure uniform. Circuits are in silicon.csv, by tools/measure silicon. The times of
-commands are those of tools/costs.csv, which tools/test --record writes.
+values are in uniform.csv, by tools/measure uniform. Circuits are in silicon.csv, by tools/measure silicon.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
 compile, or a page cannot be read.
@@ -38,7 +36,6 @@ from ship.blender import files as blender
 from ship.isf import files as isf
 from ship.materialx import files as materialx
 from ship.readme import files, gallery, hashes, numbers, picture
-from ship.readme import times as of_commands
 from ship.unity import files as unity
 from ship.unreal import files as unreal
 
@@ -49,7 +46,6 @@ DEFAULT_HASH = "docs/measured/default-hash.md"
 OPERATIONS = "docs/measured/gpu-operations.md"
 NOISES = "docs/reference/noises.md"
 SUMS = "docs/reference/fractals.md"
-CONFORMANCE = "docs/guide/conformance.md"
 LANGUAGES = "docs/guide/languages.md"
 ENGINES = "docs/guide/engines.md"
 HASHES = "docs/measured/hashes.md"
@@ -61,7 +57,7 @@ RECORDS = "docs/measured/results/README.md"
 SIZE = re.compile(r"(--strip --out noise\.glsl`, )\d+ kB")  # of the whole library, in the README
 
 
-def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
+def tables() -> list[tuple[str, str, str]]:
     """Made parts of pages: the page, the name of the marks, and the table."""
     typical, costs, circuits = numbers.typical(), numbers.costs(numbers.CPU), of_circuits.read()
     return [(NOISES, "tools/make readme: values", numbers.typical_table(typical, numbers.COMMON)),
@@ -74,7 +70,6 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             (LANGUAGES, "tools/make readme: picks", files.picks_table()),
             (LANGUAGES, "tools/make readme: picked for programs", files.picked_for_programs()),
             (LANGUAGES, "tools/make readme: files", files.files_table()),
-            (CONFORMANCE, "tools/make readme: times", of_commands.times_table(times)),
             *((page, f"tools/make readme: {name}", made + stamps.note(of)) for page, name, made, of in (
                 (MEASURING, "costs", numbers.cost_table(costs, "navi21", "on AMD's NAVI21"), "llvmpipe/bench.csv"),
                 (MEASURING, "costs on a GPU",
@@ -116,8 +111,8 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
 
 def problems(check: bool) -> list[str]:
     """Faults, after the tables are written, or with check as they are."""
-    found, times = [], of_commands.times()
-    for path, name, table in tables(times):
+    found = []
+    for path, name, table in tables():
         page = (ROOT / path).read_text(encoding="utf-8")
         right = with_section(path, page, name, table)
         if not check:
@@ -132,7 +127,7 @@ def problems(check: bool) -> list[str]:
         found.append(f"{README}: the size of the single file is not what it should be; run tools/make readme")
     found += [f"{README}: it must state {quote!r}"
               for quote in (*numbers.cost_quotes(), of_compilers.quote(of_compilers.record()),
-                            numbers.golden_quote(), of_commands.times_quote(times))
+                            numbers.golden_quote())
               if quote not in readme]
     return found
 

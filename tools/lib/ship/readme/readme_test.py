@@ -15,7 +15,7 @@ from base.png import png
 from base.tree import ROOT, TOOLS
 from catalog.tables import glsl
 from measure.gpu import pages as of_gpus
-from ship.readme import command, files, numbers, picture, times
+from ship.readme import command, files, numbers, picture
 
 PAGES = ("README.md", "llms.txt", "docs/guide/build-systems.md", "docs/guide/cellular.md", "docs/guide/cpu.md", "docs/guide/hex-tiling.md",
          "docs/reference/knobs.md", "docs/guide/moving.md", "docs/reference/noises.md", "docs/guide/random.md", "docs/guide/same-bits.md", "docs/reference/fractals.md",
@@ -133,7 +133,6 @@ class Numbers(unittest.TestCase):
         costs["noise2d.perlin.lattice"] = {**costs["noise2d.perlin.lattice"], "ratio": "9.999"}
         peers = {**numbers.peer_costs(numbers.GPU)}
         peers["fbm.fbm2.lattice"] = {**peers["fbm.fbm2.lattice"], "ratio": "9.999"}
-        slower = {name: (60 + packages, build, run) for name, (packages, build, run) in times.times().items()}
         gpus = {**of_gpus.costs()}
         gpus["noise2d.perlin.lattice", "m1"] = gpus["noise2d.perlin.lattice", "m1"]._replace(cost="9999")
         prices = [{**row, "alone": "99.00"} for row in of_gpus.operation_costs()]
@@ -142,17 +141,14 @@ class Numbers(unittest.TestCase):
                 mock.patch.object(of_gpus, "costs", return_value=gpus), \
                 mock.patch.object(numbers, "costs", return_value=costs), \
                 mock.patch.object(numbers, "peer_costs", return_value=peers), \
-                mock.patch.object(numbers, "golden_quote", return_value="computes 7 golden values"), \
-                mock.patch.object(times, "times", return_value=slower):
+                mock.patch.object(numbers, "golden_quote", return_value="computes 7 golden values"):
             status, output = self.check()
         self.assertEqual(status, 1)
         self.assertRegex(output, r"docs/reference/noises\.md: a table is not what it should be")
         self.assertRegex(output, r"docs/measured/measuring\.md: a table is not what it should be")
         self.assertRegex(output, r"docs/measured/gpu-operations\.md: a table is not what it should be")
-        self.assertRegex(output, r"docs/guide/conformance\.md: a table is not what it should be")
         self.assertRegex(output, r"README\.md: it must state \".* a quarter \(0\.36 and ")
         self.assertRegex(output, r"README\.md: it must state 'computes 7 golden values'")
-        self.assertRegex(output, r"README\.md: it must state 'On two cores the suite takes ")
 
     @mock.patch.object(picture, "draw", new=lambda *_: 0)
     def test_a_record_without_a_row_is_told(self):

@@ -25,6 +25,10 @@ def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     return ProvenBounds(largest, largest, lipschitz, cell_error, error, largest + error, fixed, largest + fixed, parts)
 
 
+def least(_: int) -> float:
+    return 0.0
+
+
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
     return distances.largest_intermediates(dims) | distances.largest_border_intermediates(dims)
 

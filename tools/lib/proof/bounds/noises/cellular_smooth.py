@@ -16,7 +16,7 @@ CASES = cellular.CASES
 LARGEST = 7 / 8  # where no point is within 1
 
 
-def smallest(dims: int) -> float:
+def least(dims: int) -> float:
     return 1 - (features.largest_weights(dims) + 1 / 4096) ** 0.25
 
 
@@ -32,7 +32,7 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
 
 
 def ends(dims: int) -> list[float]:
-    return [-smallest(dims)]
+    return [-least(dims)]
 
 
 def quotes() -> list[tuple[str, str]]:
@@ -41,4 +41,4 @@ def quotes() -> list[tuple[str, str]]:
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:
-    return {"smallest": smallest(dims), "largest_sum_of_weights": features.largest_weights(dims)}
+    return {"smallest": least(dims), "largest_sum_of_weights": features.largest_weights(dims)}

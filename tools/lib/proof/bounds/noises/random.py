@@ -27,6 +27,10 @@ def derive(_: int, __: Gradient | None) -> ProvenBounds:
     return ProvenBounds(1.0, LARGEST, math.inf, 0.0, 0.0, LARGEST, LARGEST, LARGEST, {"cut": LARGEST})
 
 
+def least(_: int) -> float:
+    return 0.0
+
+
 def largest_intermediates(_: int, __: Gradient | None) -> dict[str, float]:
     """The number is an integer of 24 bits before it is a float."""
     return {"number": 2.0**24}

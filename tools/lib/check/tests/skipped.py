@@ -1,5 +1,4 @@
-"""Prints which tests a run of ctest skipped, in whole or in part, and why: skipped.py FILE, which ctest --output-junit
-wrote.
+"""Prints which tests a run of ctest skipped, in whole or in part, and why, from the file of its --output-junit.
 
 A test that is skipped as a whole prints its reason last. A test that passes may skip cases: unittest prints their
 reasons with -v, and GoogleTest always does. Cases that take long are counted. A case whose reason is "the test NAME
@@ -9,8 +8,8 @@ reasons with -v, and GoogleTest always does. Cases that take long are counted. A
 from __future__ import annotations
 
 import re
-import sys
 from collections.abc import Iterator
+from pathlib import Path
 from xml.etree import ElementTree
 
 REASON = re.compile(r"""\.\.\.\ skipped\ (?P<quote>['"])(.*)(?P=quote)$   # of unittest
@@ -38,8 +37,8 @@ def skipped(tests: ElementTree.Element) -> tuple[dict[str, list[str]], int]:
             sum(reason.startswith(LONG) for of in found.values() for reason in of))
 
 
-if __name__ == "__main__":
-    listed, long = skipped(ElementTree.parse(sys.argv[1]).getroot())
+def show(results: Path) -> None:
+    listed, long = skipped(ElementTree.parse(results).getroot())
     if listed:
         print("Skipped, in whole or in part:")
         print(*(f"  {name}: {'; '.join(of)}" for name, of in listed.items()), sep="\n")

@@ -1,0 +1,150 @@
+"""ctest runs scripts here, in a build folder that nothing built."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+from check.tests import command
+
+TESTS = """add_test(quick "sh" "-c" "echo quick >> {ran}")
+add_test([=[name+with.signs/0  # GetParam() = 4-byte <02-00 00-00>]=] "sh" "-c" "echo signs >> {ran}")
+add_test(sometimes "sh" "-c" "echo sometimes >> {ran}; test -e {well}")
+add_test(skipped "sh" "-c" "echo some output; echo 'skipped: there is no such program'; exit 77")
+set_tests_properties(skipped PROPERTIES SKIP_RETURN_CODE 77)
+if(CTEST_CONFIGURATION_TYPE MATCHES "^([Tt][Hh][Oo][Rr][Oo][Uu][Gg][Hh])$")
+  add_test(long "sh" "-c" "echo long >> {ran}")
+endif()
+"""
+
+
+class Tests(unittest.TestCase):
+    def setUp(self) -> None:
+        self.build = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        self.ran, self.well = self.build / "ran", self.build / "well"
+        self.well.touch()
+        self.write(TESTS)
+        self.tree = self.enterContext(mock.patch.object(command, "digest_of_tree", return_value="a tree"))
+
+    def write(self, tests: str) -> None:
+        (self.build / "CTestTestfile.cmake").write_text(tests.format(ran=self.ran, well=self.well, build=self.build))
+
+    def call(self, *arguments: str) -> tuple[int, str, list[str]]:
+        """The status, what is printed, and which tests ran."""
+        self.ran.write_text("")
+        with contextlib.redirect_stdout(io.StringIO()) as text:
+            status = command.main([str(self.build), *arguments])
+        return status, text.getvalue(), sorted(self.ran.read_text().split())
+
+    def test_what_is_skipped_and_left_out_is_named(self) -> None:
+        status, text, ran = self.call()
+        self.assertEqual((status, ran), (0, ["quick", "signs", "sometimes"]), text)
+        self.assertRegex(text, r"100% tests passed, 0 tests failed out of 4\n")
+        self.assertTrue(text.endswith("\nSkipped, in whole or in part:\n  skipped: there is no such program\n"
+                                      "1 more tests run with --thorough only.\n"), text)
+
+    def test_cases_that_a_test_skips_are_named_too(self) -> None:
+        """As unittest and GoogleTest print them; not those that take long, or that another test runs."""
+        (self.build / "parts.py").write_text("""import unittest
+class Parts(unittest.TestCase):
+    def test_one(self):
+        "It has a sentence."
+        self.skipTest("there is no one")
+    @unittest.skip("takes long: tools/test --thorough")
+    def test_two(self): pass
+    @unittest.skip("the test parts.whole has it")
+    def test_three(self): pass
+unittest.main()
+""")
+        self.write("""
+add_test(parts "python3" "{build}/parts.py" "-v")
+add_test(silent "python3" "{build}/parts.py")
+add_test(google "printf" "/a/b.cpp:20: Skipped\\nno device is here\\n[  SKIPPED ] Some.Thing (0 ms)\\n")
+""")
+        status, text, _ = self.call()
+        self.assertEqual(status, 0, text)
+        for line in ("  parts: there is no one\n", "  silent: its cases print no reason: unittest wants -v\n",
+                     "  google: no device is here\n",
+                     "1 cases of other tests take long: tools/test --thorough runs them.\n"):
+            self.assertIn(line, text)
+
+    def test_options_of_ctest_choose_tests(self) -> None:
+        self.assertEqual(self.call("-R", "quick|long")[2], ["quick"])
+        self.assertEqual(self.call("--thorough", "-R", "quick|long")[2], ["long", "quick"])
+        self.assertNotEqual(self.call("-R", "no such test")[0], 0)
+
+    def test_a_failure_is_one(self) -> None:
+        self.well.unlink()
+        status, text, _ = self.call()
+        self.assertEqual(status, 8)
+        self.assertRegex(text, r"sometimes \(Failed\)")
+
+    def test_a_thorough_run_is_resumed(self) -> None:
+        self.well.unlink()
+        status, text, ran = self.call("--thorough")
+        self.assertEqual((status, ran), (8, ["long", "quick", "signs", "sometimes"]), text)
+        self.well.touch()  # what failed and what was skipped is run again
+        status, text, ran = self.call("--thorough", "--resume")
+        self.assertEqual((status, ran), (0, ["sometimes"]), text)
+        self.assertTrue(text.endswith("\n3 tests had passed on this tree before, and were left out.\n"), text)
+        self.assertEqual(self.call("--thorough", "--resume")[2], [])
+        self.tree.return_value = "another tree"
+        status, text, ran = self.call("--thorough", "--resume")
+        self.assertEqual((status, len(ran)), (0, 4), text)
+        self.assertIn("There is no thorough run of this tree to go on with.", text)
+        self.assertEqual(len(self.call("--thorough")[2]), 4)  # without --resume a run begins anew
+
+    def test_a_run_that_was_cut_off_is_resumed(self) -> None:
+        """Tests run in the order of their numbers here; the third ends ctest, as a signal would."""
+        self.write(TESTS.replace("test -e {well}", "kill -9 $PPID"))
+        status, _, ran = self.call("--thorough", "-j", "1")
+        self.assertNotEqual(status, 0)
+        self.assertNotIn("long", ran)
+        self.write(TESTS)
+        status, text, ran = self.call("--thorough", "--resume")
+        self.assertEqual((status, ran), (0, ["long", "sometimes"]), text)
+
+    def test_a_line_shows_what_runs_and_how_long_it_takes(self) -> None:
+        self.write('add_test(slow "sleep" "1")\n')
+        with mock.patch.object(command, "SILENCE", 0.3):
+            status, text, _ = self.call()
+        self.assertEqual(status, 0, text)
+        self.assertRegex(text, r"(?m)^ +\(0:00 of about \d:\d\d: slow\)$")
+
+
+class Estimate(unittest.TestCase):
+    def test_it_follows_what_is_seen(self) -> None:
+        """A run that takes 600 seconds in place of 200: it is within a sixth of the truth from the middle on."""
+        with mock.patch.object(command, "AT_A_TIME", 4):
+            self.assertEqual(command.estimate(0, 0, 800), 200)
+            for part, least, most in ((0.1, 250, 600), (0.5, 500, 700), (0.9, 580, 620), (1, 600, 600)):
+                with self.subTest(part):
+                    self.assertTrue(least <= command.estimate(600 * part, 800 * part, 800 * (1 - part)) <= most)
+
+    def test_times_of_earlier_runs_count(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "Testing/Temporary/CTestCostData.txt")
+            path.parent.mkdir(parents=True)
+            path.write_text("quick 3 0.25\na name/0  # with blanks 1 7.5\n---\nsometimes\n")
+            known = command.times(Path(folder))
+        self.assertEqual(known, {"quick": 0.25, "a name/0  # with blanks": 7.5})
+        tests = [{"name": "quick"}, {"name": "new"}, {"name": "unit", "command": ["a-test", "--gtest_filter=A.*"]}]
+        self.assertEqual([command.seconds_of(test, known) for test in tests], [0.25, 10, 0.1])
+
+    def test_a_change_of_the_tree_is_another_digest(self) -> None:
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(command, "ROOT", Path(folder)):
+            path = Path(folder, "source.cpp")
+            with mock.patch.object(command, "files", return_value=["source.cpp"]):
+                path.write_text("one")
+                before = command.digest_of_tree()
+                self.assertEqual(command.digest_of_tree(), before)
+                path.write_text("two")
+                self.assertNotEqual(command.digest_of_tree(), before)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,159 @@
+"""The ranges and errors that catalog/ claims, against what is derived; and that its texts and the comments of the
+library have no other ranges."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from fractions import Fraction
+from pathlib import Path
+
+import numpy as np
+
+from catalog.model import Catalog, Function, Noise, Sum
+from catalog.tables import glsl
+from proof.bounds import noises, sums
+from proof.bounds.documents import Everything
+from proof.bounds.exact_model import ENDS
+from proof.bounds.float_sums import octave_tolerance
+from proof.bounds.gradients import GRADIENTS, SINE
+from proof.bounds.table import Bounds, shortest
+
+Range = tuple[float, float] | str
+
+# --- Texts ------------------------------------------------------------------------------------------------------------
+
+END = r"-?(?:\d[\d./]*|amplitude)"
+PAIR = re.compile(rf"\[({END}), ({END})[\])]")
+
+
+def wrong_pairs(text: str, ranges: set[Range]) -> list[str]:
+    """The ranges in a text that are not among these."""
+    def value(pair: re.Match[str]) -> Range:
+        return pair[2] if pair[2] == "amplitude" else (float(Fraction(pair[1])), float(Fraction(pair[2])))
+
+    return [pair[0] for pair in PAIR.finditer(text) if value(pair) not in ranges]
+
+
+def wrong_texts(function: Function, ranges: set[Range]) -> Iterator[str]:
+    for key, text in (("returns", function.returns), ("brief", function.brief), ("use", function.use)):
+        for pair in wrong_pairs(text, ranges):
+            yield f"{function.name}: {key} has {pair}, which is not its range"
+
+
+def ranges_of(function: Function) -> set[Range]:
+    if isinstance(function, Noise):
+        return {pair for pairs in function.all_ranges.values() for pair in pairs if pair}
+    return {(-1, 1) if function.range == "noise" else function.range}
+
+
+def wrong_comments(of_all: Catalog, derived: Everything, library: Path) -> list[str]:
+    """In the line `returns` of a noise or a sum. documents.py compares those with decimals."""
+    ranges = {f"hn_{one.name}": ranges_of(one) for one in (*of_all.noises, *of_all.sums)}
+    sine = derived["perlin", 3, SINE].promise  # times which ranges are larger with that gradient in space
+    messages = {}  # overloads share a comment
+    for function in glsl.declarations(library):
+        text = " ".join(function.comment.lines) if function.comment and function.name in ranges else ""
+        for returns in re.findall(r"   ?returns  (.*?)(?=   ?[a-z]+  |$)", text):
+            of = ranges[function.name]
+            larger = {(least * sine, most * sine) for least, most in of} if "HN_GRADIENT_SINE" in returns else set()
+            place = f"{function.path}:{function.comment.line}"
+            messages |= {f"{place}: {pair} is not the range of {function.name} in catalog/": None
+                         for pair in wrong_pairs(returns, of | larger) if "." not in pair}
+    return list(messages)
+
+
+# --- Sums -------------------------------------------------------------------------------------------------------------
+
+# Of sums that are no means of steps: means with weights of at most 1 of noises in [-1, 1], those times the amplitude,
+# and 1 - (1 - fbm) (1 - balls) / 4 of two such means (docs/reference/contract.md, section 25).
+OTHER_SUMS: dict[str, Range] = {"fbm_d": (-1, 1), "eroded": (-1, 1), "warp": "amplitude",
+                                "warp_progressive": "amplitude", "perlin_worley": (0, 1)}
+ERROR = re.compile(r"(?:(twice the strength times |twice |\d times )?that of `(\w+)`(?:, and a little more|"
+                   r", plus \d\.\de-\d \(HN_FIXED \d\.\de-\d\))?(?:; docs/measured/accuracy\.md)?|"
+                   r"(?:grows with the octaves, since each is multiplied by the one before: )?"
+                   r"docs/measured/accuracy\.md|)")
+FORMS = ('"that of `fbm`", "twice that of ..", "3 times that of ..", "twice the strength times that of ..", each with '
+         '", and a little more" if need be; "docs/measured/accuracy.md"; or nothing')
+
+
+def range_of_sum(sum_: Sum) -> Range | None:
+    """Of a mean of steps: that of a step at any noise, after any octave."""
+    if not sum_.is_of_values:
+        return OTHER_SUMS.get(sum_.name)
+    n, strength = np.linspace(-1, 1, 2**12 + 1), sum_.strength.most if sum_.strength else 0
+    terms = [sums.step_of(sum_.name).term(n, before, strength)[0] for before in (0, 0.25, 0.5)]
+    values = ENDS[sum_.mean](np.concatenate(terms))
+    return float(values.min()), float(values.max())
+
+
+def ratios(one: str, other: str) -> list[float]:
+    """How many times the error of another sum that of one is, in floats and in integers: of three octaves of a noise
+    with a large error, and a strength of 1."""
+    noise = Bounds("any", 1, "none", 2**-8, 2**-8, 0.0, 1.0, 2**-8, 1.0)
+    of_one, of_other = (sums.Sum(name, 0.0, 3, 1.0, 1.0, 1.0, rotates=False, exact_positions=True)
+                        for name in (one, other))
+    return [error(of_one, noise) / error(of_other, noise) for error in (octave_tolerance, sums.fixed_octave_tolerance)]
+
+
+def wrong_error(sum_: Sum) -> str:
+    """The fault of the words, or none."""
+    stated = ERROR.fullmatch(sum_.error)
+    if not stated or (stated[2] or "fbm") not in sums.KINDS:
+        return f"error is {sum_.error!r}, and has to be one of {FORMS}"
+    found = ratios(sum_.name, stated[2]) if stated[2] else []
+    factor, more = int((stated[1] or "1")[0].replace("t", "2")), 0.1 if "more" in sum_.error else 0.01
+    if all(factor - 0.01 < ratio < factor + more for ratio in found):
+        return ""
+    return f"error is {sum_.error!r}, and proven are {found[0]:.3g} times that, with HN_FIXED {found[1]:.3g} times"
+
+
+def wrong_sum(sum_: Sum) -> Iterator[str]:
+    """Of a sum that has its proofs."""
+    range_ = range_of_sum(sum_)
+    if range_ is None:
+        yield f"{sum_.name}: nothing derives its range: add it to OTHER_SUMS in tools/lib/proof/bounds/claims.py"
+    elif {range_} != ranges_of(sum_):
+        yield f"{sum_.name}: range is {sum_.range}, and {range_} is derived"
+    if wrong := wrong_error(sum_):
+        yield f"{sum_.name}: {wrong}"
+    yield from wrong_texts(sum_, ranges_of(sum_) | ({(0, sum_.strength.most)} if sum_.strength else set()))
+
+
+# --- Noises -----------------------------------------------------------------------------------------------------------
+
+
+def ends_of(noise: Noise, component: str, dims: int, derived: Everything) -> tuple[list[float], list[float]]:
+    """The least value and the greatest: as promised, of the exact noise, and as computed. None if nothing is."""
+    base, _, phase = component.partition("_")
+    name = f"{noise.name}_{phase}" if phase else noise.name
+    if re.fullmatch(r"f\d", base):
+        modules = ["cellular_phase"] if phase else ["cellular", "cellular_three"]
+        return [0.0], [[end for module in modules for end in noises.find(module).ends(dims)][int(base[1]) - 1]]
+    of = derived.get((name, dims, GRADIENTS[0])) or derived.get((name, dims, None))
+    if not of:
+        return [], []
+    of, module = (base == "d" and of.slope) or of, noises.find(name)
+    greatest = [of.promise, of.range, max(of.largest, of.fixed_largest)]
+    return [module.least(dims)] if hasattr(module, "least") else [-end for end in greatest], greatest
+
+
+def is_derived(end: float, derived: list[float]) -> bool:
+    """Whether it is one of them, rounded to its digits away from 0."""
+    digits = len(f"{abs(end):g}".replace(".", "").lstrip("0")) or 1
+    return f"{end:g}" in ["-" * (value < 0) + shortest(abs(value), digits) for value in derived]
+
+
+def wrong_noise(noise: Noise, derived: Everything) -> Iterator[str]:
+    for component, pairs in noise.all_ranges.items():
+        for dims, pair in enumerate(pairs, noise.first):
+            ends = ends_of(noise, component, dims, derived)
+            if pair and not all(map(is_derived, pair, ends)):
+                yield (f"{noise.name}: the range of {component} in {dims}D is {list(pair)}; "
+                       + (f"derived are {ends[0]} and {ends[1]}" if ends[0] else "nothing derives it"))
+    yield from wrong_texts(noise, ranges_of(noise))
+
+
+def wrong_noises(of_all: Catalog, derived: Everything) -> list[str]:
+    return [f"catalog/noises.toml: {wrong}" for noise in of_all.noises if noise.name in noises.names()
+            for wrong in wrong_noise(noise, derived)]
