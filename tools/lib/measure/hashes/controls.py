@@ -207,7 +207,8 @@ CONTROLS = [*(Control(function.__name__, function, test) for function, test in (
     (copied_at_a_lag, "autocorrelation"), (wave, "spectral peak"), (relation_of_four, "rectangles"),
     (weak_block, "blocks"), (weak_row, "lines"), (copied_here_and_there, "copied lines"),
     (mirrored_part, "copied runs"), (weak_coordinate_bit, "avalanche"), (near_copies, "near returns"),
-    (seed_moves, "seeds"), (alike_bits, "dieharder"), (product, "near returns"))),
+    (seed_moves, "seeds"), (alike_bits, "dieharder"))),
     Control("moved_component", strong, "components", moved_component),
     Control("first_factors", strong, "parities of components", first_factors, 3),
+    Control("product", product, "near returns"),
     *(Control(function.__name__, function, "autocorrelation", real=True) for function in (partial_fnv1, unmixed_sum))]
