@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from translate.parsing.lines import wrapped
 from translate.pick import comments
 from translate.pick.printer import PRIMARY, STRENGTH
 from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, camel, paragraph_lines, pascal
@@ -190,8 +191,9 @@ func toWord(x float32) uint32 {
         return [f"// {line}".rstrip() for line in paragraphs]
 
     def joined(self, lines: Sequence[str], space: str) -> list[str]:
-        """Long lines stay, because Go ends a statement where a line ends."""
-        return self._with_components(lines)
+        """Go ends a statement where a line ends, but behind an operator."""
+        return [part for line in self._with_components(lines)
+                for part in wrapped(line.lstrip(), len(line) - len(line.lstrip()), r"[-+*/|&^<>] ")]
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
         imports = '\nimport "math"\n' if any("math." in part for part in parts) else ""
