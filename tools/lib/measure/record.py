@@ -26,7 +26,7 @@ class Quantity(NamedTuple):
 
 def ratio(samples: Sequence[float], reference: Sequence[float]) -> Quantity:
     """The median of the quotients of each round, and half the distance between their quartiles."""
-    low, middle, high = statistics.quantiles(one / other for one, other in zip(samples, reference, strict=True))
+    low, middle, high = statistics.quantiles(one / other for one, other in zip(samples, reference))
     return Quantity(middle, (high - low) / 2)
 
 
