@@ -144,9 +144,10 @@ def near_copies(cells, seeds):
 
 def seed_moves(cells, seeds):
     """Another seed is the same field elsewhere, in one of fifty cells."""
-    return np.where(chance(cells, seeds, 0.02),
-                    strong(np.column_stack([cells[:, 0] + (seeds % np.uint64(31)).astype(np.int64), cells[:, 1:]]),
-                           0 * seeds), strong(cells, seeds))
+    # Each seed is elsewhere, or a stream of seeds would have words that come again. 0xDEADBEEF is 15 cells away.
+    by = (seeds * np.uint64(0x7467D0E1)).astype(np.uint32).astype(np.int32).astype(np.int64)
+    return np.where(chance(cells, seeds, 0.02), strong(np.column_stack([cells[:, 0] + by, cells[:, 1:]]), 0 * seeds),
+                    strong(cells, seeds))
 
 
 def alike_bits(cells, seeds):
