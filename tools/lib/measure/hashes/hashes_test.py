@@ -63,7 +63,7 @@ class Controls(unittest.TestCase):
         for control, test in ((BY_NAME["seed_moves"], "seeds"), (BY_NAME["moved_component"], "components"),
                               (BY_NAME["first_factors"], "parities of components")):
             with mock.patch.object(windows, "judge", return_value=[]):
-                found = gate.of_windows(control, control.dimensions, gate.Effort(1, (0, 5), windows=0))
+                found = gate.of_windows(control, control.dimensions, gate.Effort(1, gate.QUICK.seeds, windows=0))
                 self.assertEqual(rejecting(found), {test}, control.name)
 
     def test_dieharder(self):
