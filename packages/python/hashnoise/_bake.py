@@ -182,7 +182,7 @@ def _check_function(given):
 def _find_places(given):
     size = given.size
     given.cells = _along(given, "cells", float, 0, MOST_CELLS, "8x4",
-                         lambda cells: (cells, *(cells / size[0] * points for points in size[1:])))
+                         lambda cells: (cells, *(cells * points / size[0] for points in size[1:])))
     if not all(0 < cells <= MOST_CELLS for cells in given.cells):
         raise Stop(2, f"--cells: {' x '.join(map(str, given.cells))} are not all more than 0 and at most {MOST_CELLS}")
     given.origin = given.origin or "x".join("0" * len(size))
@@ -311,7 +311,7 @@ def bake(given):
     source = Expression(given) if given.expression is not None else Function(given)
     components = components_of(given, source)
     needed = math.prod(given.size) * len(components) * np.dtype(FORMATS[given.format]).itemsize
-    free = shutil.disk_usage(given.out.parent).free
+    free = shutil.disk_usage(given.out.resolve().parent).free
     if needed > free and given.format not in PICTURES:
         raise Stop(2, f"--size: {' x '.join(map(str, given.size))} points need {needed / 1e9:.3g} GB, and the disk has "
                       f"{free / 1e9:.3g} GB left")
@@ -381,7 +381,8 @@ def main(arguments):
 def program(arguments):
     """A signal leaves no half file, and ends the program as signals do."""
     for number in (signal.SIGINT, signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)):
-        signal.signal(number, _end)
+        if signal.getsignal(number) != signal.SIG_IGN:  # as under nohup
+            signal.signal(number, _end)
     try:
         return main(arguments)
     except Ended as ended:

@@ -220,6 +220,7 @@ class Files(Bake):
         for name in ("fbm --noise simplex", "cellular", "warp", "value_cubic"):
             self.bake(f"{name} --size 100x36 --cells 7x5 --tile -o tile.f32")
             self.bake(f"{name} --size 200x72 --cells 14x10 --period 7x5 -o four.f32")
+            self.bake(f"{name} --size 49x49 --tile -o exact.f32")  # 8 / 49 * 49 is not 8
             tile = self.planes("tile.f32", (-1, 36, 100))
             self.assertEqual(self.planes("four.f32", (-1, 72, 200)).tobytes(), numpy.tile(tile, (1, 2, 2)).tobytes())
         self.bake("fbm --size 200x72 --cells 14x10 -o none.f32")

@@ -146,7 +146,7 @@ end_group() {
 logged() {
   echo "$1" >&2
   in_group with_progress "$1" "${@:3}" && return 0
-  grep -av '^..status:' "$log" | tail -n 40 >&2
+  grep -av '^..status:' "$log" | tail -n 40 >&2 || true
   echo "$2; all of the output is in $log." >&2
   exit 4
 }

@@ -62,9 +62,11 @@ class Counter:
 
 def page_table(rows: Sequence[Mapping[str, str]]) -> str:
     """Instructions a point, and quotients as tools/measure cpu has them."""
-    lines = [[f"`{row['noise']}`", *(record.three_digits(float(row[name])) for name in COLUMNS),
-              *(f"{float(row[second]) / float(row[first]):.2f}" for first, second in QUOTIENTS)] for row in rows]
-    return table(("noise", *COLUMNS, *(f"{first} : {second}" for first, second in QUOTIENTS)), lines)
+    columns = [name for name in COLUMNS if name in rows[0]]  # without --against there is no FastNoise2
+    quotients = [pair for pair in QUOTIENTS if {*pair} <= {*columns}]
+    lines = [[f"`{row['noise']}`", *(record.three_digits(float(row[name])) for name in columns),
+              *(f"{float(row[second]) / float(row[first]):.2f}" for first, second in quotients)] for row in rows]
+    return table(("noise", *columns, *(f"{first} : {second}" for first, second in quotients)), lines)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -201,7 +201,7 @@ def of_names(row: Row, library: Path) -> str:
 def of_hash(row: Row, library: Path) -> str:
     """Of a choice of HN_HASH what hashes a lattice point; the controls are hashes of numpy."""
     name = row["hash"].lower()
-    return of_calls("hn_gradient", library, name, row["dimensions"]) if name in configurations() else NONE
+    return of_calls("hn_gradient hn_value_vector", library, name, row["dimensions"]) if name in configurations() else NONE
 
 
 def of_integers(row: Row, library: Path) -> str:

@@ -38,7 +38,7 @@ esac"""
 CMAKE = "case \"$*\" in *--build*) echo '[1/2] first'; SLOW; echo '[2/2] second'; SLOW;; *) SLOW;; esac"
 CONFORM = "conformance/hn-conform"
 # The program behind each, in build/, and its arguments.
-COMMANDS = {"bake": ("bake/bin/python", "-m hashnoise bake --help"), "conform": (CONFORM, "run --help"),
+COMMANDS = {"bake": ("bake/bin/python", "-I -m hashnoise bake --help"), "conform": (CONFORM, "run --help"),
             "measure clock": (CONFORM, "bench --help"), "measure paper": (CONFORM, "paper --help")}
 # By tools/lib/base/scientific-python.
 SCIENTIFIC = {f"measure {name}": f"measure/{name}" for name in ("hashes", "noise", "uniform")}

@@ -29,6 +29,7 @@ SILENCE = float(os.environ.get("HN_PROGRESS_SECONDS", 10))
 # Browsers, drivers and processes that are killed are waited for, so there are twice as many tests as cores.
 AT_A_TIME = 2 * (os.cpu_count() or 1)
 TRUSTED = 30  # seconds of a run after which what is seen counts as much as what was known before
+CHOICES = ("-R", "--tests-regex", "-E", "--exclude-regex", "-L", "--label-regex", "-LE", "--label-exclude")
 START = re.compile(r" +Start +\d+: (.+)$")
 END = re.compile(r" *\d+/\d+ +Test +#\d+: (.+?) \.{3,}(?: +(Passed) +[\d.]+ sec)?")
 
@@ -103,13 +104,19 @@ def digest_of_tree() -> str:
 def passed_before(path: Path, resume: bool) -> set[str]:
     """The tests that passed in the thorough run of this tree, if it is resumed; else a new run begins."""
     digest = digest_of_tree()
-    first, *names = path.read_text(encoding="utf-8").splitlines() if path.exists() else [""]
+    first, *names = (path.read_text(encoding="utf-8").splitlines() if path.exists() else []) or [""]
     if resume and first == digest:
         return set(names)
     if resume:
         print("There is no thorough run of this tree to go on with. All of the tests are run.")
     path.write_text(f"{digest}\n", encoding="utf-8")
     return set()
+
+
+def without_choice(options: Iterable[str]) -> list[str]:
+    """The options but those that choose tests: with one of them ctest -I counts the chosen tests alone."""
+    rest = iter(options)
+    return [option for option in rest if not (option in CHOICES and [next(rest, "")])]
 
 
 def numbers_of(build: Path, names: set[str], options: Iterable[str]) -> str:
@@ -137,7 +144,7 @@ def main(arguments: list[str]) -> int:
             return 0
         rest = build / "thorough-rest"
         rest.write_text(numbers_of(build, before, chosen), encoding="ascii")
-        chosen += ["-I", str(rest)]
+        chosen = [*without_choice(chosen), "-I", str(rest)]
     results = build / "tests.xml"  # of this run, with all that the tests printed
     results.unlink(missing_ok=True)
     status = run(["ctest", "--test-dir", str(build), "--no-tests=error", "--output-on-failure",

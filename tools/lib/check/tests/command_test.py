@@ -92,6 +92,10 @@ add_test(google "printf" "/a/b.cpp:20: Skipped\\nno device is here\\n[  SKIPPED 
         self.assertEqual((status, ran), (0, ["sometimes"]), text)
         self.assertTrue(text.endswith("\n3 tests had passed on this tree before, and were left out.\n"), text)
         self.assertEqual(self.call("--thorough", "--resume")[2], [])
+        self.well.unlink()
+        self.assertEqual(self.call("--thorough", "-R", "quick|sometimes")[2], ["quick", "sometimes"])
+        self.assertEqual(self.call("--thorough", "--resume", "-R", "quick|sometimes")[::2], (8, ["sometimes"]))
+        self.well.touch()
         self.tree.return_value = "another tree"
         status, text, ran = self.call("--thorough", "--resume")
         self.assertEqual((status, len(ran)), (0, 4), text)

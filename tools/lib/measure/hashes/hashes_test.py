@@ -144,7 +144,7 @@ class Judgement(unittest.TestCase):
             self.assertEqual(judgement.rare("t", count, 1e-5).passed, passed)
 
     def test_random_lattices_reach_their_own_maximum(self):
-        """The largest of so many values is as far out as it should be every second time."""
+        """The largest of so many values is as far out as it should be, in 29 of 100 lattices."""
         above = {"autocorrelation": 0, "spectral peak": 0}
         for seed in range(40):
             words = np.random.default_rng(seed).integers(0, 1 << 32, (64, 64), np.uint32)
@@ -152,8 +152,8 @@ class Judgement(unittest.TestCase):
                 above[found.test] += found.p < (0.69 if found.test == "autocorrelation" else 0.35)
         # Opposite lags are the same, which halves the comparisons.
         for count in above.values():
-            self.assertGreater(stats.binom.cdf(count, 40, 0.5), 1e-4)
-            self.assertLess(stats.binom.cdf(count, 40, 0.5), 1 - 1e-4)
+            self.assertGreater(stats.binom.cdf(count, 40, 0.29), 1e-4)
+            self.assertLess(stats.binom.cdf(count, 40, 0.29), 1 - 1e-4)
 
     def test_the_worst_finding_of_each_test(self):
         findings = [judgement.Finding(*found) for found in (("a", 1, 5, 1.0), ("a", 2, 5, 1.0), ("b", 6, 5, 0.0))]
@@ -194,12 +194,15 @@ class Streams(unittest.TestCase):
 
     def test_a_stream_has_the_upper_halves_of_words(self):
         first = np.frombuffer(next(streams.stream(GOOD, 2, "seeds")), np.uint16)
-        cells, seeds = np.tile(np.arange(8)[:, None] * [1, 0], (2, 1)), np.repeat([0, 1], 8)
+        cells = np.tile([[0, 0], [1, 0], [1, 1], [0, 1], [2, 1], [3, 1], [3, 0], [2, 0]], (2, 1))
+        seeds = np.repeat([0, 1], 8)
         np.testing.assert_array_equal(first[:16], GOOD.words(cells, seeds) >> 16)
 
     def test_without_dieharder(self):
         with mock.patch.object(streams, "PROGRAM", "no-such-program"), \
                 self.assertRaisesRegex(library.NotBuilt, "no no-such-program: apt-get install"):
+            streams.p_values(100, 1, iter(()))
+        with mock.patch.object(streams, "PROGRAM", "false"), self.assertRaisesRegex(library.NotBuilt, "ended with 1"):
             streams.p_values(100, 1, iter(()))
 
 

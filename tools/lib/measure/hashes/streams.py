@@ -35,7 +35,7 @@ def _gray(i: np.ndarray, n: int) -> np.ndarray:
 
 # Of a counter and the number of axes to cells; in the order of seeds it counts them, with eight cells for each.
 ORDERS: dict[str, Callable[[np.ndarray, int], np.ndarray]] = {
-    "rows": _rows, "strides": lambda i, n: _rows(i, n) << 12, "Gray": _gray, "seeds": lambda i, n: _rows(i & 7, n)}
+    "rows": _rows, "strides": lambda i, n: _rows(i, n) << 12, "Gray": _gray, "seeds": lambda i, n: _gray(i & 7, n)}
 
 
 def stream(hash_, dimensions: int, order: str) -> Iterator[bytes]:
@@ -59,6 +59,8 @@ def p_values(test: int, samples: int, chunks: Iterator[bytes]) -> list[tuple[str
             for chunk in chunks:
                 process.stdin.write(chunk)
         printed = process.stdout.read()
+    if process.returncode or not printed.strip():
+        raise NotBuilt(f"{PROGRAM} -d {test} ended with {process.returncode} and printed {len(printed)} bytes")
     return [(f"{name.strip()} {tuples.strip()}", float(p))
             for name, tuples, p in csv.reader(printed.decode().splitlines())]
 

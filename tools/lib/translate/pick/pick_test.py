@@ -688,7 +688,8 @@ class Command(unittest.TestCase):
     def test_a_noise_for_sums_leaves_the_others_and_may_stand_anywhere(self) -> None:
         status, shown = self.call("hn_fbm2", "--noise", "hn_simplex2", "hn_cellular2", "--language", "rust")
         self.assertEqual(status, 0)
-        self.assertRegex(shown, r"(?s)pub fn fbm2\(.*pub fn cellular2\(")
+        self.assertRegex(shown, r"(?s)The noise is\s+(?:/// )?simplex2\..*pub fn fbm2\(.*pub fn cellular2\(")
+        self.assertEqual(shown.count("The noise is simplex2"), 1)
 
     def test_it_says_what_it_wrote_and_how(self) -> None:
         status, shown = self.call("hn_value2", "--arithmetic", "fixed", "--language", "glsl-es")
@@ -902,6 +903,9 @@ class Command(unittest.TestCase):
                                    (("hn_fbm2", "--noise", "hn_simplex3"),
                                     "hn_fbm2 sums hn_perlin(hn_place2, uint), for which --noise hn_simplex2 stands"),
                                    (("hn_fbm2", "--noise", "hn_cellular_d2"), "--noise hn_simplex2 stands"),
+                                   (("hn_fbm2", "hn_fbm1", "--noise", "hn_simplex2"), "--noise hn_value1 stands"),
+                                   (("hn_perlin2", "--noise", "hn_simplex2", "--language", "verilog"),
+                                    "tools/pick: hn_perlin(vec2, uint) is no sum"),
                                    (("hn_fbm_d2", "--noise", "hn_simplex2"), "--noise hn_simplex_d2 stands"),
                                    (("hn_fbm3_place", "--noise", "hn_value_d2"), "--noise hn_value3 stands"),
                                    (("hn_fbm2", "hn_warp2", "--noise", "hn_value2"), "hn_warp("),

@@ -172,7 +172,7 @@ def not_summed(module: Module, function: Function, summed: Summed) -> tuple[str,
     for replaced in SUMMED:
         form = replaced.removeprefix("hn_perlin")
         of_library = module.overload(replaced, types)
-        names = (f"{summed.name.removesuffix('_d')}{form}", f"hn_simplex{form}")
+        names = (f"{summed.name.removesuffix('_d')}{form}", f"hn_simplex{form}", f"hn_value{form}")
         fitting = (name for name in names if of_library and (other := module.overload(name, types))
                    and other.type == of_library.type)
         if name := next(fitting, None):
@@ -500,8 +500,8 @@ def origin(command: str) -> list[str]:
 
 def facts(program: Program, library: Path, may_lack_seed: bool, knobs: Settings) -> list[Facts]:
     """The library's comments on each function, as far as they are of these knobs."""
-    return [of_noise(comments.facts(root.function, library, may_lack_seed, knobs), program.module.summed)
-            for root in program.roots]
+    return [of_noise(comments.facts(root.function, library, may_lack_seed, knobs),
+                     program.module.summed if root.evaluation.sums_other_noise else None) for root in program.roots]
 
 
 def of_noise(known: Facts, summed: Summed | None) -> Facts:
