@@ -378,7 +378,7 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
     Options of_octave = options;
     double scale = 1.0;
     for (int number = 1;; ++number) {
-      const bool more = number < std::min(options.octaves, 32);
+      const bool more = number < options.octaves && number < 32;
       each_axis<kMoving, D>([&](auto axis) HN_I_INLINED { spots.template keep<axis>(0, across, true); });
       if constexpr (kIsTiled) {
         each_axis<0, D>([&](auto axis) HN_I_INLINED { of_octave.period[axis] = along<axis>(across.place.period)[0]; });
