@@ -7,7 +7,7 @@ The library is compiled with each compiler, which takes minutes, and fills grids
 and lists of the same points. FILE is the shared library of FastNoise2; strict is one that was built with
 FASTNOISE2_STRICT_FP. Google Benchmark times all fills of a noise in random order. gcc.csv or clang.csv goes into DIR: for
 each noise and instruction set how many times as fast one fill is as another, with the spread of this quotient, half the
-distance between the quartiles of the rounds, and millions of points a second. Nothing else should run meanwhile.
+distance between its quartiles over pairs of samples, and millions of points a second. Nothing else should run meanwhile.
 tools/make readme makes tables of docs/measured/measuring.md of docs/measured/results/cpu, which has such files.
 
 It needs, of Debian 12: cmake, ninja-build, libbenchmark-dev and the compilers. tools/test installs them.

@@ -26,6 +26,8 @@ class Quantity(NamedTuple):
 
 def ratio(samples: Sequence[float], reference: Sequence[float]) -> Quantity:
     """The median of the quotients of each round, and half the distance between their quartiles."""
+    if len(samples) != len(reference):
+        raise ValueError(f"{len(samples)} samples stand beside {len(reference)} of the reference: a round has one of each")
     low, middle, high = statistics.quantiles(one / other for one, other in zip(samples, reference))
     return Quantity(middle, (high - low) / 2)
 

@@ -34,6 +34,11 @@ class Files(unittest.TestCase):
 
 
 class Comparison(unittest.TestCase):
+    def test_a_round_has_a_sample_of_each(self) -> None:
+        self.assertEqual(record.ratio([2, 4, 6], [2, 2, 2]), Quantity(2, 1))
+        with self.assertRaisesRegex(ValueError, "3 samples stand beside 2 of the reference"):
+            record.ratio([1, 2, 3], [1, 2])
+
     def test_more_is_beyond_both_spreads(self) -> None:
         for before, now, is_more in (  # powers of two, so that sums are exact
                 ((1.0, 0.25), (1.0, 0.25), False),

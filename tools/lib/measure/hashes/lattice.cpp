@@ -16,6 +16,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstdio>
+#include <functional>
 #include <hashnoise/hashnoise.hpp>
 #include <iterator>
 #include <string_view>
@@ -36,26 +37,24 @@ constexpr std::size_t kBatch = 1 << 16;  // points at a time: half a megabyte, w
 int integer(Word w) { return std::bit_cast<int>(w); }
 float real(Word w) { return std::bit_cast<float>(w); }
 
+template <int N, typename Vec2, typename Vec3, typename Component>
+auto vector(In in, Component component) {
+  if constexpr (N == 2)
+    return Vec2(component(in[0]), component(in[1]));
+  else
+    return Vec3(component(in[0]), component(in[1]), component(in[2]));
+}
 template <int N>
 auto words(In in) {
-  if constexpr (N == 2)
-    return uvec2(in[0], in[1]);
-  else
-    return uvec3(in[0], in[1], in[2]);
+  return vector<N, uvec2, uvec3>(in, std::identity());
 }
 template <int N>
 auto reals(In in) {
-  if constexpr (N == 2)
-    return vec2(real(in[0]), real(in[1]));
-  else
-    return vec3(real(in[0]), real(in[1]), real(in[2]));
+  return vector<N, vec2, vec3>(in, real);
 }
 template <int N>
 auto integers(In in) {
-  if constexpr (N == 2)
-    return ivec2(integer(in[0]), integer(in[1]));
-  else
-    return ivec3(integer(in[0]), integer(in[1]), integer(in[2]));
+  return vector<N, ivec2, ivec3>(in, integer);
 }
 template <int N>
 auto all(Word period) {

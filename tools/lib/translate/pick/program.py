@@ -165,9 +165,13 @@ def _with(module: Module, summed: Summed) -> Module:
     return with_other
 
 
-def not_summed(module: Module, function: Function, summed: Summed) -> tuple[str, bool]:
+class NoSum(Unknown):
+    """A function that sums no noise."""
+
+
+def not_summed(module: Module, function: Function, summed: Summed) -> Unknown:
     """Why --noise cannot stand for this function's calls, and which noise it takes: a form of the same one if it has
-    one, else another noise. And whether it is no sum at all."""
+    one, else another noise."""
     types = _of_an_octave(function)
     for replaced in SUMMED:
         form = replaced.removeprefix("hn_perlin")
@@ -178,26 +182,26 @@ def not_summed(module: Module, function: Function, summed: Summed) -> tuple[str,
         if name := next(fitting, None):
             root, = Program(_with(module, Summed(name, replaced, types)), [function]).roots
             if root.evaluation.sums_other_noise:
-                return (f"{wgsl_name(function)} sums {replaced}({', '.join(types)}), for which "
-                        f"--noise {name}{types[0][-1]} stands"), False
+                return Unknown(f"{wgsl_name(function)} sums {replaced}({', '.join(types)}), for which "
+                               f"--noise {name}{types[0][-1]} stands")
     why = (f"{function.name}({', '.join(function.types)}) is no sum that calls "
            f"{summed.replaced}({', '.join(summed.types)}), for which --noise could stand")
     if not function.name.startswith("hn_warp"):
-        return why, True
+        return NoSum(why)
     axes, noise = types[0][-1], summed.name.removesuffix("_d")
     add = f"hn_add_progressive{axes}" if function.name == "hn_warp_progressive" else f"hn_add{axes}_shifts"
-    return (f"{why}. A warp by another noise is a loop (docs/reference/fractals.md#warps) over these functions: "
-            f"tools/pick hn_octaves_of{axes} hn_shifts_of{axes} {add} hn_next{axes} hn_mean{axes}_shifts "
-            f"{noise}{axes}_place"), False
+    return Unknown(f"{why}. A warp by another noise is a loop (docs/reference/fractals.md#warps) over these functions: "
+                   f"tools/pick hn_octaves_of{axes} hn_shifts_of{axes} {add} hn_next{axes} hn_mean{axes}_shifts "
+                   f"{noise}{axes}_place")
 
 
 def check_sums(program: Program, summed: Summed) -> None:
     """Functions that sum nothing stand beside sums: one text has the land and what masks it."""
     others = [root for root in program.roots if not root.evaluation.sums_other_noise]
     for root in others:
-        why, is_no_sum = not_summed(program.module, root.function, summed)
-        if not is_no_sum or len(others) == len(program.roots):
-            raise Unknown(why)
+        wrong = not_summed(program.module, root.function, summed)
+        if not isinstance(wrong, NoSum) or len(others) == len(program.roots):
+            raise wrong
 
 
 @dataclass

@@ -388,7 +388,7 @@ class Made:
         *_, returned = evaluation.run(self.function, self._arguments())
         result = returned.value
         if module.summed and not evaluation.sums_other_noise:
-            raise Unknown(not_summed(module, asked, module.summed)[0])
+            raise not_summed(module, asked, module.summed)
         if result is None or self.function.type in module.structs:
             raise Unknown(NO_PORT.format(self.name, f"returns {self.function.type}"))
         is_vector = isinstance(result, Operation) and result.kind == "construct" and SIZES[result.type] > 1
