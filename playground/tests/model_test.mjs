@@ -299,7 +299,10 @@ test("the cost is that of pattern(p) in calls of hn_perlin(p), and that from a c
 test("compilers' counts are those of the record, and only of what was counted", () => {
   const found = (link) => countsOf(library.counts, settingsOf(stateOf(link)));
   const record = readFileSync(join(root, "docs", "measured", "results", "gpu", "costs.csv"), "utf8");
-  const [, , , instructions, , registers] = /^noise2d\.cellular\.lattice,m1,.*$/m.exec(record)[0].match(/("[^"]*"|[^,]*)(?:,|$)/g).map((cell) => cell.replace(/,$/, ""));
+  const cells = (line) => line.match(/("[^"]*"|[^,]*)(?:,|$)/g).map((cell) => cell.replace(/,$/, ""));
+  const heads = cells(/^id,.*$/m.exec(record)[0]);
+  const row = cells(/^noise2d\.cellular\.lattice,.*$/m.exec(record)[0]);
+  const [instructions, registers] = ["instructions", "registers"].map((name) => row[heads.indexOf(`m1 ${name}`)]);
   const { name, rows } = found("#sum=none&noise=cellular_second");
   assert.deepEqual([name, rows.length, rows[4]], ["hn_cellular", 6, ["Apple M1", instructions, registers]]);
   // A fractal with integers has loops: four compilers count one octave of it, so that these are not shown.

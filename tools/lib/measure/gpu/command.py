@@ -146,12 +146,13 @@ def run(options: argparse.Namespace) -> int:
     rows = [record.row(id, chip, shaders[chip.name][id], shaders[chip.name][f"empty{axes}"])
             for id, axes in dimensions.items() if not operations.is_operation(id) and not id.startswith("empty")
             for chip in chips]
-    for name, content in ((record.COSTS, [found._asdict() for found in rows]),
+    for name, content in ((record.COSTS, records.beside([found._asdict() for found in rows], ("id",), record.CHIP)),
                           (record.DEVICES, [{"chip": chip.name, "title": chip.title, "device": devices[chip.name].name,
                                              "driver": devices[chip.name].driver, "cost": chip.vendor.cost}
                                             for chip in chips]),
                           (record.OPERATION_COSTS, [] if options.filter else
-                           [price for chip in chips for price in record.prices(chip, shaders[chip.name])])):
+                           records.beside([price for chip in chips for price in record.prices(chip, shaders[chip.name])],
+                                          ("operation",), record.CHIP))):
         if content:
             records.write(options.out / name, content)
             stamps.stamp(options.out / name, "; ".join(dict.fromkeys(device.driver for device in devices.values())),

@@ -15,6 +15,7 @@ from unittest import mock
 
 from base import debian, glslang
 from base.debian import Missing
+from base.testing import Case, called
 from base.thorough import in_thorough_runs
 from measure import record as records
 from measure.gpu import chips, command, comparing, drivers, operations, pages, record, stripes
@@ -51,11 +52,8 @@ esac
 AMPERE = chip_named("ampere")
 
 
-class WithStandIn(unittest.TestCase):
+class WithStandIn(Case):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
         self.program = self.make_program()
         self.drivers = self.folder / "drivers"
         libraries = self.drivers / "usr/lib/any"
@@ -64,16 +62,10 @@ class WithStandIn(unittest.TestCase):
             file.parent.mkdir(parents=True, exist_ok=True)
             file.touch()
         # It starts the program behind --library-path X --preload Y.
-        self.script(libraries / "ld-linux-any.so.2", '#!/bin/sh\nshift 4\nexec "$@"\n')
-
-    def script(self, path: Path, text: str) -> Path:
-        path.write_text(text)
-        path.chmod(0o755)
-        return path
+        self.script(libraries / "ld-linux-any.so.2", 'shift 4\nexec "$@"')
 
     def make_program(self, *ids: str) -> Path:
-        return self.script(self.folder / "hn-conform",
-                           STAND_IN.format(ids=" ".join(ids or ("perlin",))))
+        return self.script("hn-conform", STAND_IN.format(ids=" ".join(ids or ("perlin",))))
 
     def files(self, *texts: str) -> list[Path]:
         paths = [self.folder / str(number) for number in range(len(texts))]
@@ -81,15 +73,9 @@ class WithStandIn(unittest.TestCase):
             path.write_text(text)
         return paths
 
-    def call(self, *arguments: str) -> tuple[int, str, str]:
-        out, err = io.StringIO(), io.StringIO()
-        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), \
-                mock.patch("measure.gpu.command.program", return_value=str(self.program)):
-            try:
-                status = command.main(["--drivers", str(self.drivers), "--out", str(self.folder / "out"), *arguments])
-            except SystemExit as end:
-                status = end.code
-        return status, out.getvalue(), err.getvalue()
+    def call(self, *arguments: object) -> tuple[int, str]:
+        with mock.patch("measure.gpu.command.program", return_value=str(self.program)):
+            return called(command.main, "--drivers", self.drivers, "--out", self.folder / "out", *arguments)
 
     def compile(self, *texts: str, limit: float = 30.0) -> list[Compiled]:
         command = [str(self.program), "shader-statistics"]
@@ -123,11 +109,11 @@ class Compiling(WithStandIn):
         for text, why in (("echo '{\"error\": \"no GPU\"}'", "no GPU"), ("echo text; exit 7", "ended with status 7"),
                           ("echo oh >&2; kill -ABRT $$", "ended by SIGABRT \\(oh\\)")):
             with self.subTest(why=why), self.assertRaisesRegex(Missing, why):
-                program = self.script(self.folder / "broken", f"#!/bin/sh\n{text}\n")
+                program = self.script("broken", text)
                 compile_all([str(program)], os.environ, self.files("one"))
 
 
-class Records(unittest.TestCase):
+class Records(Case):
     def shader(self, cycles: float, **more: float) -> Compiled:
         statistics = {"Static cycle count": cycles, "Instruction count": cycles / 2, "Number of GPRs": 24}
         return Compiled({**statistics, **more}, 0.0042)
@@ -175,19 +161,20 @@ class Records(unittest.TestCase):
         self.assertEqual(record.dearer(before, rows(same="5", less="4")), [])
 
     def test_what_is_read_is_what_was_written(self):
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "costs.csv"
-            rows = [record.Row("perlin", "m1", "5", "4", "FSCIB 3, IC 2", "24", "0", "1.0", ""),
-                    record.Row("simplex", "m1", "", "", "", "", "", "", "too, hard")]
-            records.write(path, [row._asdict() for row in rows])
+        path = self.folder / "costs.csv"
+        rows = [record.Row("perlin", "m1", "5", "4", "FSCIB 3, IC 2", "24", "0", "1.0", ""),
+                record.Row("simplex", "m1", "", "", "", "", "", "", "too, hard")]
+        chips_apart = [row._asdict() for row in rows]  # as records of before have them
+        for table in (records.beside(chips_apart, ("id",), record.CHIP), chips_apart):
+            records.write(path, table)
             self.assertEqual(list(record.read_costs(path).values()), rows)
             path.write_text(path.read_text().replace(",5,", ",five,"))
-            with self.assertRaisesRegex(ValueError, f"{path}:2: the cost is 'five'"):
+            with self.assertRaisesRegex(ValueError, f"{path}: the cost of perlin on m1 is 'five'"):
                 record.read_costs(path)
-            for text in ("", "id,ratio\nperlin,1\n"):
-                path.write_text(text)
-                with self.assertRaisesRegex(ValueError, "the first line must be id,chip,cost"):
-                    record.read_costs(path)
+        for text in ("", "id,ratio\nperlin,1\n"):
+            path.write_text(text)
+            with self.assertRaisesRegex(ValueError, "the first line must be id,chip,cost"):
+                record.read_costs(path)
 
 
 class Pages(unittest.TestCase):
@@ -337,7 +324,7 @@ class Stripes(WithStandIn):
             with self.subTest(peer=peer, part=part):
                 path = self.folder / "given"
                 path.write_text(text)
-                status, _, err = self.call("--filter", "none", f"--{peer}", str(path))
+                status, err = self.call("--filter", "none", f"--{peer}", str(path))
                 self.assertEqual(status, 2)
                 self.assertRegex(err, f"--{peer} {path}: it (has|is) .*{part}")
 
@@ -357,7 +344,7 @@ class Chips(WithStandIn):
         self.assertEqual({"NVIDIA", "AMD", "Adreno", "Apple", "Intel"}, {chip.vendor.title for chip in CHIPS})
 
     def test_the_list_tells_what_no_chip_is_of(self):
-        status, out, _ = self.call("--list-chips")
+        status, out = self.call("--list-chips")
         self.assertEqual((status, [line.split()[0] for line in out.splitlines()]), (0, [chip.name for chip in CHIPS]))
         (self.drivers / "usr/lib/any/libintel_noop_drm_shim.so").touch()
         (self.drivers / "usr/lib/any/libradeon_noop_drm_shim.so").touch()
@@ -377,15 +364,14 @@ class Command(WithStandIn):
 
     def test_another_copy_of_the_library(self):
         program = self.make_program()
-        self.program = self.script(self.folder / "keeps", f'#!/bin/sh\necho "$@" >>{self.folder}/calls\n'
-                                   f'exec {program} "$@"\n')
+        self.program = self.script("keeps", f'echo "$@" >>{self.folder}/calls\nexec {program} "$@"')
         self.assertEqual(self.call("--chip", "ampere", "--filter", "*", "--glsl", "/a/copy")[0], 0)
         self.assertRegex((self.folder / "calls").read_text(), "^spirv .* --glsl /a/copy\n")
 
     def test_measures_and_compares(self):
         self.program = self.make_program("perlin", "one-that-is-refused", "one-that-crashes")
-        status, out, err = self.call("--chip", "ampere", "--filter", "*")
-        self.assertEqual(status, 0, err)
+        status, out = self.call("--chip", "ampere", "--filter", "*")
+        self.assertEqual(status, 0, out)
         costs = self.costs()
         self.assertEqual((costs["perlin"].cost, costs["perlin"].instructions), ("14", "2"))
         self.assertEqual(costs["one-that-is-refused"].problem, "too hard")
@@ -396,11 +382,11 @@ class Command(WithStandIn):
         baseline = self.folder / "before.csv"
         baseline.write_text((self.folder / "out/costs.csv").read_text())
         again = ("--chip", "ampere", "--filter", "*", "--baseline", str(baseline))
-        status, out, _ = self.call(*again)
+        status, out = self.call(*again)
         self.assertEqual(status, 0, out)
         self.assertIn("3 costs compared, 0 cost more or fail; 0 of the baseline were not measured now", out)
-        baseline.write_text(baseline.read_text().replace("perlin,ampere,14,", "perlin,ampere,13,"))
-        status, out, _ = self.call(*again)
+        baseline.write_text(baseline.read_text().replace("perlin,14,", "perlin,13,"))
+        status, out = self.call(*again)
         self.assertEqual(status, 1)
         self.assertIn("DEARER perlin on ampere: 14, was 13", out)
 
@@ -409,26 +395,26 @@ class Command(WithStandIn):
         rows = {key: row._asdict() for key, row in pages.costs().items()}
         dearer = rows["noise2d.perlin.lattice", "navi31"]
         dearer["cost"] = str(2 * float(dearer["cost"]))
-        records.write(Path(before), list(rows.values()))
-        status, out, err = self.call("--compare", before, now, "--drivers", str(self.folder / "none"))
-        self.assertEqual(status, 0, err)
+        records.write(Path(before), records.beside(rows.values(), ("id",), record.CHIP))
+        status, out = self.call("--compare", before, now, "--drivers", self.folder / "none")
+        self.assertEqual(status, 0, out)
         self.assertRegex(out, r"\| Perlin 2D \| [^|]*\b0\.50\b[^|]*\| \*\*1\.00")
         self.assertNotRegex(out, r"\| Perlin 3D \| [^|]*\b0\.[^|]*\| \*\*1\.00")
         empty = self.folder / "empty.csv"
-        empty.write_text(",".join(record.Row._fields) + "\n")
-        status, out, err = self.call("--compare", before, str(empty))
-        self.assertEqual((status, out), (2, ""))
+        empty.write_text("id,m1 cost\n")
+        status, err = self.call("--compare", before, empty)
+        self.assertEqual(status, 2)
         self.assertIn("the records have no noise with floats and with HN_FIXED on ampere, sm90, navi31", err)
 
     def test_without_drivers_it_is_skipped_with_a_reason(self):
-        status, _, err = self.call("--drivers", str(self.folder / "none"))
+        status, err = self.call("--drivers", str(self.folder / "none"))
         self.assertEqual(status, 3)
         self.assertRegex(err, "skipped: there are no drivers in .*/none; tools/measure gpu --get-drivers puts them "
                               "there")
         self.assertIn("None can be measured yet", self.call("--list-chips", "--drivers", str(self.folder / "none"))[1])
 
     def test_a_chip_without_a_shim_is_skipped_and_the_others_are_not(self):
-        status, out, _ = self.call("--chip", "ampere", "--chip", "m1", "--filter", "*")
+        status, out = self.call("--chip", "ampere", "--chip", "m1", "--filter", "*")
         self.assertEqual(status, 3)
         self.assertRegex(out, "m1 is skipped: .* has no libasahi_noop_drm_shim.so, which stands in for Apple's kernel")
         self.assertEqual(self.costs()["perlin"].chip, "ampere")
@@ -437,7 +423,7 @@ class Command(WithStandIn):
         self.program = self.make_program()
         bad = self.folder / "bad.csv"
         bad.write_text("id,ratio\n")
-        refusing = self.script(self.folder / "refusing", "#!/bin/sh\nexit 2\n")
+        refusing = self.script("refusing", "#!/bin/sh\nexit 2\n")
         for arguments, part in ((["--chip", "voodoo"], "invalid choice: 'voodoo'"),
                                 (["--baseline", str(bad)], "the first line must be"),
                                 (["--baseline", str(self.folder / "none.csv")], "none.csv"),
@@ -445,7 +431,7 @@ class Command(WithStandIn):
                                 (["--wombat", str(self.folder / "none")], "--wombat: there is no"),
                                 (["--frobnicate"], "--frobnicate")):
             with self.subTest(arguments=arguments):
-                status, _, err = self.call(*arguments)
+                status, err = self.call(*arguments)
                 self.assertEqual(status, 2)
                 self.assertIn(part, err)
         self.program = refusing
@@ -458,7 +444,7 @@ class Command(WithStandIn):
                             (mock.patch("base.debian.KEYS", self.folder / "none"), "Debian's packages are checked"),
                             (contextlib.nullcontext(), "is not empty")):
             with self.subTest(part=part), patch, mock.patch("subprocess.Popen", side_effect=AssertionError):
-                status, _, err = self.call("--get-drivers")
+                status, err = self.call("--get-drivers")
                 self.assertEqual(status, 4)
                 self.assertIn(part, err)
 
@@ -469,7 +455,7 @@ class Command(WithStandIn):
         self.script(programs / "dpkg-deb", "#!/bin/sh\n")
         with mock.patch.dict(os.environ, {"PATH": f"{programs}:{os.environ['PATH']}"}), \
                 mock.patch("base.debian.KEYS", self.program):
-            status, _, err = self.call("--get-drivers", "--drivers", str(self.folder / "new"), "--suite", "nonesuch")
+            status, err = self.call("--get-drivers", "--drivers", str(self.folder / "new"), "--suite", "nonesuch")
         self.assertEqual(status, 4)
         self.assertIn("downloading: 20 %", err)
         self.assertRegex(err, "cannot read the list of nonesuch at .*:\nE: no such suite")

@@ -12,7 +12,7 @@ from measure import record
 from measure.gpu import comparing, stripes
 from measure.gpu.chips import chip_named
 from measure.gpu.operations import OPERATIONS
-from measure.gpu.record import COSTS, OPERATION_COSTS, Row, read_costs
+from measure.gpu.record import CHIP, COSTS, OPERATION_COSTS, Row, read_costs
 from measure.peers import CALLS, dimensions, subject
 
 RECORD = ROOT / "docs" / "measured" / "results" / "gpu"
@@ -38,7 +38,7 @@ def costs() -> dict[tuple[str, str], Row]:
 
 
 def operation_costs() -> list[dict[str, str]]:
-    return record.read(RECORD / OPERATION_COSTS).rows
+    return record.read(RECORD / OPERATION_COSTS, across=CHIP).rows
 
 
 def chip_table(rows: Mapping[tuple[str, str], Row]) -> str:
@@ -88,7 +88,7 @@ def operation_table(rows: Sequence[Mapping[str, str]]) -> str:
         return numbers[0] if numbers[0] == numbers[1] else " / ".join(numbers)
 
     lines = [[f"{operation.title}: `{operation.step}`".replace("|", "\\|"),
-              *(cell(chip, *prices[operation.name, chip]) for chip in chips)] for operation in OPERATIONS]
+              *(cell(chip, *prices.get((operation.name, chip), ("", ""))) for chip in chips)] for operation in OPERATIONS]
     return table(("operation", *(_head(name) for name in chips)), lines)
 
 

@@ -15,6 +15,7 @@ from measure.gpu.operations import CHAINS, LENGTHS, OPERATIONS, price, subject
 
 SURPLUS = re.compile(r"^Estimated | instructions$| Count$")  # in the names of statistics
 COSTS, OPERATION_COSTS, DEVICES = "costs.csv", "operations.csv", "chips.csv"
+CHIP = "chip"  # costs.csv and operations.csv have the chips beside each other
 
 
 class Row(NamedTuple):
@@ -68,11 +69,11 @@ def prices(chip: Chip, shaders: Mapping[str, Compiled]) -> list[dict[str, str]]:
 
 
 def read_costs(path: Path) -> dict[tuple[str, str], Row]:
-    rows = [Row(*(found[name] for name in Row._fields))
-            for found in record.read(path, Row._fields, "tools/measure gpu").rows]
-    for number, found in enumerate(rows, 2):
+    rows = [Row(*(found.get(name, "") for name in Row._fields))
+            for found in record.read(path, ("id", CHIP, "cost"), "tools/measure gpu", across=CHIP).rows]
+    for found in rows:
         if not found.problem and record.number(found.cost) is None:
-            raise ValueError(f"{path}:{number}: the cost is {found.cost!r}, and not a number")
+            raise ValueError(f"{path}: the cost of {found.id} on {found.chip} is {found.cost!r}, and not a number")
     return {(found.id, found.chip): found for found in rows}
 
 

@@ -31,9 +31,9 @@ def counts() -> dict:
     names = {one.name for one in (*noises, *sums)}
     titles = {row["chip"]: row["title"] for row in record.read(RECORD / "chips.csv").rows}
     found: dict[str, dict[str, dict[str, str]]] = {}
-    for row in record.read(RECORD / "costs.csv").rows:
+    for row in record.read(RECORD / "costs.csv", across="chip").rows:
         name = subject(row["id"])
-        if name and re.split(r"\d", name)[0] in names and row["chip"] in CHIPS and not row["problem"]:
+        if name and re.split(r"\d", name)[0] in names and row["chip"] in CHIPS and not row.get("problem"):
             found.setdefault(name, {})[row["chip"]] = row
 
     def count(of: dict[str, dict[str, str]], chip: str) -> str:
