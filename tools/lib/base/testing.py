@@ -1,4 +1,4 @@
-"""What tests of commands have in common: a folder, scripts in it, and calls of main()."""
+"""For tests of commands: a folder, scripts in it, and calls of main()."""
 
 from __future__ import annotations
 

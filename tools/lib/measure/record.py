@@ -90,7 +90,7 @@ def beside(rows: Iterable[Mapping[str, str]], key: Sequence[str], across: str) -
 
 
 def apart(rows: Iterable[Mapping[str, str]], heads: Sequence[str], across: str) -> tuple[list[dict[str, str]], list[str]]:
-    """The rows and columns of which beside() made these."""
+    """The rows and columns that beside() had."""
     common = [head for head in heads if " " not in head]
     values, names = (list(dict.fromkeys(head.split(" ", 1)[i] for head in heads if " " in head)) for i in (0, 1))
     return ([{**{name: row[name] for name in common}, across: value, **cells} for row in rows for value in values

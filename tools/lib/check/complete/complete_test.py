@@ -68,8 +68,8 @@ class Examples(Case):
 
 LIBRARY, CONFIG, SAME_BITS = "glsl/hashnoise/*.glsl", "glsl/hashnoise/config.glsl", "docs/guide/same-bits.md"
 ENTRY = r"\n(?:[^\[\n].*\n|\n)*"  # the rest of a table of TOML
-# What is changed: a file, or the first of the library that has it, a pattern and the text in its place; and what is then
-# reported.
+# Changes, each a file (or a pattern of names: the first that has the text), a pattern and the text in its place; and the
+# messages that follow.
 DELETIONS = (
     # Rows, and functions
     (((ROWS, r'(^lattice = .*calls = "hn_lattice", dimensions = )\[1, 2, 3, 4\]', r"\1[1, 2, 4]"),),

@@ -71,7 +71,7 @@ def tables() -> list[tuple[str, str, str]]:
             (LANGUAGES, "tools/make readme: picked for programs", files.picked_for_programs()),
             (LANGUAGES, "tools/make readme: files", files.files_table()),
             *((page, f"tools/make readme: {name}", made + stamps.note(of)) for page, name, made, of in (
-                (MEASURING, "costs", numbers.cost_table(costs, "navi21", "on AMD's NAVI21"), "llvmpipe/bench.csv"),
+                (MEASURING, "costs", numbers.cost_table(costs, "spirv", "of SPIR-V"), "llvmpipe/bench.csv"),
                 (MEASURING, "costs on a GPU",
                  numbers.cost_table(numbers.costs(numbers.GPU), "nvidia", "of NVIDIA's assembly"), "h100/bench.csv"),
                 (MEASURING, "costs by compilers", of_gpus.chip_table(of_gpus.costs()), "gpu/costs.csv"),

@@ -131,9 +131,7 @@ def peer_table(rows: Costs) -> str:
 
 
 def _cost(row: Mapping[str, str]) -> str:
-    """The ratio, and the instructions on NAVI21 where they were counted."""
-    ratio = f"{float(row['ratio']):.2f}"
-    return f"{ratio} · {row['navi21']}" if row["navi21"].isdigit() else ratio
+    return f"{float(row['ratio']):.2f}"
 
 
 def cost_quotes() -> list[str]:

@@ -156,7 +156,7 @@ class Numbers(unittest.TestCase):
             for renderer in (numbers.CPU, numbers.GPU):
                 record = pathlib.Path(folder) / renderer / "bench.csv"
                 record.parent.mkdir()
-                record.write_text("id,ratio,navi21,nvidia\n")
+                record.write_text("id,ratio,spirv,nvidia\n")
             with mock.patch.object(numbers, "RESULTS", pathlib.Path(folder)), self.assertRaises(SystemExit) as stop:
                 self.check()
             self.assertEqual(stop.exception.code, 2)
