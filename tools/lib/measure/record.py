@@ -79,7 +79,7 @@ def beside(rows: Iterable[Mapping[str, str]], key: Sequence[str], across: str) -
     """One row for each key. Columns that would be empty in all of them are left out."""
     rows = list(rows)
     values = dict.fromkeys(row[across] for row in rows)
-    names = [name for name in rows[0] if name not in (*key, across)]
+    names = [name for name in (rows[0] if rows else ()) if name not in (*key, across)]
     found: dict[tuple[str, ...], dict[str, str]] = {}
     for row in rows:
         cells = found.setdefault(tuple(row[name] for name in key), {name: row[name] for name in key})
