@@ -6,7 +6,6 @@ from __future__ import annotations
 import contextlib
 import io
 import os
-import re
 import subprocess
 import tempfile
 import unittest
@@ -18,7 +17,7 @@ from base.debian import Missing
 from base.testing import Case, called
 from base.thorough import in_thorough_runs
 from measure import record as records
-from measure.gpu import chips, command, comparing, drivers, operations, pages, record, stripes
+from measure.gpu import chips, command, comparing, drivers, pages, record, stripes
 from measure.gpu.chips import CHIPS, chip_named
 from measure.gpu.compiling import Compiled, compile_all
 from measure.peers import CALLS, dimensions, subject
@@ -134,20 +133,6 @@ class Records(Case):
         row = record.row("perlin", AMPERE, self.shader(327), Compiled({}, 0.0, "crashed"))
         self.assertEqual((row.cost, row.problem), ("", "crashed"))
 
-    def test_prices_are_slopes(self):
-        self.assertEqual(operations.price(100, 100 + 32 * 4 * 8, 8), 4)
-        shaders = {operations.subject(operation, chains, length): self.shader(50 + 3 * chains * length)
-                   for operation in operations.OPERATIONS
-                   for chains in operations.CHAINS for length in operations.LENGTHS}
-        name = operations.OPERATIONS[0].name
-        shaders[f"operation-{name}-8-16-2"] = Compiled({}, 0.0, "crashed")
-        rows = record.prices(AMPERE, shaders)
-        self.assertEqual(rows[0], {"operation": name, "chip": "ampere", "alone": "3.00", "beside": ""})
-        self.assertEqual({(row["alone"], row["beside"]) for row in rows[1:]}, {("3.00", "3.00")})
-        slots = {id: Compiled({"Issue slots": 50 + int(id.split("-")[3]), "Registers": 9}, 0.0) for id in shaders}
-        self.assertEqual(record.prices(chip_named("sm90"), slots)[0],
-                         {"operation": name, "chip": "sm90", "alone": "1.00", "beside": "1.00"})
-
     def test_what_became_dearer_is_told(self):
         def rows(**costs: str) -> list[record.Row]:
             empty = record.Row("", "m1", *[""] * 7)
@@ -195,19 +180,6 @@ class Pages(unittest.TestCase):
         self.assertEqual(line.count("F 9*,"), 3)
         self.assertEqual(line.count("F 9+,"), 1)
         self.assertEqual(line.count("F fails"), 1)
-
-    def test_prices_that_are_alike_are_one(self):
-        rows = [{"operation": operation.name, "chip": chip, "alone": "4.00",
-                 "beside": "1.50" if chip == "m1" else "4.02"}
-                for operation in operations.OPERATIONS for chip in pages.OF_OPERATIONS]
-        rows[0]["alone"] = rows[2]["alone"] = ""
-        self.assertEqual([row["chip"] for row in (rows[0], rows[2])], ["ampere", "sm90"])
-        table = pages.operation_table(rows).splitlines()
-        self.assertTrue("| 4 / 1.5 |" in table[2] and "`x * y` | fails | 4 | none | 4 |" in table[2], table[2])
-        self.assertEqual({line.count(" | ") for line in table}, {len(pages.OF_OPERATIONS)})
-        # A record of before has fewer chips.
-        table = pages.operation_table([row for row in rows if row["chip"] in ("ampere", "m1")]).splitlines()
-        self.assertTrue(table[2].endswith("`x * y` | fails | 4 / 1.5 |"), table[2])
 
 
 class Comparing(unittest.TestCase):
@@ -327,14 +299,6 @@ class Stripes(WithStandIn):
                 status, err = self.call("--filter", "none", f"--{peer}", str(path))
                 self.assertEqual(status, 2)
                 self.assertRegex(err, f"--{peer} {path}: it (has|is) .*{part}")
-
-
-class Operations(unittest.TestCase):
-    def test_a_shader_does_it_as_often_as_it_says(self):
-        for operation in operations.OPERATIONS:
-            text = operations.shader(operation, 8, 16)
-            self.assertEqual(len(re.findall(r"^x\d = ", text, re.MULTILINE)), 8 * 16, operation.name)
-            self.assertNotRegex(text, r"\nx\d = .*\bx\b", operation.name)
 
 
 class Chips(WithStandIn):

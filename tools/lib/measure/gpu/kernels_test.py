@@ -245,16 +245,6 @@ class Compilers(Case):
         row = record.row("s0", chip_named("sm90"), results[0], results[0])
         self.assertEqual((row.cost, row.compile_ms, row.problem), ("0", "", ""))
 
-    def test_an_operation_is_compiled_as_it_is_written(self):
-        passed = self.folder / "passed"
-        self.enterContext(mock.patch.dict(os.environ, {"HN_ASKED": str(passed)}))
-        found = stand_in(self.folder / "drivers", opt=f'echo "$1" >>"$HN_ASKED"\n{COPY}', llc=COPY, ptxas=PTXAS,
-                         nvdisasm=NVDISASM)
-        texts = {"operation-fma-1-16-2": SHADER, "noise": SHADER}
-        _, results = kernels.compile_all(found, chip_named("sm90"), llvm.Kernels(texts))
-        self.assertEqual([result.problem for result in results], ["", ""])
-        self.assertEqual(passed.read_text().split(), ["-O3", "-passes=mem2reg,simplifycfg"])
-
     def test_a_compiler_that_prints_nothing_is_no_success(self):
         found = stand_in(self.folder, opt=COPY, llc=COPY, ptxas=PTXAS, nvdisasm="true")
         _, [result] = kernels.compile_all(found, chip_named("sm90"), llvm.Kernels({"s": SHADER}))

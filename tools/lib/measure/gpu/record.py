@@ -1,4 +1,4 @@
-"""The rows of costs.csv, operations.csv and chips.csv, and the comparison of costs with earlier ones."""
+"""The rows of costs.csv and chips.csv, and the comparison of costs with earlier ones."""
 
 from __future__ import annotations
 
@@ -11,11 +11,10 @@ from typing import NamedTuple
 from measure import record
 from measure.gpu.chips import Chip, Vendor
 from measure.gpu.compiling import Compiled
-from measure.gpu.operations import CHAINS, LENGTHS, OPERATIONS, price, subject
 
 SURPLUS = re.compile(r"^Estimated | instructions$| Count$")  # in the names of statistics
-COSTS, OPERATION_COSTS, DEVICES = "costs.csv", "operations.csv", "chips.csv"
-CHIP = "chip"  # costs.csv and operations.csv have the chips beside each other
+COSTS, DEVICES = "costs.csv", "chips.csv"
+CHIP = "chip"  # costs.csv has the chips beside each other
 
 
 class Row(NamedTuple):
@@ -51,21 +50,6 @@ def lacks(statistics: Mapping[str, float], vendor: Vendor) -> str:
     """Another version of a driver may have other names; 0 would be wrong then."""
     missing = {vendor.cost, vendor.instructions, vendor.registers} - set(statistics)
     return f"the driver reports no \"{min(missing)}\"" if missing else ""
-
-
-def prices(chip: Chip, shaders: Mapping[str, Compiled]) -> list[dict[str, str]]:
-    """The rows of operations.csv: what one costs in a chain that waits for it, and beside others."""
-    rows = []
-    for operation in OPERATIONS:
-        cells = []
-        for chains in CHAINS:
-            pair = [shaders[subject(operation, chains, length)] for length in LENGTHS]
-            bad = any(one.problem or lacks(one.statistics, chip.vendor) for one in pair)
-            cells.append("" if bad else f"{price(*(one.statistics[chip.vendor.cost] for one in pair), chains):.2f}")
-        # Instructions that are counted do not wait for each other.
-        rows.append({"operation": operation.name, "chip": chip.name, "alone": cells[0],
-                     "beside": cells[0 if chip.vendor.target else 1]})
-    return rows
 
 
 def read_costs(path: Path) -> dict[tuple[str, str], Row]:

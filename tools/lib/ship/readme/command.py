@@ -43,7 +43,6 @@ README = "README.md"
 KNOBS = "docs/reference/knobs.md"
 MEASURING = "docs/measured/measuring.md"
 DEFAULT_HASH = "docs/measured/default-hash.md"
-OPERATIONS = "docs/measured/gpu-operations.md"
 NOISES = "docs/reference/noises.md"
 SUMS = "docs/reference/fractals.md"
 LANGUAGES = "docs/guide/languages.md"
@@ -78,7 +77,6 @@ def tables() -> list[tuple[str, str, str]]:
                 (KNOBS, "costs of arithmetics", of_gpus.arithmetics_quote(of_gpus.costs()), "gpu/costs.csv"),
                 (DEFAULT_HASH, "costs of the hash", of_gpus.titled_table(of_gpus.costs(), of_gpus.HASHED),
                  "gpu/costs.csv"),
-                (OPERATIONS, "operations", of_gpus.operation_table(of_gpus.operation_costs()), "gpu/operations.csv"),
                 (UNIFORM, "uniform", of_uniform.page_table(of_uniform.read()), "uniform.csv"),
                 (MEASURING, "noises", numbers.form_table(costs), "llvmpipe/bench.csv"),
                 (MEASURING, "compile times", of_compilers.page_table(of_compilers.record()), "llvmpipe/compile.csv"),
