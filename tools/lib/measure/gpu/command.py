@@ -3,7 +3,6 @@
     tools/measure gpu --get-drivers [--drivers DIR]      downloads them, some 410 MB of Debian's and PyPI's, into DIR
     tools/measure gpu [--chip NAME]... [--filter GLOB]... [--against NAME=FILE:EXPRESSION]... [--out DIR]
     tools/measure gpu --wombat Wombat/ --filter '*.perlin.*' --baseline docs/measured/results/gpu/costs.csv
-    tools/measure gpu --compare BEFORE/costs.csv docs/measured/results/gpu/costs.csv
     tools/measure gpu --list-chips
 
 Mesa's drivers for NVIDIA, AMD, Adreno and Apple compile shaders without a GPU, for a stand-in of the kernel. NVIDIA's
@@ -11,8 +10,7 @@ ptxas and Intel's IGC need none; they get the same shaders by way of LLVM. Of ea
 fragment shader, less the empty shader, the record has cycles or instructions, registers and spills. The default is
 every function with each arithmetic, on every chip. It needs hn-conform on the PATH or built (tools/measure clock builds
 it), and spirv-dis. DIR gets costs.csv and chips.csv; docs/measured/results/gpu has such files, and tools/make readme
-makes tables of them. docs/measured/measuring.md explains them. --compare measures nothing: it prints a table of how many times each noise
-costs in the second record what it did in the first, on a chip of each compiler.
+makes tables of them. docs/measured/measuring.md explains them.
 
 Exit status: 0 done, 1 something costs more than in the baseline, 2 bad usage, 3 there are no drivers for a chip, and
 why; 4 the drivers could not be had; 130 it was interrupted.
@@ -37,7 +35,7 @@ from base.tree import GLSL, ROOT, hn_conform
 from base.usage import Parser
 from measure import record as records
 from measure import stamps
-from measure.gpu import comparing, drivers, record, stripes
+from measure.gpu import drivers, record, stripes
 from measure.gpu.chips import CHIPS, Chip
 from measure.gpu.compiling import Compiled, Device, compile_all
 from measure.gpu.drivers import Drivers
@@ -186,8 +184,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     add_options(parser, (*PEERS, *stripes.PEERS))
     parser.add_argument("--out", type=Path, metavar="DIR", default=Path("out"))
     parser.add_argument("--baseline", type=Path, metavar="FILE", help="an earlier costs.csv, to compare with")
-    parser.add_argument("--compare", type=Path, nargs=2, metavar=("BEFORE", "NOW"),
-                        help="print the table of two costs.csv, and do nothing else")
     parser.add_argument("--drivers", type=Path, metavar="DIR", default=DRIVERS,
                         help="where they are (build/gpu-drivers)")
     parser.add_argument("--get-drivers", action="store_true", help="download them, and do nothing else")
@@ -198,9 +194,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         if options.list_chips:
             return list_chips(options.drivers)
-        if options.compare:
-            print(comparing.page_table(*map(record.read_costs, options.compare)), end="")
-            return 0
         if options.get_drivers:
             drivers.get(options.drivers.absolute(), options.mirror, options.suite)
             print(f"{options.drivers} has {drivers.find(options.drivers).versions()}")

@@ -17,7 +17,7 @@ from base.debian import Missing
 from base.testing import Case, called
 from base.thorough import in_thorough_runs
 from measure import record as records
-from measure.gpu import chips, command, comparing, drivers, pages, record, stripes
+from measure.gpu import chips, command, drivers, pages, record, stripes
 from measure.gpu.chips import CHIPS, chip_named
 from measure.gpu.compiling import Compiled, compile_all
 from measure.peers import CALLS, dimensions, subject
@@ -182,36 +182,6 @@ class Pages(unittest.TestCase):
         self.assertEqual(line.count("F fails"), 1)
 
 
-class Comparing(unittest.TestCase):
-    def records(self, *noises: str, cost: str = "8", kinds: str = "") -> comparing.Rows:
-        return {(id, chip): record.Row(id, chip, cost, "2", kinds, "9", "0", "1", "") for noise in noises
-                for id in (noise + comparing.FLOATS, noise + comparing.FIXED) for chip in chips.SHOWN}
-
-    def test_what_a_shader_takes(self):
-        rows = self.records("noise2d.perlin", kinds="FSCIB 3, IC 12")
-        self.assertEqual([comparing.weight(rows["noise2d.perlin.lattice", chip]) for chip in chips.SHOWN],
-                         [4, 8, 8, 8, 12, 8])
-
-    def test_noises_of_both_records_have_a_line(self):
-        before = self.records("noise2d.perlin", "noise3d.cell_border", "noise2d.old", "noise2d.refused")
-        now = dict(self.records("noise2d.new", "noise3d.cell_border", "noise2d.refused")) | self.records(
-            "noise2d.perlin", cost="4")
-        for key, changed in ((("noise2d.refused.lattice", "m1"), {"cost": "", "problem": "too hard"}),
-                             (("noise2d.perlin.lattice+fixed", "navi31"), {"cost": "16"})):
-            now[key] = now[key]._replace(**changed)
-        lines = comparing.page_table(before, now).splitlines()
-        self.assertEqual(lines[2:], [
-            "| Perlin 2D | **0.53**: 0.71, 0.50, 0.50, 0.50, 0.50, 0.50 "
-            "| **0.78**: 0.71, 0.50, 2.00, 0.50, 0.50, 0.50 | 1.50 |",
-            f"| cell border 3D | **1.00**: {', '.join(['1.00'] * 6)} | **1.00**: {', '.join(['1.00'] * 6)} | 1.00 |"])
-        # An older record has fewer chips.
-        fewer = {key: row for key, row in before.items() if key[1] in ("navi31", "m1")}
-        self.assertIn("| Perlin 2D | **0.50**: 0.50, 0.50 |", comparing.page_table(fewer, now))
-        with self.assertRaisesRegex(ValueError, "in common"):
-            comparing.page_table({key: row for key, row in before.items() if key[1] == "m1"},
-                                 {key: row for key, row in now.items() if key[1] == "navi31"})
-
-
 # Shaped as AdvancedTerrainErosion.cs and phasor.frag are, as far as what is made of them depends on it.
 CSHARP = """using System;
 #region Precision helper constants
@@ -354,22 +324,6 @@ class Command(WithStandIn):
         self.assertEqual(status, 1)
         self.assertIn("DEARER perlin on ampere: 14, was 13", out)
 
-    def test_two_records_are_compared_without_a_driver(self):
-        now, before = str(pages.RECORD / record.COSTS), str(self.folder / "before.csv")
-        rows = {key: row._asdict() for key, row in pages.costs().items()}
-        dearer = rows["noise2d.perlin.lattice", "navi31"]
-        dearer["cost"] = str(2 * float(dearer["cost"]))
-        records.write(Path(before), records.beside(rows.values(), ("id",), record.CHIP))
-        status, out = self.call("--compare", before, now, "--drivers", self.folder / "none")
-        self.assertEqual(status, 0, out)
-        self.assertRegex(out, r"\| Perlin 2D \| [^|]*\b0\.50\b[^|]*\| \*\*1\.00")
-        self.assertNotRegex(out, r"\| Perlin 3D \| [^|]*\b0\.[^|]*\| \*\*1\.00")
-        empty = self.folder / "empty.csv"
-        empty.write_text("id,m1 cost\n")
-        status, err = self.call("--compare", before, empty)
-        self.assertEqual(status, 2)
-        self.assertIn("the records have no noise with floats and with HN_FIXED on ampere, sm90, navi31", err)
-
     def test_without_drivers_it_is_skipped_with_a_reason(self):
         status, err = self.call("--drivers", str(self.folder / "none"))
         self.assertEqual(status, 3)
@@ -391,7 +345,6 @@ class Command(WithStandIn):
         for arguments, part in ((["--chip", "voodoo"], "invalid choice: 'voodoo'"),
                                 (["--baseline", str(bad)], "the first line must be"),
                                 (["--baseline", str(self.folder / "none.csv")], "none.csv"),
-                                (["--compare", str(bad), str(bad)], "the first line must be"),
                                 (["--wombat", str(self.folder / "none")], "--wombat: there is no"),
                                 (["--frobnicate"], "--frobnicate")):
             with self.subTest(arguments=arguments):

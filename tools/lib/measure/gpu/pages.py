@@ -7,8 +7,8 @@ from collections.abc import Mapping
 
 from base.tree import ROOT
 from catalog.tables.markdown import table
-from measure.gpu import comparing, stripes
-from measure.gpu.chips import chip_named
+from measure.gpu import stripes
+from measure.gpu.chips import SHOWN, chip_named
 from measure.gpu.record import COSTS, Row, read_costs
 from measure.peers import CALLS, dimensions, subject
 
@@ -32,10 +32,15 @@ def costs() -> dict[tuple[str, str], Row]:
     return read_costs(RECORD / COSTS)
 
 
+def shown(rows: Mapping[tuple[str, str], Row]) -> list[str]:
+    """The chips of tables that a record has."""
+    return [name for name in SHOWN if any(chip == name for _, chip in rows)]
+
+
 def chip_table(rows: Mapping[tuple[str, str], Row]) -> str:
     """Ours with floats and with integers, then each peer; with a * where the shader has a loop, and a + where a wait
     for memory is not counted."""
-    lines, chips = [], comparing.shown(rows)
+    lines, chips = [], shown(rows)
     for noise in dict.fromkeys(call.noise for call in SHOWN_CALLS):
         calls = [call for call in SHOWN_CALLS if call.noise == noise]
         cells = []
@@ -52,7 +57,7 @@ def arithmetics_quote(rows: Mapping[tuple[str, str], Row]) -> str:
     """The costs of arithmetics in that of HN_FAST, least and largest of the chips."""
     def beside_fast(id: str, arithmetic: str) -> str:
         ratios = [float(rows[f"{id}+{arithmetic}", chip].cost) / float(rows[id, chip].cost)
-                  for chip in comparing.shown(rows)]
+                  for chip in shown(rows)]
         return f"{min(ratios):.1f} to {max(ratios):.1f} times"
 
     ids = ("noise2d.perlin.lattice", "noise3d.perlin.lattice")
@@ -63,7 +68,7 @@ def arithmetics_quote(rows: Mapping[tuple[str, str], Row]) -> str:
 
 def titled_table(rows: Mapping[tuple[str, str], Row], titles: Mapping[str, str]) -> str:
     """The costs of some subjects, each with its title."""
-    chips = comparing.shown(rows)
+    chips = shown(rows)
     return table(("", *(_head(name) for name in chips)),
                  [[title, *(_cost(rows, id, chip) for chip in chips)] for id, title in titles.items()])
 
