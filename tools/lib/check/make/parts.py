@@ -34,7 +34,7 @@ PAGES = ("README.md", "docs/guide/gallery/README.md",
          *(f"docs/{page}.md" for page in (
              "guide/cellular", "guide/engines", "guide/languages", "guide/uniform",
              "measured/default-hash", "measured/hashes", "measured/judge",
-             "measured/measuring", "measured/quality", "measured/results/README", "measured/silicon",
+             "measured/measuring", "measured/quality", "measured/results/README",
              "reference/fractals", "reference/knobs", "reference/noises")))
 RECORDS = ("docs/measured/results/**/*.csv", "src/grid/*.*")
 
