@@ -1,6 +1,6 @@
 // The panel: its choices, and how it shows the state.
 import { kLanguages } from "./code.js";
-import { copied, copiedText, kKinds } from "./copied.js";
+import { exported, exportedText, kKinds } from "./export.js";
 import { countsOf } from "./cost.js";
 import { byId, element } from "./elements.js";
 import { LayerList } from "./layerlist.js";
@@ -9,7 +9,7 @@ import { dimensionsOf, isSolid, kLeastTilt, kSettings, noisesOf, settingsOf, use
 import { kParts, positionText, sameNumber } from "./numbers.js";
 import { gradientOf } from "./palette.js";
 import { StopList } from "./stoplist.js";
-import { kLockable } from "./surprise.js";
+import { kLockable } from "./randomize.js";
 import {
   kAbout, kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kRenderers, kSums, kTints, kViews, kWarps,
 } from "./tables.js";
@@ -300,12 +300,12 @@ export class Controls {
   }
 
   get code() {
-    return copiedText(...this.copying);
+    return exportedText(...this.copying);
   }
 
   showCode() {
     if (!this.state) return;
-    const { head, library, code, waits } = copied(...this.copying);
+    const { head, library, code, waits } = exported(...this.copying);
     byId("copy").disabled = Boolean(waits);
     const inside = library();
     const kilobytes = Math.ceil((inside.join("\n").length + 1) / 1000);

@@ -1,11 +1,11 @@
 // The page: the state, the picture, and what moves it.
 import { shaderKey } from "./code.js";
 import { Controls } from "./controls.js";
-import { Beside } from "./beside.js";
+import { Comparison } from "./compare.js";
 import { costOf } from "./cost.js";
 import { byId } from "./elements.js";
 import { linkInFile, planeOf } from "./files.js";
-import { anywhere, listen, listKeys, undoing } from "./hands.js";
+import { anywhere, listen, listKeys, undoing } from "./input.js";
 import { Library } from "./library.js";
 import { ignoredIn, linkOf, stateOf, stateOfLook } from "./links.js";
 import { changed, chosen, isTurned, kSettings, possible, rangeOf, titlesOf, uses } from "./model.js";
@@ -15,7 +15,7 @@ import { kCanvases, Picture } from "./picture.js";
 import { Pieces, unpacked } from "./pieces.js";
 import { kBits } from "./shaders.js";
 import { kRenderers, kViews } from "./tables.js";
-import { surprised } from "./surprise.js";
+import { randomized } from "./randomize.js";
 import { Steps } from "./undo.js";
 import { histogramOf, summaryOf, wordsOf } from "./values.js";
 import { panned, partsOf, positionOfPixel, zoomed } from "./view.js";
@@ -202,7 +202,7 @@ class Playground extends Picture {
     byId("histogram").setAttribute("aria-label", words);
     byId("bars").style.clipPath = shape;
     byId("bars").style.background = gradientOf(state);
-    await this.beside.draw();
+    await this.comparison.draw();
   }
 
   // The value below the pointer.
@@ -372,7 +372,7 @@ class Playground extends Picture {
   }
 
   // ------------------------------------------------------------------------------------------------------------------
-  // Hands.
+  // Input.
 
   // Where a pointer is, in pixels of the picture to the right of and above its middle.
   fromMiddle({ x, y }) {
@@ -411,8 +411,8 @@ class Playground extends Picture {
     this.change({ x: 0n, y: 0n, cells: kSettings.cells.usual });
   }
 
-  surprise() {
-    this.replace(surprised(this.state, this.controls.locked), "Other settings are shown. Back undoes it.");
+  randomize() {
+    this.replace(randomized(this.state, this.controls.locked), "Other settings are shown. Back undoes it.");
   }
 
   roll() {
@@ -440,13 +440,13 @@ class Playground extends Picture {
     for (const name of kCanvases) listen(this, byId(name));
     const clicks = {
       play: () => this.play(!this.playing), dice: () => this.roll(), in: () => this.zoom(2 ** -0.5),
-      out: () => this.zoom(2 ** 0.5), home: () => this.home(), surprise: () => this.surprise(),
+      out: () => this.zoom(2 ** 0.5), home: () => this.home(), surprise: () => this.randomize(),
       save: () => this.save(), measure: () => this.measure(),
       copy: () => this.copy(this.controls.code, byId("copy"), "The code"), link: () => this.copyLink(),
       undo: () => this.undo(), redo: () => this.redo(), help: () => byId("keys-list").showModal(),
     };
     for (const [id, action] of Object.entries(clicks)) byId(id).addEventListener("click", action);
-    this.beside = new Beside(this);
+    this.comparison = new Comparison(this);
     for (const id of ["hide", "handle"]) byId(id).addEventListener("click", () => this.fold());
     listKeys(byId("keys-list").querySelector("tbody"));
     addEventListener("keydown", (event) => undoing(this, event));

@@ -283,7 +283,7 @@ const kShader = (n) => [
   "}",
 ];
 
-// {head, library, code} as copied() has them.
+// {head, library, code} as exported() has them.
 export function scalarCode(library, language, state) {
   const writer = new ScalarWriter(language, state);
   const code = writer.write();

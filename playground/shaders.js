@@ -1,7 +1,7 @@
 // The shaders of the page, and the numbers that they read. Each exists in GLSL for WebGL2 and in WGSL for WebGPU; with
 // HN_FIXED both draw the same bytes, since everything from the position to the colour is whole numbers.
 import { functions, knobs, numbers, partOf } from "./code.js";
-import { kWgslVertex } from "./copied.js";
+import { kWgslVertex } from "./export.js";
 import { isLeaning, isSolid, kMostLayers, rangeOf, shownLayers, tintedLayers, usualLayer } from "./model.js";
 import { solidPlace, solidShader, wordsOfSolid } from "./solid.js";
 import { cellOf, leaningSteps, leant, originOf, partsOf, placeOf, stepOf, tileOf } from "./view.js";

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { functions, numbers, shaderKey } from "../code.js";
-import { copied } from "../copied.js";
+import { exported } from "../export.js";
 import { scalarCode } from "../scalar.js";
 import { linkOf, stateOf } from "../links.js";
 import {
@@ -99,14 +99,14 @@ test("a layer has colours of its own where it counts", () => {
   assert.match(chosen(state, { tint: "own" }, 1).layers[1].tints, /^0-10140f_20-/);
   const shells = { glsl: ["", ""], go: ["", ""] };
   const library = { version: "", texts: () => [], pieces: { shading: { shells }, cpu: { shells, texts: () => [] } } };
-  const glsl = copied(library, "glsl", state).code.join("\n");
+  const glsl = exported(library, "glsl", state).code.join("\n");
   assert.match(glsl, /^highp vec3 colours_2\(highp float value\) \{$/m);
   assert.match(glsl, /vec3 c = colours\(v\);\n {2}c = mix\(c, colours_2\(v\), m2\);\n {2}c = mix\(c, colours_4\(v\), min\(max\(m4, 0\.0\), 1\.0\)\);\n {2}return c;/);
   // Languages without colours have the parts, and nothing that these do not need.
   const go = scalarCode(library, "go", state).code.join("\n");
   assert.match(go, /^func Mask2\(x float32, y float32\) float32 \{\n\tm2 := .*\n\treturn m2|^func Mask2\(.*\n\treturn /m);
   assert.doesNotMatch(go.slice(go.indexOf("func Mask2")), /\bv1\b/);
-  assert.match(copied(library, "python", state).code.join("\n"), /^ {4}return v, mask_2, mask_4$/m);
+  assert.match(exported(library, "python", state).code.join("\n"), /^ {4}return v, mask_2, mask_4$/m);
 });
 
 test("a layer counts where it is steep below", () => {

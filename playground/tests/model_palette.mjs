@@ -1,7 +1,7 @@
 // Maps of colours, those of one's own among them. model_test.mjs runs it.
 import assert from "node:assert/strict";
 import test from "node:test";
-import { copied } from "../copied.js";
+import { exported } from "../export.js";
 import { linkOf, stateOf } from "../links.js";
 import { changed, chosen, usualState } from "../model.js";
 import {
@@ -81,7 +81,7 @@ test("stops are moved between their neighbours, added and removed", () => {
 function colourOf(state, language) {
   const shells = { glsl: ["", ""], hlsl: ["", ""], wgsl: ["", ""] };
   const library = { pieces: { shading: { shells } }, texts: () => [], version: "" };
-  const code = copied(library, language, state).code.map((line) => line.replaceAll("highp ", ""));
+  const code = exported(library, language, state).code.map((line) => line.replaceAll("highp ", ""));
   const start = code.findIndex((line) => /^(fn|vec3|float3) colour\(/.test(line));
   const vector = { glsl: "vec3", hlsl: "float3", wgsl: "vec3f" }[language];
   const body = code

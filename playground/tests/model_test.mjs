@@ -7,7 +7,7 @@ import test from "node:test";
 import { fileURLToPath } from "node:url";
 import { kCatalog } from "../catalog.js";
 import { functions, numbers, shaderKey } from "../code.js";
-import { copied, copiedText, kKinds, kLicense } from "../copied.js";
+import { exported, exportedText, kKinds, kLicense } from "../export.js";
 import { costOf, countsOf } from "../cost.js";
 import { Library } from "../library.js";
 import { ignoredIn, kLooks, linkOf, stateOf, stateOfLook } from "../links.js";
@@ -29,7 +29,7 @@ import { paletteOf } from "../palette.js";
 import { Pieces, unpacked } from "../pieces.js";
 import { pageShader } from "../shaders.js";
 import { Speed } from "../speed.js";
-import { kLockable, surprised } from "../surprise.js";
+import { kLockable, randomized } from "../randomize.js";
 import { kHashes, kMetrics, kNoises, kSums, kWarps } from "../tables.js";
 import { cellsAcross, leaningNumbers, leant, originOf, panned, positionOfPixel, stepOf, zoomed } from "../view.js";
 import "./model_palette.mjs";
@@ -162,13 +162,13 @@ test("a surprise is possible, and leaves what is locked", () => {
   const state = stateOf("#sum=ridged&seed=5&map=land&blend2=add");
   const seen = new Set();
   for (let i = 0; i < 50; ++i) {
-    const other = surprised(state, new Set(["seed", "map"]), next);
+    const other = randomized(state, new Set(["seed", "map"]), next);
     assert.deepEqual(possible(other), other);
     assert.deepEqual([other.map, ...other.layers.map(({ seed }) => seed)], ["land", 5, 7]);
     seen.add(linkOf(other));
   }
   assert.equal(seen.size, 50);
-  assert.deepEqual(surprised(state, new Set(kLockable), next), state);
+  assert.deepEqual(randomized(state, new Set(kLockable), next), state);
 });
 
 test("a look is possible as it is written", () => {
@@ -499,7 +499,7 @@ const kDefined = /^ *(?:export |public |private |pub |static |inline |highp )*(?
 
 // The fault of a copied text: nothing, if it has what it calls of the library, in few characters.
 function wrongText(from, language, state) {
-  const text = copiedText(from, language, state);
+  const text = exportedText(from, language, state);
   if (/#include "hashnoise|^#define HN_VERSION_MAJOR|^const HN_I_|…/m.test(text)) return "it has the files of the library";
   if (text.length >= kOfShadertoy) return `it has ${text.length} characters`;
   const defined = new Set(Array.from(text.matchAll(kDefined), ([, name]) => name));
@@ -516,12 +516,12 @@ test("what is copied in any language needs no file, and is short", () => {
     const state = possible({ ...anySettings(false), layers: Array.from({ length: 1 + (i % 3) }, () => anySettings(true)) });
     const language = kShort[i % kShort.length];
     assert.equal(wrongText(library, language, state), "", `${language}, ${linkOf(state)}`);
-    for (const kind of Object.keys(kKinds.glsl)) sizes.push(copiedText(library, "glsl", state, kind).length);
+    for (const kind of Object.keys(kKinds.glsl)) sizes.push(exportedText(library, "glsl", state, kind).length);
   }
   assert.ok(Math.max(...sizes) < kOfShadertoy, `${Math.max(...sizes)}`);
   // One setting more than the plain picture has.
   for (const link of ["", "#period=4", "#warp=warp", "#blend2=multiply&sum2=none&noise2=cellular", "#noise=simplex", "#hash=pcg"]) {
-    const { length } = copiedText(library, "glsl", stateOf(link));
+    const { length } = exportedText(library, "glsl", stateOf(link));
     assert.ok(length < 13_000, `${link}: ${length}`);
   }
 });
@@ -542,7 +542,7 @@ test("a copied text has the chosen settings", () => {
   const state = possible(
     changed(usualState(), { sum: "ridged", noise: "simplex", octaves: 5, seed: 9, arithmetic: "fixed", hash: "pcg" }),
   );
-  const short = copiedText(library, "glsl", state, "function", false);
+  const short = exportedText(library, "glsl", state, "function", false);
   for (const part of [
     "#define HN_ARITHMETIC HN_FIXED",
     "#define HN_HASH HN_HASH_PCG",
@@ -556,20 +556,20 @@ test("a copied text has the chosen settings", () => {
   // By default it needs no other file.
   for (const language of ["glsl", "hlsl", "wgsl"]) {
     for (const kind of Object.keys(kKinds[language])) {
-      const text = copiedText(library, language, state, kind);
+      const text = exportedText(library, language, state, kind);
       assert.ok(!text.includes("#include") && text.includes(kLicense), `${language}, ${kind}`);
       assert.match(text, /^(fn hn_add_ridged2|(highp )?void hn_add_ridged)\(/m);
     }
   }
   assert.match(
-    copied(library, "wgsl", state, "function", false).head.join("\n"),
+    exported(library, "wgsl", state, "function", false).head.join("\n"),
     /tools\/pick .*hn_add_ridged2 .*--language wgsl --arithmetic fixed --hash pcg/,
   );
-  assert.match(copiedText(library, "bake", stateOf("#seed=9&period=4")), /^tools\/bake fbm --seed 9 .*--period 4x4 .*-o noise\.png$/m);
-  assert.match(copiedText(library, "bake", stateOf("#sum=eroded&noise=simplex")), /^tools\/bake eroded --noise simplex_d /m);
-  const layers = copiedText(library, "bake", stateOf("#blend2=mask&blend3=add&dimensions=3&period=4"));
+  assert.match(exportedText(library, "bake", stateOf("#seed=9&period=4")), /^tools\/bake fbm --seed 9 .*--period 4x4 .*-o noise\.png$/m);
+  assert.match(exportedText(library, "bake", stateOf("#sum=eroded&noise=simplex")), /^tools\/bake eroded --noise simplex_d /m);
+  const layers = exportedText(library, "bake", stateOf("#blend2=mask&blend3=add&dimensions=3&period=4"));
   assert.match(layers, /^def pattern\(x, y, z\):$/m);
   assert.match(layers, /^tools\/bake --expression 'pattern\(x, y, z\)' --source pattern\.py --size \d+x\d+x1 .*-o noise\.png$/m);
-  assert.match(copiedText(library, "python", stateOf("#arithmetic=fixed&blend2=add")), /^ {4}v = numpy\.clip\(v \+ .*, -8, 8\)$/m);
-  assert.match(copiedText(library, "python", stateOf("#seed=9")), /^values = hashnoise\.grid\("fbm", \(1024, 1024\), .*seed=9/m);
+  assert.match(exportedText(library, "python", stateOf("#arithmetic=fixed&blend2=add")), /^ {4}v = numpy\.clip\(v \+ .*, -8, 8\)$/m);
+  assert.match(exportedText(library, "python", stateOf("#seed=9")), /^values = hashnoise\.grid\("fbm", \(1024, 1024\), .*seed=9/m);
 });

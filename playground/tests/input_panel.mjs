@@ -1,4 +1,4 @@
-// The panel, as people use it: fields, sliders, layers, the clipboard. hands_test.mjs runs it.
+// The panel, as people use it: fields, sliders, layers, the clipboard. input_test.mjs runs it.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { resolve } from "node:path";
@@ -16,7 +16,7 @@ import {
   tabTo,
   visibleText,
   wait,
-} from "./hands_support.mjs";
+} from "./input_support.mjs";
 import { kPhone, opened, pixels, ready, stateOfPage } from "./support.mjs";
 
 test("a keyboard alone is enough", async () => {
@@ -540,7 +540,7 @@ test("two settings are side by side, and a wrong link has a message", async () =
   await page.evaluate(() => window.hashnoise.change({ seed: 5, map: "land" }));
   await page.waitForFunction(() => !document.getElementById("picture-kept").hidden);
   await page.click("#exchange");
-  assert.deepEqual(await page.evaluate(() => [window.hashnoise.link, window.hashnoise.beside.kept.map]), ["#seed=4", "land"]);
+  assert.deepEqual(await page.evaluate(() => [window.hashnoise.link, window.hashnoise.comparison.kept.map]), ["#seed=4", "land"]);
   await page.click("#compare");
   assert.equal(await page.$eval("#picture-kept", (canvas) => canvas.hidden), true);
   await page.click("#surprise");

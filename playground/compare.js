@@ -4,7 +4,7 @@ import { byId } from "./elements.js";
 import { isTurned } from "./model.js";
 import { frameOf, kColours } from "./shaders.js";
 
-export class Beside {
+export class Comparison {
   constructor(page) {
     this.page = page;
     this.kept = undefined;

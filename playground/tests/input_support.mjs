@@ -1,4 +1,4 @@
-// Shared by the tests of hands: pages, keys, and everything seen and heard.
+// Shared by the tests of input: pages, keys, and everything seen and heard.
 import assert from "node:assert/strict";
 import { after, before } from "node:test";
 import { kForWebGl, launched, opened, pixels } from "./support.mjs";

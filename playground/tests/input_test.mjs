@@ -19,10 +19,10 @@ import {
   visibleText,
   wait,
   withWebGpu,
-} from "./hands_support.mjs";
+} from "./input_support.mjs";
 import { kPage, kPhone, opened, pixels, ready, stateOfPage } from "./support.mjs";
-import "./hands_panel.mjs";
-import "./hands_turned.mjs";
+import "./input_panel.mjs";
+import "./input_turned.mjs";
 
 test("it opens from a disk, and loads nothing", async () => {
   assert.match(kPage, /^file:/);

@@ -96,7 +96,7 @@ export const listKeys = (table) =>
 export function anywhere(page, event) {
   if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
   if (event.target.closest("input[type=text], select, textarea, dialog")) return;
-  const actions = { s: () => page.surprise(), h: () => page.fold(), "?": () => byId("keys-list").showModal() };
+  const actions = { s: () => page.randomize(), h: () => page.fold(), "?": () => byId("keys-list").showModal() };
   const action = actions[event.key.toLowerCase()];
   if (!action) return;
   event.preventDefault();
