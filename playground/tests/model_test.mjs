@@ -41,7 +41,7 @@ const inPage = (id) => new RegExp(`id="${id}">([^<]*)<`).exec(page)[1];
 const library = new Library(await unpacked(inPage("library")), async (name) => new Pieces(await unpacked(inPage(name))));
 for (const name of ["shading", "cpu"]) await library.load(name);
 
-test("the page is small", () => assert.ok(page.length < 700_000, `${page.length} bytes`));
+test("the page is small", () => assert.ok(page.length < 1_150_000, `${page.length} bytes`));
 
 const from = chance(19);
 const next = () => from.next().value;
