@@ -11,7 +11,7 @@ import { gradientOf } from "./palette.js";
 import { StopList } from "./stoplist.js";
 import { kLockable } from "./randomize.js";
 import {
-  kAbout, kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kRenderers, kSums, kTints, kViews, kWarps,
+  kAbout, kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kSums, kTints, kViews, kWarps,
 } from "./tables.js";
 
 // name: [label, step, from, to]. Without ends a slider has those of its setting.
@@ -38,7 +38,6 @@ const kChoices = {
   view: kViews,
   warp: kWarps,
   arithmetic: kArithmetics,
-  renderer: kRenderers,
 };
 const kScales = Object.fromEntries([1, 2, 4, 8, 16, 32, 64].map((scale) => [scale, `${scale} × as fine`]));
 const kSelects = {
@@ -329,16 +328,6 @@ export class Controls {
     byId("text-uncopied").value = text;
     byId("text-uncopied").focus();
     byId("text-uncopied").select();
-  }
-
-  // Nobody can choose this any more. Who just did goes on at the other choice.
-  refuseRenderer(name, sentence, other) {
-    const choice = byId(`renderer-${name}`);
-    if (document.activeElement === choice) byId(`renderer-${other}`).focus();
-    choice.disabled = true;
-    byId("note-renderer").textContent = sentence;
-    byId("note-renderer").hidden = false;
-    byId("renderer").parentElement.setAttribute("aria-describedby", "note-renderer");
   }
 
   // The table of compilers' counts for the function of the layer.

@@ -57,9 +57,9 @@ export function listen(page, canvas) {
     page.zoom(0.5, page.fromMiddle({ x: event.clientX, y: event.clientY })),
   );
   canvas.addEventListener("keydown", (event) => press(page, event));
-  // A lost context is taken again when the browser gives it back; a lost device at once.
+  // A lost context is taken again when the browser gives it back.
   canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
-  for (const type of ["webglcontextrestored", "lost"]) canvas.addEventListener(type, () => page.restored(canvas));
+  canvas.addEventListener("webglcontextrestored", () => page.restored());
 }
 
 // Anywhere on the page. A text that nobody has entered yet is the browser's.

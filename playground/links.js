@@ -143,9 +143,9 @@ export const kLooks = {
   },
 };
 
-export function stateOfLook(name, { renderer, arithmetic, file, width, height, frames }) {
+export function stateOfLook(name, { arithmetic, file, width, height, frames }) {
   const { layers = [], ...look } = kLooks[name];
-  let state = { ...usualState(), renderer, arithmetic, file, width, height, frames };
+  let state = { ...usualState(), arithmetic, file, width, height, frames };
   state.layers.push(...layers.map(usualLayer));
   for (const [at, changes] of [look, ...layers].entries()) {
     state = changed(state, changes, at);

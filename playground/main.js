@@ -14,7 +14,7 @@ import { gradientOf } from "./palette.js";
 import { kCanvases, Picture } from "./picture.js";
 import { Pieces, unpacked } from "./pieces.js";
 import { kBits } from "./shaders.js";
-import { kRenderers, kViews } from "./tables.js";
+import { kViews } from "./tables.js";
 import { randomized } from "./randomize.js";
 import { Steps } from "./undo.js";
 import { histogramOf, summaryOf, wordsOf } from "./values.js";
@@ -104,11 +104,10 @@ class Playground extends Picture {
     this.replace(stateOfLook(name, this.state), `${name} is shown. Back undoes it.`);
   }
 
-  // One step back, or forth again. A renderer that does not work is not tried again.
+  // One step back, or forth again.
   step(how, said) {
     const next = this.steps[how](this.state);
     if (!next) return;
-    if (byId(`renderer-${next.renderer}`).disabled) next.renderer = this.state.renderer;
     this.take(next);
     this.say(said);
   }
@@ -158,24 +157,10 @@ class Playground extends Picture {
     if (!this.probed) byId("value").textContent = "";
   }
 
-  async failed(error) {
-    const { renderer } = this.state;
-    const { webgl2, webgpu } = this.backends;
-    if (renderer === "webgpu" && (!webgpu || webgpu.lost) && this.without("webgpu", "webgl2")) return;
-    if (renderer === "webgl2" && webgl2?.lost) return; // it comes back
-    if (renderer === "webgl2" && !webgl2 && this.without("webgl2", "webgpu")) return;
+  failed(error) {
+    if (this.webgl?.lost) return; // it comes back
     byId("message").textContent = error.message;
     byId("message").hidden = false;
-  }
-
-  // A renderer that fails is not tried again: a device that is lost once is lost again. Returns whether the other takes over.
-  without(name, other) {
-    if (byId(`renderer-${other}`).disabled) return false;
-    const sentence = `${kRenderers[name]} does not work in this browser, so ${kRenderers[other]} draws the picture.`;
-    this.take({ ...this.state, renderer: other });
-    this.controls.refuseRenderer(name, sentence, other);
-    byId("status").textContent = sentence;
-    return true;
   }
 
   async drawn() {
@@ -262,8 +247,8 @@ class Playground extends Picture {
   // Cost, and the copied text.
 
   get costKey() {
-    const { layers, period, renderer } = this.state;
-    return [renderer, shaderKey({ ...this.state, view: "plane" }), ...layers.map(({ octaves }) => octaves), period].join(" ");
+    const { layers, period } = this.state;
+    return [shaderKey({ ...this.state, view: "plane" }), ...layers.map(({ octaves }) => octaves), period].join(" ");
   }
 
   async measure() {
@@ -275,14 +260,13 @@ class Playground extends Picture {
     try {
       this.play(false);
       const key = this.costKey;
-      const backend = await this.backend();
-      const { ratio, low, high, cell, million } = await costOf(backend, this.library, planeOf(this.state));
+      const { ratio, low, high, cell, million } = await costOf(this.gpu, this.library, planeOf(this.state));
       const text = (number) => (number < 10 ? number.toFixed(2) : number.toFixed(1));
       byId("cost").textContent = `${text(ratio)} × hn_perlin`;
       byId("note-cost").textContent =
         `A million values take ${text(million)} ms. It is pattern(p). ` +
         `From a cell, pattern(cell, f) costs ${text(cell)} ×. hn_perlin(p) in 2D, in floats, ` +
-        `was drawn in turns with both on ${backend.describe()}. ` +
+        `was drawn in turns with both on ${this.gpu.describe()}. ` +
         `Parts of the rounds gave ${text(low)} to ${text(high)}.`;
       byId("note-cost").hidden = false;
       this.measured = key;
@@ -419,13 +403,9 @@ class Playground extends Picture {
     this.change({ seed: crypto.getRandomValues(new Uint32Array(1))[0] % 1000000 });
   }
 
-  restored(canvas) {
-    const name = canvas.id.replace("picture-", "");
-    if (name === "webgpu" && this.state.renderer === name && !this.without("webgpu", "webgl2"))
-      return this.failed(new Error("The device of WebGPU was lost, and WebGL2 does not work in this browser."));
-    delete this.backends[name];
-    for (const key of this.programs.keys()) if (key.startsWith(`${name} `)) this.programs.delete(key);
-    if (name === this.state.renderer) this.request();
+  restored() {
+    this.webgl = undefined;
+    this.request();
   }
 
   // The panel hides, and is there again. The focus does not stay in what nobody sees.
@@ -467,7 +447,6 @@ class Playground extends Picture {
     });
     new ResizeObserver(() => this.request()).observe(byId("stage"));
     document.addEventListener("visibilitychange", () => document.hidden && this.play(false));
-    if (!navigator.gpu) this.controls.refuseRenderer("webgpu", "This browser has no WebGPU.", "webgl2");
     this.chooseCanvas();
     const ignored = ignoredIn(location.hash); // before the address loses it
     // Until there is a picture, or a sentence on why there is none. To make it sharp may take longer.

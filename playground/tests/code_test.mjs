@@ -29,7 +29,7 @@ const chosen = [
   { sum: "fbm", noise: "cell_border" }, // of all loops the one with the most choices in it, each once a branch in browsers
 ];
 const placed = (settings, state = usualState()) =>
-  changed(changed(state, { arithmetic: "fixed" }), { ...settings, ...kOrigin, renderer: "webgl2" });
+  changed(changed(state, { arithmetic: "fixed" }), { ...settings, ...kOrigin });
 // All that tools/pick has written is compiled in a thorough run. (In those the tests of tools/pick hold the bits of all
 // functions to the C++ header.)
 const picked = simpleStates().map((state) => changed(state, { z: 0.75, w: 1.5, ...kOrigin }));

@@ -105,10 +105,5 @@ export async function shownOnShared(link = "") {
 }
 
 export let browser;
-let other; // for the few tests that see WebGPU's canvas
-export const withWebGpu = async () => (other ??= await launched());
 before(async () => (browser = await launched(kForWebGl)));
-after(async () => {
-  await browser.close();
-  await other?.close();
-});
+after(() => browser.close());

@@ -18,7 +18,6 @@ import {
   tabTo,
   visibleText,
   wait,
-  withWebGpu,
 } from "./input_support.mjs";
 import { kPage, kPhone, opened, pixels, ready, stateOfPage } from "./support.mjs";
 import "./input_panel.mjs";
@@ -105,22 +104,22 @@ const slowDown = (page, wait, pixel) =>
   page.evaluate(
     (latency, cost) => {
       const { hashnoise } = window;
-      const backend = hashnoise.backends[hashnoise.state.renderer];
-      const { strip, show, finished } = backend;
+      const { gpu } = hashnoise;
+      const { strip, show, finished } = gpu;
       const seen = (window.seen = { sizes: [], strips: [] });
       let pending = 0;
-      backend.strip = (...arguments_) => {
+      gpu.strip = (...arguments_) => {
         pending = latency + arguments_[2] * arguments_[5] * cost;
         seen.strips.push(pending);
-        strip.apply(backend, arguments_);
+        strip.apply(gpu, arguments_);
       };
-      backend.finished = async () => {
-        await finished.apply(backend);
+      gpu.finished = async () => {
+        await finished.apply(gpu);
         await new Promise((resolve) => setTimeout(resolve, pending));
       };
-      backend.show = () => {
-        show.apply(backend);
-        seen.sizes.push(`${backend.canvas.width} x ${backend.canvas.height}`);
+      gpu.show = () => {
+        show.apply(gpu);
+        seen.sizes.push(`${gpu.canvas.width} x ${gpu.canvas.height}`);
         seen.strips.push(0);
       };
       hashnoise.speeds = new WeakMap();
@@ -143,12 +142,12 @@ const sharp = (page) =>
 test("a picture at rest is sharp", async () => {
   for (const [link, viewport] of [
     ["", { width: 420, height: 260 }],
-    ["#sum=none&noise=cellular&dimensions=3&renderer=webgpu", { width: 480, height: 340, deviceScaleFactor: 0.7 }],
+    ["#sum=none&noise=cellular&dimensions=3", { width: 480, height: 340, deviceScaleFactor: 0.7 }],
     ["#sum=none", { ...kPhone, width: 195, height: 422, deviceScaleFactor: 2.5 }],
     // SwiftShader takes a second for it.
     ...(kThorough ? [["#sum=eroded&dimensions=3&warp=warp_progressive&octaves=8", kPane]] : []),
   ]) {
-    const page = await opened(link.includes("webgpu") ? await withWebGpu() : browser, { link, viewport });
+    const page = await opened(browser, { link, viewport });
     await sharp(page);
     assert.equal(await visibleText(page, "drawing"), "");
     assert.deepEqual(page.complaints, []);
@@ -161,40 +160,36 @@ test("a picture at rest is sharp", async () => {
 const kBesideOthers = process.env.HN_BESIDE_OTHERS === "1";
 
 test("a slow picture becomes sharp in strips that leave the page time", { skip: kBesideOthers }, async () => {
-  for (const renderer of ["webgl2", "webgpu"]) {
-    const link = `#sum=none&map=grey&cells=40&renderer=${renderer}`;
-    const on = renderer === "webgpu" ? await withWebGpu() : browser;
-    const page = await opened(on, { link, viewport: kPane, before: decoding });
-    await sharp(page);
-    // Forty milliseconds for nothing are no reason for a coarse picture.
-    await slowDown(page, 40, 0.0001);
-    await sharp(page);
-    let seen = await page.evaluate(() => window.seen);
-    assert.equal(seen.sizes.at(-1), "360 x 260");
-    assert.ok(seen.strips.length < 40, JSON.stringify(seen));
-    // Two seconds for the whole are.
-    await slowDown(page, 0, 0.02);
-    await page.waitForFunction(() => document.getElementById("drawing").checkVisibility());
-    await sharp(page);
-    seen = await page.evaluate(() => window.seen);
-    assert.equal(seen.sizes.at(-1), "360 x 260");
-    assert.ok(new Set(seen.sizes).size >= 2, JSON.stringify(seen.sizes));
-    assert.ok(Math.max(...seen.strips.slice(8)) < 80, JSON.stringify(seen.strips));
-    assert.equal(await visibleText(page, "drawing"), "");
-    // The strips make one picture.
-    const seenNow = await pixelsOf(page, await screenshot(page));
-    const bytes = await pixels(page, 360, 260);
-    for (let row = 70; row < 220; ++row) {
-      const [shown, drawn] = [seenNow.slice(row * 1440), bytes.slice((259 - row) * 1440)];
-      assert.deepEqual(shown.slice(0, 640), drawn.slice(0, 640), `row ${row}`);
-    }
-    // A picture that is wanted meanwhile does not wait for the end.
-    await page.evaluate(() => window.hashnoise.change({ seed: 9 }));
-    await page.waitForFunction((count) => window.seen.sizes.length > count, {}, seen.sizes.length + 1);
-    await page.evaluate(() => window.hashnoise.change({ seed: 10 }));
-    await page.waitForFunction(() => window.hashnoise.shown.layers[0].seed === 10, { timeout: 800 });
-    await page.close();
+  const page = await opened(browser, { link: "#sum=none&map=grey&cells=40", viewport: kPane, before: decoding });
+  await sharp(page);
+  // Forty milliseconds for nothing are no reason for a coarse picture.
+  await slowDown(page, 40, 0.0001);
+  await sharp(page);
+  let seen = await page.evaluate(() => window.seen);
+  assert.equal(seen.sizes.at(-1), "360 x 260");
+  assert.ok(seen.strips.length < 40, JSON.stringify(seen));
+  // Two seconds for the whole are.
+  await slowDown(page, 0, 0.02);
+  await page.waitForFunction(() => document.getElementById("drawing").checkVisibility());
+  await sharp(page);
+  seen = await page.evaluate(() => window.seen);
+  assert.equal(seen.sizes.at(-1), "360 x 260");
+  assert.ok(new Set(seen.sizes).size >= 2, JSON.stringify(seen.sizes));
+  assert.ok(Math.max(...seen.strips.slice(8)) < 80, JSON.stringify(seen.strips));
+  assert.equal(await visibleText(page, "drawing"), "");
+  // The strips make one picture.
+  const seenNow = await pixelsOf(page, await screenshot(page));
+  const bytes = await pixels(page, 360, 260);
+  for (let row = 70; row < 220; ++row) {
+    const [shown, drawn] = [seenNow.slice(row * 1440), bytes.slice((259 - row) * 1440)];
+    assert.deepEqual(shown.slice(0, 640), drawn.slice(0, 640), `row ${row}`);
   }
+  // A picture that is wanted meanwhile does not wait for the end.
+  await page.evaluate(() => window.hashnoise.change({ seed: 9 }));
+  await page.waitForFunction((count) => window.seen.sizes.length > count, {}, seen.sizes.length + 1);
+  await page.evaluate(() => window.hashnoise.change({ seed: 10 }));
+  await page.waitForFunction(() => window.hashnoise.shown.layers[0].seed === 10, { timeout: 800 });
+  await page.close();
 });
 
 test("the page shows that it draws until there is a picture", async () => {
@@ -288,76 +283,6 @@ test("a wheel changes the scale around the pointer, whose value is shown", async
   assert.ok(Math.abs((await shown()) - before) < 0.05);
 });
 
-test("WebGPU draws, and where there is none the page states it and goes on", async () => {
-  const page = await opened(await withWebGpu(), { link: "#renderer=webgpu", viewport: kLaptop });
-  assert.match(await page.$eval("#gpu", (text) => text.textContent), /swiftshader/i);
-  assert.equal(await page.$eval("#picture-webgpu", (canvas) => canvas.hidden), false);
-  // Two requests before there is a device get one.
-  const same = await page.evaluate(async () => {
-    delete window.hashnoise.backends.webgpu;
-    const [one, two] = await Promise.all([window.hashnoise.backend(), window.hashnoise.backend()]);
-    return one === two;
-  });
-  assert.ok(same);
-  assert.deepEqual(page.complaints, []);
-  await page.close();
-  const without = await opened(browser, {
-    link: "#renderer=webgpu",
-    viewport: kLaptop,
-    before: () => Object.defineProperty(navigator, "gpu", { value: undefined }),
-  });
-  assert.equal(await without.$eval("#renderer-webgpu", (choice) => choice.disabled), true);
-  await without.waitForFunction(
-    () => window.hashnoise.state.renderer === "webgl2" && !document.getElementById("picture-webgl2").hidden,
-  );
-  assert.equal(await without.$eval("#message", (message) => message.hidden), true);
-  assert.match(await visibleText(without, "note-renderer"), /^WebGPU does not work in this browser/);
-  await without.close();
-});
-
-test("a WebGPU that does not work leaves a sentence, and the focus", async () => {
-  const page = await opened(browser, {
-    viewport: kLaptop,
-    before: () => {
-      navigator.gpu.requestAdapter = async () => {
-        throw new Error("raw text");
-      };
-    },
-  });
-  await page.evaluate(() => {
-    window.messages = [];
-    const message = document.getElementById("message");
-    new MutationObserver(() => window.messages.push(message.textContent)).observe(message, {
-      attributes: true,
-      childList: true,
-    });
-  });
-  assert.equal(await visibleText(page, "note-renderer"), "");
-  await page.focus("#renderer-webgl2");
-  await press(page, "ArrowRight");
-  await page.waitForFunction(() => document.getElementById("renderer-webgpu").disabled);
-  await wait(settled);
-  const sentence = "WebGPU does not work in this browser, so WebGL2 draws the picture.";
-  assert.equal(await visibleText(page, "note-renderer"), sentence);
-  assert.equal(await focused(page), "renderer-webgl2");
-  assert.equal((await stateOfPage(page)).renderer, "webgl2");
-  const messages = await page.evaluate(() => window.messages);
-  assert.ok(!messages.includes("raw text"), messages.join());
-  await page.close();
-});
-
-test("a WebGPU that is lost leaves a sentence where there is no WebGL2", async () => {
-  const page = await opened(browser, { viewport: kLaptop });
-  await page.evaluate(() => {
-    const { hashnoise } = window;
-    hashnoise.controls.refuseRenderer("webgl2", "It does not work.", "webgpu");
-    hashnoise.state.renderer = "webgpu";
-    document.getElementById("picture-webgpu").dispatchEvent(new Event("lost"));
-  });
-  assert.match(await visibleText(page, "message"), /^The device of WebGPU was lost/);
-  await page.close();
-});
-
 test("Back undoes a look, and nothing else", async () => {
   const page = await opened(browser, { viewport: kLaptop, link: "#noise=value&octaves=3" });
   const back = async (seed) => {
@@ -436,7 +361,7 @@ test("a lost context comes back", async () => {
   const page = await opened(browser);
   const before = await pixels(page, 16, 16);
   await page.evaluate(async () => {
-    const { gl } = window.hashnoise.backends.webgl2;
+    const { gl } = window.hashnoise.gpu;
     const loss = gl.getExtension("WEBGL_lose_context");
     const event = (name) => new Promise((resolve) => gl.canvas.addEventListener(name, resolve, { once: true }));
     const lost = event("webglcontextlost");

@@ -271,17 +271,16 @@ test("what one waits for any picture is no cost of a pixel", async () => {
 });
 
 // A GPU that takes a given time for each of the texts.
-const costWhere = (language, position, cell) =>
+const costWhere = (position, cell) =>
   costOf(
     {
-      language,
       build: async (text) => text,
       discard: () => {},
       time: async (text) => {
         const [call] = /sum \+= .*?;/.exec(text);
         if (!call.includes("pattern")) return 2;
         if (!text.includes("fbm")) return 2 + 8;
-        return 2 + 8 * (/pattern(?:_cell)?\((?:ivec2|vec2i)\(/.test(call) ? cell : position);
+        return 2 + 8 * (/pattern\(ivec2\(/.test(call) ? cell : position);
       },
     },
     library,
@@ -289,11 +288,8 @@ const costWhere = (language, position, cell) =>
   );
 
 test("the cost is that of pattern(p) in calls of hn_perlin(p), and that from a cell is apart", async () => {
-  for (const language of ["glsl", "wgsl"]) {
-    const { ratio, low, high, cell } = await costWhere(language, 7.7, 20.8);
-    const found = [ratio, low, high, cell].map((number) => number.toFixed(3));
-    assert.deepEqual(found, ["7.700", "7.700", "7.700", "20.800"]);
-  }
+  const { ratio, low, high, cell } = await costWhere(7.7, 20.8);
+  assert.deepEqual([ratio, low, high, cell].map((number) => number.toFixed(3)), ["7.700", "7.700", "7.700", "20.800"]);
 });
 
 test("compilers' counts are those of the record, and only of what was counted", () => {
@@ -366,14 +362,6 @@ test("a picture of tiles has one tile three times on its shorter side", () => {
   assert.equal(linkOf(state), "#period=3&view=tiles&x=5");
 });
 
-const kImports = `
-import json, sys
-sys.dont_write_bytecode = True
-sys.path.insert(0, ${JSON.stringify(join(root, "tools", "lib"))})
-from base.tree import GLSL
-from translate.settings import Settings
-from translate.wgsl.module import Module`;
-
 test("the library in the page is that of tools/pick whole", () => {
   for (const file of ["fbm2d.glsl", "cellular3d.glsl"]) {
     const made = execFileSync(join(root, "tools", "pick"), ["whole", "--strip", file], { encoding: "utf8" });
@@ -384,102 +372,12 @@ test("the library in the page is that of tools/pick whole", () => {
   }
 });
 
-// A sum over another noise is a loop of ours. In WGSL it must be what the translator makes of the one in GLSL.
-test("sums over other noises are the same loops in each language", () => {
-  const script = `${kImports}
-loops = json.load(sys.stdin)
-module = Module(GLSL, '#include "hashnoise.glsl"\\n' + "".join(loop + "\\n" for loop in loops), Settings("HN_FIXED"))
-made = [module.definition(n) for n in module.items if n.startswith("hn_i_own_")]
-json.dump({d.name: "\\n".join(d.lines) for d in made}, sys.stdout)
-`;
-  const loops = [];
-  const ours = new Map();
-  for (const sum of Object.keys(kSums).filter((name) => name !== "none")) {
-    for (const noise of noisesOf(sum).filter((name) => name !== "perlin" && !kNoises[name].signed)) {
-      for (const dimensions of dimensionsOfLayer({ noise, sum })) {
-        const state = changed(usualState(), { sum, noise, dimensions, arithmetic: "fixed" });
-        const name = `hn_i_own_${sum}_${noise}_${dimensions}`;
-        const of = (language) => {
-          const { lines } = functions(library, language, state, numbers(language, state));
-          return lines.slice(0, lines.indexOf("")).join("\n");
-        };
-        const loop = of("glsl").replace(`${sum}_${noise}(`, `${name}(`);
-        assert.match(loop, /^float hn_i_own_\w+\(hn_octaves\d o(, float strength)?\) \{\n.*  return /s);
-        loops.push(loop.replace(/\d\.\d/g, "$&f"));
-        ours.set(name, of("wgsl"));
-      }
-    }
-  }
-  const made = JSON.parse(
-    execFileSync("python3", ["-c", script], {
-      input: JSON.stringify(loops),
-      encoding: "utf8",
-      maxBuffer: 1 << 26,
-    }),
-  );
-  const plain = (code) => code.replace(/fn \w+\(/g, "fn f(").replace(/(\d\.\d)f/g, "$1").replace(/\s+/g, "");
-  for (const [name, text] of ours) {
-    const [theirs] = Object.entries(made)
-      .filter(([full]) => new RegExp(`^${name}_octaves`).test(full))
-      .map(([, code]) => plain(code));
-    assert.equal(plain(text), theirs, name);
-  }
-  assert.ok(ours.size > 50);
-  assert.notEqual(plain([...ours.values()][0]), plain([...ours.values()][1]));
-});
-
-test("everything that the catalog has can be chosen", () => {
-  const of = (pattern, files = Object.keys(library.glsl)) =>
-    [
-      ...new Set(files.flatMap((file) => library.glsl[file].map((line) => pattern.exec(line)?.[1])).filter(Boolean)),
-    ].toSorted();
-  const noises = [
-    ...new Set(
-      ["noise1d.glsl", "noise2d.glsl", "noise3d.glsl", "noise4d.glsl", "curl.glsl"].flatMap((file) =>
-        // The page itself has only what can be chosen.
-        [...readFileSync(join(root, "glsl", "hashnoise", file), "utf8").matchAll(/^#include "(\w+)\dd\.glsl"$/gm)].map(
-          ([, name]) => name,
-        ),
-      ),
-    ),
-  ];
-  assert.ok(noises.length > 10, noises.join());
-  // The catalog has the noises that can be chosen (tools/lib/catalog/javascript.py): no forms of these, and none that
-  // is for a user's own pictures.
-  const chosen = Object.keys(kCatalog.noises).toSorted();
-  assert.deepEqual(
-    chosen.filter((name) => !noises.includes(name)),
-    [],
-  );
-  assert.deepEqual([...new Set(Object.values(kNoises).map(({ file }) => file))].toSorted(), chosen);
-  for (const [name, { file, dimensions }] of Object.entries(kNoises)) {
-    assert.deepEqual(
-      [1, 2, 3, 4].filter((n) => library.glsl[`${file}${n}d.glsl`]),
-      dimensions,
-      name,
-    );
-  }
-  const sums = of(/^HN_FN hn_float hn_(\w+)\(hn_vec2 p, hn_int octaves/, ["fbm2d.glsl", "fbm_d2d.glsl"]);
-  assert.deepEqual(
-    sums,
-    Object.keys(kSums)
-      .filter((name) => name !== "none")
-      .toSorted(),
-  );
-  assert.deepEqual(
-    of(/^#define HN_HASH_([A-Z0-9_]+) \d+$/)
-      .filter((name) => name !== "CUSTOM")
-      .map((name) => name.toLowerCase()),
-    Object.keys(kHashes).toSorted(),
-  );
-  assert.deepEqual(
-    of(/^#define HN_METRIC_([A-Z]+) \d+$/).map((name) => name.toLowerCase()),
-    Object.keys(kMetrics).toSorted(),
-  );
-  assert.deepEqual(
-    of(/^HN_FN hn_vec2 hn_(warp\w*)\(hn_vec2 p/, ["warp2d.glsl"]),
-    Object.keys(kWarps).filter((name) => name !== "none"),
-  );
+test("hashes and warps are those of the library", () => {
+  // Noises, fractals and metrics are the catalog's (tables.js).
+  const inFile = (file, pattern) => library.glsl[file].flatMap((line) => pattern.exec(line)?.[1].toLowerCase() ?? []).toSorted();
+  const hashes = inFile("config.glsl", /^#define HN_HASH_([A-Z0-9_]+) \d+$/);
+  assert.deepEqual(hashes, [...Object.keys(kHashes), "custom"].toSorted());
+  assert.deepEqual([...inFile("warp2d.glsl", /^HN_FN hn_vec2 hn_(warp\w*)\(hn_vec2 p/), "none"].toSorted(), Object.keys(kWarps).toSorted());
 });
 
 test("states with one shader have one text of it, and others have another", () => {
@@ -487,7 +385,7 @@ test("states with one shader have one text of it, and others have another", () =
   for (let i = 0; i < 250; ++i) {
     const state = anyState(2);
     const key = shaderKey(state);
-    const made = pageShader(library, "glsl", state) + pageShader(library, "wgsl", state);
+    const made = pageShader(library, state);
     assert.equal(texts.get(key) ?? made, made, key);
     texts.set(key, made);
   }

@@ -1,15 +1,14 @@
-// The pixels: with HN_FIXED their values are those of the golden files and of the C++ header, bit for bit, by WebGL2 and
-// by WebGPU; and their colours follow from the values.
+// The pixels: with HN_FIXED their values are those of the golden files and of the C++ header, bit for bit; and their
+// colours follow from the values.
 import assert from "node:assert/strict";
 import test, { after, before } from "node:test";
 import { linkOf, stateOf } from "../links.js";
 import { changed, isLeaning, mapsOf, numbersOfTinted, rangeOf, usualState } from "../model.js";
 import { kMaps } from "../tables.js";
 import { leaningSteps, leant } from "../view.js";
-import { bitsOf, compiled, copiedCode, floatOf, golden, launched, opened, pixels, setState } from "./support.mjs";
+import { bitsOf, compiled, copiedCode, floatOf, golden, kForWebGl, launched, opened, pixels, setState } from "./support.mjs";
 
-// Each row makes a program, or two; in a default run there are some of half of the files, and each picture has
-// one renderer.
+// Each row makes a program, or two; in a default run there are some of half of the files.
 const kThorough = Boolean(process.env.HN_THOROUGH);
 const kRows = kThorough ? 12 : 4;
 const kAxes = ["x", "y", "z", "w"];
@@ -72,14 +71,14 @@ function shownOf({ words }, state) {
 }
 
 // Which rows have another value in the page than in the file.
-async function differing(page, renderer, [id, subject]) {
+async function differing(page, [id, subject]) {
   const wrong = [];
   let tried = 0;
   for (const row of golden(id)) {
     const shown = shownOf(row, subject);
     if (!shown || tried === kRows) continue;
     ++tried;
-    await setState(page, { ...shown.state, renderer });
+    await setState(page, shown.state);
     const value = await page.evaluate(
       async (point) => (await window.hashnoise.values([point.map(BigInt)]))[0],
       shown.point.map(String),
@@ -154,7 +153,7 @@ async function wordsOfCpp() {
     const alike = pictures.filter((state) => state.hash === hash);
     const texts = [];
     for (const [number, state] of alike.entries()) {
-      await setState(page, { ...state, renderer: "webgl2" });
+      await setState(page, state);
       const code = await copiedCode(page, "cpp", false);
       texts.push(code.replace(/^namespace hashnoise \{$/m, `namespace hashnoise::picture${number} {`));
     }
@@ -206,7 +205,7 @@ const unequal = (a, b) => a.filter((word, at) => word !== b[at]).length + Math.a
 let browser;
 let page;
 before(async () => {
-  browser = await launched();
+  browser = await launched(kForWebGl);
   page = await opened(browser);
 });
 after(() => browser.close());
@@ -215,7 +214,7 @@ test("a pixel has the golden value", async () => {
   const tried = { cell: 0, cell_period: 0 };
   for (const [number, subject] of subjects.entries()) {
     if (!kThorough && [1, 2].includes(number % 4)) continue;
-    const found = await differing(page, (number >> 2) % 2 ? "webgpu" : "webgl2", subject);
+    const found = await differing(page, subject);
     assert.deepEqual(found.wrong, []);
     const form = subject[0].endsWith("period") ? "cell_period" : "cell";
     // Most rows have periods that differ from axis to axis, which the page has not.
@@ -229,79 +228,52 @@ test("a pixel has the golden value", async () => {
 
 test("every pixel of a picture has the value of C++, and its colour", async () => {
   const words = await wordsOfCpp();
-  for (const [number, state] of pictures.entries()) {
+  for (const state of pictures) {
     const name = linkOf(state);
     const expected = words.get(state).map(([word]) => word);
     const counts = words.get(state).map(([, ...rest]) => rest);
     assert.ok(new Set(expected).size > 5, `${name} shows next to nothing`);
-    const colours = {};
-    for (const renderer of kThorough ? ["webgl2", "webgpu"] : [number % 2 ? "webgl2" : "webgpu"]) {
-      await setState(page, { ...state, renderer });
-      const values = await pixels(page, kWidth, kHeight, true);
-      assert.equal(unequal(values, expected), 0, `${name} by ${renderer}`);
-      colours[renderer] = await pixels(page, kWidth, kHeight);
-      assert.equal(wrongColours(values, colours[renderer], state, counts), 0, `colours of ${name} by ${renderer}`);
-    }
-    if (kThorough) assert.equal(unequal(colours.webgl2, colours.webgpu), 0);
+    await setState(page, state);
+    const values = await pixels(page, kWidth, kHeight, true);
+    assert.equal(unequal(values, expected), 0, name);
+    const colours = await pixels(page, kWidth, kHeight);
+    assert.equal(wrongColours(values, colours, state, counts), 0, `colours of ${name}`);
     // Another part of a colour is noticed.
     const others = counts.map((list) => list.map(() => 0x3e800000));
-    if (counts[0].length) assert.notEqual(wrongColours(expected, Object.values(colours)[0], state, others), 0);
+    if (counts[0].length) assert.notEqual(wrongColours(expected, colours, state, others), 0);
   }
 });
 
 test("floats are as near as the library promises", async () => {
-  await setState(page, { ...pictures[0], arithmetic: "fixed", renderer: "webgl2" });
+  await setState(page, { ...pictures[0], arithmetic: "fixed" });
   const exact = await pixels(page, kWidth, kHeight, true);
-  for (const renderer of ["webgl2", "webgpu"]) {
-    await setState(page, { arithmetic: "fast", renderer });
-    const values = await pixels(page, kWidth, kHeight, true);
-    const off = Math.max(...values.map((word, at) => Math.abs(floatOf(word) - floatOf(exact[at]))));
-    assert.ok(off > 0 && off < 1e-4, `off by ${off} by ${renderer}`);
-  }
+  await setState(page, { arithmetic: "fast" });
+  const values = await pixels(page, kWidth, kHeight, true);
+  const off = Math.max(...values.map((word, at) => Math.abs(floatOf(word) - floatOf(exact[at]))));
+  assert.ok(off > 0 && off < 1e-4, `off by ${off}`);
 });
 
 test("tiles have no seam, and one that is there is seen", async () => {
   const side = 48;
   const state = changed(usualState(), { arithmetic: "fixed", period: 4, cells: 12, x: 99n << 20n });
-  for (const renderer of ["webgl2", "webgpu"]) {
-    await setState(page, { ...state, renderer });
-    const plane = await pixels(page, side, side, true);
-    await setState(page, { view: "tiles" });
-    const tiles = await pixels(page, side, side, true);
-    tiles.forEach((word, at) => assert.equal(word, tiles[(Math.floor(at / side) % 16) * side + (at % side) % 16]));
-    assert.equal(unequal(tiles, plane), 0, renderer);
-  }
+  await setState(page, state);
+  const plane = await pixels(page, side, side, true);
+  await setState(page, { view: "tiles" });
+  const tiles = await pixels(page, side, side, true);
+  tiles.forEach((word, at) => assert.equal(word, tiles[(Math.floor(at / side) % 16) * side + (at % side) % 16]));
+  assert.equal(unequal(tiles, plane), 0);
   const wrong = await page.evaluate(async (size) => {
-    const { hashnoise } = window;
-    const build = hashnoise.backends.webgpu.build.bind(hashnoise.backends.webgpu);
-    hashnoise.programs.clear();
-    hashnoise.backends.webgpu.build = (text) => build(text.replaceAll("vec2i(u.octaves.y)", "vec2i(u.octaves.y + 1)"));
-    const bytes = await hashnoise.pixels(size, size, 1);
-    hashnoise.programs.clear();
-    hashnoise.backends.webgpu.build = build;
+    const { gpu, programs } = window.hashnoise;
+    const build = gpu.build.bind(gpu);
+    programs.clear();
+    gpu.build = (text) => build(text.replaceAll(/ivec2\((u_layers\[0\]\.octaves\.z)\)/g, "ivec2($1 + 1)"));
+    const bytes = await window.hashnoise.pixels(size, size, 1);
+    programs.clear();
+    gpu.build = build;
     return Array.from(new Uint32Array(bytes.buffer));
   }, side);
   await setState(page, { view: "plane", period: 5 });
   assert.notEqual(unequal(wrong, await pixels(page, side, side, true)), 0);
-});
-
-test("terrain is the same by WebGL2 and by WebGPU", async () => {
-  const seen = [];
-  for (const renderer of ["webgl2", "webgpu"]) {
-    await setState(page, { ...pictures[6], renderer, view: "terrain" });
-    const bytes = await page.evaluate(async () => {
-      window.hashnoise.take(window.hashnoise.state);
-      const { hashnoise } = window;
-      while (hashnoise.drawing || hashnoise.moves || hashnoise.surface.side !== 384)
-        await new Promise((resolve) => setTimeout(resolve, 20));
-      const { surface, state } = hashnoise;
-      return [surface.key.includes(`renderer=webgpu`), state.renderer, Array.from(surface.heights.slice(5000, 7000))];
-    });
-    seen.push(bytes.pop());
-    assert.deepEqual(bytes, [renderer === "webgpu", renderer]);
-  }
-  assert.deepEqual(seen[0], seen[1]);
-  assert.ok(new Set(seen[0]).size > 100);
 });
 
 // Where the point is that a pixel of a solid shows, in cells from its middle; nothing beside it. In floats.
@@ -324,24 +296,18 @@ function pointAt({ view, turn, tilt, cells }, column, row) {
     : point.map((part) => (part * cells) / 2 / half);
 }
 
-test("a sphere and a cube show points of space, the same by WebGL2 and by WebGPU", async () => {
+test("a sphere and a cube show points of space", async () => {
   const layers = [{ ...pictures[0].layers[0], sum: "none", noise: "value" }];
   for (const view of ["sphere", "cube"]) {
     const state = { ...pictures[0], layers, dimensions: 3, z: 0.25, cells: 3, x: far.x, view, turn: 0.3, tilt: -0.1 };
-    const [seen, colours] = [[], []];
-    for (const renderer of ["webgl2", "webgpu"]) {
-      await setState(page, { ...state, renderer });
-      seen.push(await pixels(page, kWidth, kHeight, true));
-      if (view === "sphere") colours.push(await pixels(page, kWidth, kHeight));
-    }
-    assert.equal(unequal(...seen), 0, view);
-    if (view === "sphere") assert.ok(colours[0].every((part, at) => Math.abs(part - colours[1][at]) <= 1));
+    await setState(page, state);
+    const seen = await pixels(page, kWidth, kHeight, true);
     // Beside the solid there are no values, and on its points there are space's.
     const found = async (shown) => {
       let [beside, wrong] = [0, 0];
-      for (let at = 3; at < seen[0].length; at += 61) {
+      for (let at = 3; at < seen.length; at += 61) {
         const point = pointAt(shown, at % kWidth, Math.floor(at / kWidth));
-        const value = floatOf(seen[0][at]);
+        const value = floatOf(seen[at]);
         if (!point) beside += 1;
         if (!point !== Number.isNaN(value)) wrong += 1;
         if (!point || Number.isNaN(value)) continue;
@@ -433,14 +399,12 @@ async function looksAtWebM(turning) {
 
 test("a file that is saved has the picture", async () => {
   const state = { ...pictures[4], width: kWidth, height: kHeight };
-  for (const renderer of ["webgl2", "webgpu"]) {
-    await setState(page, { ...state, file: "r32", renderer });
-    const file = await saved();
-    assert.equal(file.name, "hashnoise-curl-seed7-values-40x32.r32");
-    const words = Array.from(new Uint32Array(new Uint8Array(file.bytes).buffer));
-    const rows = (list) => [...Array(kHeight).keys()].map((row) => list.slice(row * kWidth, (row + 1) * kWidth));
-    assert.deepEqual(rows(words).toReversed(), rows(await pixels(page, kWidth, kHeight, true)), renderer);
-  }
+  await setState(page, { ...state, file: "r32" });
+  const file = await saved();
+  assert.equal(file.name, "hashnoise-curl-seed7-values-40x32.r32");
+  const words = Array.from(new Uint32Array(new Uint8Array(file.bytes).buffer));
+  const rows = (list) => [...Array(kHeight).keys()].map((row) => list.slice(row * kWidth, (row + 1) * kWidth));
+  assert.deepEqual(rows(words).toReversed(), rows(await pixels(page, kWidth, kHeight, true)));
   // A file of more pixels than one draw takes: each row has its own, in whatever part it is drawn.
   await setState(page, { ...state, file: "r16", width: 1024, height: 300 });
   const { bytes } = await saved();
@@ -470,18 +434,11 @@ test("a changed library is noticed", async () => {
     const { library } = window.hashnoise;
     const changed = (text) => text.replaceAll("0x9E3779B9u", "0x9E3779B8u");
     for (const [file, lines] of Object.entries(library.glsl)) library.glsl[file] = lines.map(changed);
-    const { pieces } = library.pieces.shading;
-    for (const at of pieces.keys()) pieces[at] = changed(pieces[at]);
   });
-  for (const renderer of ["webgl2", "webgpu"]) {
-    const { wrong } = await differing(broken, renderer, [
-      "fbm.fbm2_cell",
-      { sum: "fbm", noise: "perlin", dimensions: 2 },
-    ]);
-    assert.notEqual(wrong.length, 0, renderer);
-  }
-  await setState(broken, { ...pictures[0], renderer: "webgl2" });
-  await setState(page, { ...pictures[0], renderer: "webgl2" });
+  const { wrong } = await differing(broken, ["fbm.fbm2_cell", { sum: "fbm", noise: "perlin", dimensions: 2 }]);
+  assert.notEqual(wrong.length, 0);
+  await setState(broken, pictures[0]);
+  await setState(page, pictures[0]);
   assert.notEqual(unequal(await pixels(broken, kWidth, kHeight, true), await pixels(page, kWidth, kHeight, true)), 0);
   const values = await pixels(page, kWidth, kHeight, true);
   assert.notEqual(wrongColours(values, await pixels(page, kWidth, kHeight), { ...pictures[0], map: "ember" }), 0);
