@@ -67,7 +67,7 @@ export function undoing(page, event) {
   const { target } = event;
   const key = event.key.toLowerCase();
   if (!(event.ctrlKey || event.metaKey) || event.altKey || (key !== "z" && key !== "y")) return;
-  if (target.dataset.typed || (target.id && target.id === page.controls.typed)) return;
+  if (target.id && target.id === page.controls.typed) return;
   event.preventDefault();
   if (key === "y" || event.shiftKey) page.redo();
   else page.undo();
@@ -95,7 +95,7 @@ export const listKeys = (table) =>
 // Keys that work wherever nobody types.
 export function anywhere(page, event) {
   if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
-  if (event.target.closest("input[type=text], select, textarea, dialog")) return;
+  if (event.target.closest("input[type=number], select, textarea, dialog")) return;
   const actions = { s: () => page.randomize(), h: () => page.fold(), "?": () => byId("keys-list").showModal() };
   const action = actions[event.key.toLowerCase()];
   if (!action) return;

@@ -24,7 +24,7 @@ import {
   usualState,
 } from "../model.js";
 import { chance, settingsBy } from "./states.mjs";
-import { parsedNumber, parsedPosition, positionText, sameNumber } from "../numbers.js";
+import { parsedNumber, parsedPosition, positionText } from "../numbers.js";
 import { paletteOf } from "../palette.js";
 import { Pieces, unpacked } from "../pieces.js";
 import { pageShader } from "../shaders.js";
@@ -185,58 +185,21 @@ test("positions are exact", () => {
     const parts = BigInt.asIntN(56, BigInt(Math.floor(next() * 2 ** 53)) * 8n + BigInt(i));
     assert.equal(parsedPosition(positionText(parts)), parts);
   }
-  for (const [given, parts] of [
-    ["0.5", 8388608n],
-    ["-0.5", -8388608n],
-    ["−3", -3n << 24n],
-    ["1,25", 20971520n],
-    [" 7 ", 7n << 24n],
-    [".5", 8388608n],
-    ["5e-1", 8388608n],
-    ["1.25E+1", 25n << 23n],
-    ["25000000000000000000000e−21", 25n << 24n],
-    [`${"0".repeat(40)}3.${"0".repeat(40)}`, 3n << 24n],
-    ["0e999999999999", 0n],
-    ["-1e-999999999999", 0n],
-    ["2147483647.99999999", (1n << 55n) - 1n],
-    ["9999999999", (1n << 55n) - 1n],
+  for (const [given, parts, number] of [
+    ["-0.5", -8388608n, -0.5],
+    [".5", 8388608n, 0.5],
+    ["1.25E+1", 25n << 23n, 12.5],
+    ["5e-1", 8388608n, 0.5],
+    ["1e999", (1n << 55n) - 1n, Infinity],
+    ["-Infinity", -(1n << 55n), -Infinity],
+    ["2147483647.99999999", (1n << 55n) - 1n, 2147483647.99999999],
+    [`-${"9".repeat(30)}`, -(1n << 55n), -1e30],
+    [`${"0".repeat(40)}3.${"0".repeat(40)}`, 3n << 24n, 3],
+    ...["", "x", "e5", "1e", "1e5.5", ".", "--1", "1.2.3", "0x10", "1 2", "1,2"].map((text) => [text]),
   ]) {
     assert.equal(parsedPosition(given), parts, given);
-  }
-  for (const given of ["", "x", "e5", "1e", "1e5.5", ".", "--1", "1.2.3", "0x10", "1 2"]) {
-    assert.equal(parsedPosition(given), undefined, given);
-    assert.equal(parsedNumber(given), undefined, given);
-  }
-  for (const [given, number] of [
-    ["1e3", 1000],
-    ["1,25", 1.25],
-    ["−.5", -0.5],
-    ["1e999", Infinity],
-    ["0e999", 0],
-    [`1e-${"9".repeat(400)}`, 0],
-    [`1e${"9".repeat(30)}`, Infinity],
-  ]) {
     assert.equal(parsedNumber(given), number, given);
   }
-});
-
-test("a number is the same however it is written, and another is not", () => {
-  for (const [one, other] of [
-    ["1e3", "1000"],
-    ["0,50", ".5"],
-    ["-0", "0"],
-    ["−2.50", "-2.5"],
-    ["0.001", "1e-3"],
-  ])
-    assert.ok(sameNumber(one, other), `${one} and ${other}`);
-  for (const [one, other] of [
-    ["5000000000", "4294967295"],
-    ["2.5", "3"],
-    ["-5", "5"],
-    ["0.123456789", "0.12345679"],
-    ["10", "1"],
-  ])
-    assert.ok(!sameNumber(one, other), `${one} and ${other}`);
 });
 
 test("what one waits for any picture is no cost of a pixel", async () => {
