@@ -197,14 +197,9 @@ test("options that there are not, and arrays that do not fit, are named in a lin
 test("wrong settings are reported", () => {
   for (const [dimensions, settings, said] of [
     [4, {}, /dimensions has to be a whole number from 1 to 3, not 4/],
-    [2, { noise: "perlim" }, /noise in 2D has to be one of perlin, .*, not "perlim" \(did you mean "perlin"\?\)$/],
-    [3, { fractal: "fbn" }, /fractal in 3D has to be one of fbm, .*, not "fbn" \(did you mean "fbm"\?\)$/],
-    [3, { fractal: "pign_pong" }, /not "pign_pong" \(did you mean "ping_pong"\?\)$/],
-    [3, { fractal: "hn_fbm" }, /not "hn_fbm" \(did you mean "fbm"\?\)$/],
-    [2, { noise: "perlin".repeat(20) }, /not "(perlin){20}"$/],
-    [2, { noise: "gabor" }, /not "gabor"$/],
+    [2, { noise: "perlim" }, /noise in 2D has to be one of perlin, .*, not "perlim"$/],
+    [3, { fractal: "fbn" }, /fractal in 3D has to be one of fbm, .*, not "fbn"$/],
     [2, { fractal_type: "fbm" }, /a setting has to be one of noise, fractal, .*, not "fractal_type" \(here it is "fractal"\)$/],
-    [2, { fractal: "FBM" }, /not "FBM" \(did you mean "fbm"\?\)$/],
     [2, { fractal: "None" }, /not "None" \(leave it out\)$/],
     [2, { noise: "worley" }, /not "worley" \(here it is "cellular"\)$/],
     [1, { noise: "voronoi" }, /noise in 1D has to be one of .*, not "voronoi"$/],
@@ -225,7 +220,7 @@ test("wrong settings are reported", () => {
     [2, { type: "fbm" }, /a setting has to be .*, not "type" \(fbm is a fractal: pass { fractal: "fbm" }\)$/],
     [2, { kind: "cellular" }, /not "kind" \(cellular is a noise: pass { noise: "cellular" }\)$/],
     [2, { noiseType: "fbm" }, /not "noiseType" \(fbm is a fractal: pass { fractal: "fbm" }\)$/],
-    [2, { octave: 3 }, /a setting has to be one of noise, .*, not "octave" \(did you mean "octaves"\?\)$/],
+    [2, { octave: 3 }, /a setting has to be one of noise, .*, not "octave"$/],
     [2, { octaves: 3 }, /perlin has no octaves; only fractals do$/],
     [2, { gain: 1 }, /perlin has no gain; only fractals do$/],
     [2, { fractal: "fbm", octaves: 33 }, /octaves has to be a whole number from 1 to 32, not 33/],
@@ -245,7 +240,6 @@ test("wrong settings are reported", () => {
     [2, { period: 2 ** 31 }, /period has to be a whole number from 0 to 2147483647, not 2147483648/],
     [2, { jitter: 1 }, /perlin has no jitter; cellular has one/],
     [2, { noise: "cellular", metric: "taxi" }, /metric has to be one of euclidean, .*, not "taxi"/],
-    [2, { noise: "cellular", metric: "manhatten" }, /not "manhatten" \(did you mean "manhattan"\?\)$/],
   ]) {
     assert.throws(() => new Field(dimensions, settings), { name: "RangeError", message: said });
   }
