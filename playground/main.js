@@ -334,13 +334,7 @@ class Playground extends Picture {
     try {
       await navigator.clipboard.writeText(text);
     } catch {
-      // Browsers that give no clipboard copy the selection.
-      const area = Object.assign(document.createElement("textarea"), { value: text });
-      document.body.append(area);
-      area.select();
-      done = document.execCommand("copy");
-      area.remove();
-      button.focus();
+      done = false; // people copy it themselves
     }
     this.controls.showUncopied(done ? undefined : text);
     if (!done) {

@@ -36,19 +36,6 @@ export async function tabTo(page, id) {
   assert.fail(`Tab does not lead to ${id}`);
 }
 
-// The controls for which a screen reader has no name.
-export async function nameless(page) {
-  const tree = await page.accessibility.snapshot({ interestingOnly: true });
-  const found = [];
-  const look = (node) => {
-    const control = /^(button|checkbox|combobox|radio|slider|spinbutton|tab|textbox|application)$/.test(node.role);
-    if (control && !node.name?.trim()) found.push(node.role);
-    (node.children ?? []).forEach(look);
-  };
-  look(tree);
-  return found;
-}
-
 // The text of an element; nothing if nobody sees it.
 export const visibleText = (page, id) =>
   page.$eval(`#${id}`, (shown) => (shown.checkVisibility() ? shown.textContent : ""));
@@ -69,26 +56,6 @@ export const decoding = () => {
     return context.getImageData(0, 0, image.width, image.height).data;
   };
 };
-
-// How many pixels of two screens differ so much that everybody sees it: three to one in light.
-export const differing = (page, first, second) =>
-  page.evaluate(
-    async (...texts) => {
-      const [one, other] = await Promise.all(texts.map(window.bytesOf));
-      const light = (screen, at) => {
-        const [red, green, blue] = [0, 1, 2].map((part) => (screen[at + part] / 255) ** 2.2);
-        return 0.2126 * red + 0.7152 * green + 0.0722 * blue + 0.05;
-      };
-      let count = 0;
-      for (let at = 0; at < one.length; at += 4) {
-        const ratio = light(one, at) / light(other, at);
-        if (ratio >= 3 || ratio <= 1 / 3) ++count;
-      }
-      return count;
-    },
-    first,
-    second,
-  );
 
 // One page for several tests, since to open one takes long: with the state of this link.
 let shared;
