@@ -343,8 +343,25 @@ const saved = () =>
     return { name: file.name, bytes: Array.from(bytes) };
   });
 
-const turned = (list) => [...Array(kHeight).keys()].flatMap((row) =>
-  list.slice((kHeight - 1 - row) * kWidth * 4, (kHeight - row) * kWidth * 4));
+const turned = (list, size = 1) => Array.from({ length: kHeight * size }, (_, row) =>
+  list.slice((kHeight * size - 1 - row) * kWidth * size * 4, (kHeight * size - row) * kWidth * size * 4)).flat();
+
+// All frames of a GIF, as the browser decodes them.
+const framesOfGif = (bytes) =>
+  page.evaluate(async (list) => {
+    const decoder = new ImageDecoder({ data: Uint8Array.from(list), type: "image/gif" });
+    await decoder.tracks.ready;
+    const { frameCount, repetitionCount } = decoder.tracks.selectedTrack;
+    const [frames, durations] = [[], []];
+    for (let frameIndex = 0; frameIndex < frameCount; ++frameIndex) {
+      const { image } = await decoder.decode({ frameIndex });
+      const context = new OffscreenCanvas(image.displayWidth, image.displayHeight).getContext("2d");
+      context.drawImage(image, 0, 0);
+      frames.push(Array.from(context.getImageData(0, 0, image.displayWidth, image.displayHeight).data));
+      durations.push(image.duration);
+    }
+    return { loops: String(repetitionCount), durations, frames };
+  }, bytes);
 
 // The browser plays a WebM with all frames, each close to the picture: the encoder takes bits away, most of them of hues.
 async function looksAtWebM(turning) {
@@ -411,18 +428,21 @@ test("a file that is saved has the picture", async () => {
   assert.equal(bytes.length, 1024 * 300 * 2);
   const lines = new Set([...Array(300).keys()].map((row) => bytes.slice(row * 2048, row * 2048 + 64).join()));
   assert.equal(lines.size, 300);
-  // The browser shows the first frame of a loop as the picture.
-  const turning = { ...usualState(), layers: [{ ...state.layers[0], noise: "perlin" }], file: "gif", frames: 2 };
-  await setState(page, { ...turning, dimensions: 2, width: kWidth, height: kHeight, map: "land" });
-  const gif = await saved();
-  const shown = await page.evaluate(async (list) => {
-    const image = await createImageBitmap(new Blob([Uint8Array.from(list)], { type: "image/gif" }));
-    const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
-    context.drawImage(image, 0, 0);
-    return Array.from(context.getImageData(0, 0, image.width, image.height).data);
-  }, gif.bytes);
-  await setState(page, { phase: 0.5 });
-  assert.deepEqual(turned(shown), await pixels(page, kWidth, kHeight));
+  // A GIF has so many strings that its table is full more than once.
+  const turning = { ...usualState(), layers: [{ ...state.layers[0], noise: "perlin" }], frames: 3, map: "land" };
+  await setState(page, { ...turning, file: "gif", dimensions: 2, cells: 90, width: 4 * kWidth, height: 4 * kHeight });
+  const gif = await framesOfGif((await saved()).bytes);
+  assert.deepEqual([gif.loops, gif.durations], ["Infinity", [40000, 40000, 40000]]);
+  for (const [at, frame] of gif.frames.entries()) {
+    await setState(page, { phase: (at + 1) / 3 });
+    assert.deepEqual(turned(frame, 4), await pixels(page, 4 * kWidth, 4 * kHeight), `frame ${at}`);
+  }
+  // One with colours of layers has the nearest of its most frequent colours: cubes of eight.
+  const tinted = stateOf("#sum=none&noise=random&blend2=mask&sum2=none&tint2=moss&map=grey&file=gif");
+  await setState(page, { ...tinted, width: kWidth, height: kHeight });
+  const { frames } = await framesOfGif((await saved()).bytes);
+  const colours = turned(await pixels(page, kWidth, kHeight));
+  assert.ok(frames[0].every((part, at) => at % 4 === 3 || Math.abs(part - colours[at]) <= 4));
   await looksAtWebM(turning);
   await setState(page, { file: "heights", width: 8, height: 8 });
   assert.deepEqual((await saved()).bytes.slice(1, 4), [...Buffer.from("PNG")]);
