@@ -1,7 +1,6 @@
 // The panel: its choices, and how it shows the state.
 import { kLanguages } from "./code.js";
 import { exported, exportedText, kKinds } from "./export.js";
-import { countsOf } from "./cost.js";
 import { byId, element } from "./elements.js";
 import { LayerList } from "./layerlist.js";
 import { kLooks, parsed } from "./links.js";
@@ -277,18 +276,6 @@ export class Controls {
     byId("text-uncopied").select();
   }
 
-  // The table of compilers' counts for the function of the layer.
-  showCounts() {
-    const { sum, dimensions, arithmetic } = this.settings;
-    const { name, rows } = countsOf(this.library.counts, this.settings);
-    const [caption] = byId("counts").getElementsByTagName("caption");
-    byId("counts").hidden = !rows.length;
-    caption.textContent =
-      `A call of ${name}(p) in ${dimensions}D, in ${kArithmetics[arithmetic].toLowerCase()}${sum === "none" ? "" : ", of 6 octaves"}, as compilers count.`;
-    const cells = (row) => row.map((text, at) => element(at ? "td" : "th", at ? {} : { scope: "row" }, text));
-    byId("counts").tBodies[0].replaceChildren(...rows.map((row) => element("tr", {}, ...cells(row))));
-  }
-
   show(whole) {
     this.state = whole;
     this.layer = Math.min(this.layer, whole.layers.length - 1);
@@ -344,7 +331,6 @@ export class Controls {
     // Relief is beside its view.
     const before = byId(state.view === "terrain" ? "row-tilt" : "row-file");
     if (before.nextElementSibling.id !== "row-steep") before.after(byId("row-steep"));
-    this.showCounts();
     this.showCode();
   }
 }

@@ -2,19 +2,6 @@
 // plane. All are drawn in turns, so that what else the machine does concerns all; what a shader costs that computes
 // nothing is taken off all.
 import { emptyShader, frameOf, kColours, kTimes, plainOf, timedShader } from "./shaders.js";
-import { kNoises } from "./tables.js";
-
-// The counts of compilers for the noise or the fractal of a layer: the chip, instructions and registers. No rows for a
-// function that nobody has counted.
-export function countsOf({ chips, of }, { sum, noise, dimensions, arithmetic, hash }) {
-  const { calls, nearest } = kNoises[noise];
-  const name = sum !== "none" ? sum : calls.replace("hn_", "");
-  const isCounted = hash === "lattice" && (sum === "none" ? !nearest : noise === "perlin");
-  const found = of[`${name}${dimensions}${arithmetic === "fixed" ? " fixed" : ""}`];
-  const numbers = isCounted && found ? found.split(" ") : [];
-  const rows = chips.map((chip, at) => [chip, ...numbers.slice(2 * at, 2 * at + 2)]);
-  return { name: `hn_${name}`, rows: rows.filter(([, count = "-"]) => count !== "-") };
-}
 
 const kRounds = 12;
 const kFewRounds = 3; // of what is so slow that more would take too long

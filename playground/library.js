@@ -2,10 +2,9 @@
 // writes, which are copied.
 
 export class Library {
-  // version; counts: what compilers count (tools/lib/ship/playground/counts.py); glsl: {file: [line, ...]} without comments; `unpack` makes the pieces of the languages of this name.
-  constructor({ version, glsl, counts }, unpack) {
+  // version; glsl: {file: [line, ...]} without comments; `unpack` makes the pieces of the languages of this name.
+  constructor({ version, glsl }, unpack) {
     this.version = version;
-    this.counts = counts;
     this.glsl = glsl;
     this.unpack = unpack;
     this.loading = {}; // promises

@@ -8,7 +8,7 @@ import { fileURLToPath } from "node:url";
 import { kCatalog } from "../catalog.js";
 import { functions, numbers, shaderKey } from "../code.js";
 import { exported, exportedText, kKinds, kLicense } from "../export.js";
-import { costOf, countsOf } from "../cost.js";
+import { costOf } from "../cost.js";
 import { Library } from "../library.js";
 import { ignoredIn, kLooks, linkOf, stateOf, stateOfLook } from "../links.js";
 import {
@@ -253,17 +253,6 @@ const costWhere = (position, cell) =>
 test("the cost is that of pattern(p) in calls of hn_perlin(p), and that from a cell is apart", async () => {
   const { ratio, low, high, cell } = await costWhere(7.7, 20.8);
   assert.deepEqual([ratio, low, high, cell].map((number) => number.toFixed(3)), ["7.700", "7.700", "7.700", "20.800"]);
-});
-
-test("compilers' counts are those of the record, and only of what was counted", () => {
-  const found = (link) => countsOf(library.counts, settingsOf(stateOf(link)));
-  const record = readFileSync(join(root, "docs", "measured", "results", "gpu", "costs.csv"), "utf8");
-  const [, , , instructions, , registers] = /^noise2d\.cellular\.lattice,m1,.*$/m.exec(record)[0].match(/("[^"]*"|[^,]*)(?:,|$)/g).map((cell) => cell.replace(/,$/, ""));
-  const { name, rows } = found("#sum=none&noise=cellular_second");
-  assert.deepEqual([name, rows.length, rows[4]], ["hn_cellular", 6, ["Apple M1", instructions, registers]]);
-  // A fractal with integers has loops: four compilers count one octave of it, so that these are not shown.
-  assert.deepEqual([found("").rows.length, found("#arithmetic=fixed").rows.length], [6, 2]);
-  for (const link of ["#noise=value", "#hash=pcg", "#sum=none&noise=cells"]) assert.deepEqual(found(link).rows, [], link);
 });
 
 test("what is below a pointer stays there while the scale changes", () => {
