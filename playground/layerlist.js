@@ -60,7 +60,7 @@ export class LayerList {
 
   remove(at) {
     const next = Math.max(at - 1, 0);
-    this.replace(withoutLayer(this.state, at), next, `Layer ${at + 1} is removed. Back undoes it.`);
+    this.replace(withoutLayer(this.state, at), next, `Layer ${at + 1} is removed. Undo takes it back.`);
     (this.state.layers.length > 1 ? this.rows[next].chosen : byId("add-layer")).focus();
   }
 

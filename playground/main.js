@@ -8,7 +8,7 @@ import { linkInFile, planeOf } from "./files.js";
 import { anywhere, listen, listKeys, undoing } from "./input.js";
 import { Library } from "./library.js";
 import { ignoredIn, linkOf, stateOf, stateOfLook } from "./links.js";
-import { changed, chosen, isTurned, kSettings, possible, rangeOf, titlesOf, uses } from "./model.js";
+import { changed, chosen, isTurned, kSettings, rangeOf, titlesOf, uses } from "./model.js";
 import { positionText } from "./numbers.js";
 import { gradientOf } from "./palette.js";
 import { kCanvases, Picture } from "./picture.js";
@@ -90,18 +90,15 @@ class Playground extends Picture {
     this.linkTimer = setTimeout(() => this.writeLink(), kLinkDelay);
   }
 
-  // A change of more than a setting can be undone: the browser's Back brings back the picture.
+  // A change of more than a setting.
   replace(next, said) {
-    const other = linkOf(next) !== this.link;
-    this.writeLink();
     this.steps.note(this.state, next);
     this.take(next);
-    if (other) this.writeLink("pushState");
     byId("status").textContent = said;
   }
 
   look(name) {
-    this.replace(stateOfLook(name, this.state), `${name} is shown. Back undoes it.`);
+    this.replace(stateOfLook(name, this.state), `${name} is shown. Undo takes it back.`);
   }
 
   // One step back, or forth again.
@@ -130,11 +127,10 @@ class Playground extends Picture {
     return linkOf(this.state);
   }
 
-  writeLink(how = "replaceState") {
+  writeLink() {
     clearTimeout(this.linkTimer);
     try {
-      // With the whole state, since the link leaves out unused settings.
-      history[how]({ ...this.state }, "", this.link || location.pathname + location.search);
+      history.replaceState(null, "", this.link || location.pathname + location.search);
     } catch {
       // A page in a frame without an address of its own has no link. Copying one still works.
     }
@@ -324,8 +320,12 @@ class Playground extends Picture {
   async drop(file) {
     const link = file && (await linkInFile(file));
     if (link === undefined) return this.notice("This file has no setting. A PNG or a JSON of this page has one.");
-    this.replace(stateOf(link), `The setting of ${file.name} is shown. Back undoes it.`);
+    this.open(link, `The setting of ${file.name} is shown. Undo takes it back.`);
+  }
+
+  open(link, said) {
     const ignored = ignoredIn(link);
+    this.replace(stateOf(link), said);
     if (ignored) this.notice(ignored);
   }
 
@@ -390,7 +390,7 @@ class Playground extends Picture {
   }
 
   randomize() {
-    this.replace(randomized(this.state, this.controls.locked), "Other settings are shown. Back undoes it.");
+    this.replace(randomized(this.state, this.controls.locked), "Other settings are shown. Undo takes them back.");
   }
 
   roll() {
@@ -425,14 +425,7 @@ class Playground extends Picture {
     listKeys(byId("keys-list").querySelector("tbody"));
     addEventListener("keydown", (event) => undoing(this, event));
     addEventListener("keydown", (event) => anywhere(this, event));
-    // At popstate already, so that no link is written to the place in the history that is gone to.
-    addEventListener("popstate", ({ state }) => {
-      const next = state?.layers ? possible(state) : stateOf(location.hash);
-      const ignored = state?.layers ? "" : ignoredIn(location.hash);
-      this.steps.note(this.state, next);
-      this.take(next);
-      if (ignored) this.notice(ignored);
-    });
+    addEventListener("hashchange", () => this.open(location.hash, "The setting of the link is shown."));
     addEventListener("dragover", (event) => event.dataTransfer?.types.includes("Files") && event.preventDefault());
     addEventListener("drop", (event) => {
       if (!event.dataTransfer?.files.length) return;

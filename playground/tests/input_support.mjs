@@ -64,7 +64,7 @@ export async function shownOnShared(link = "") {
   await shared.evaluate((hash) => {
     window.hashnoise.play(false);
     history.replaceState(null, "", location.pathname + hash);
-    window.dispatchEvent(new PopStateEvent("popstate", { state: null }));
+    window.dispatchEvent(new HashChangeEvent("hashchange"));
     return window.hashnoise.drawing;
   }, link);
   assert.deepEqual(shared.complaints, []);
