@@ -3,7 +3,7 @@ import { shaderKey } from "./code.js";
 import { byId } from "./elements.js";
 import { fileOf, fileState, framesOf, planeOf } from "./files.js";
 import { linkOf } from "./links.js";
-import { isLoop, isSolid, mapsOf, rangeOf, reliefHeight } from "./model.js";
+import { isLoop, mapsOf, rangeOf, reliefHeight } from "./model.js";
 import { wrapped } from "./numbers.js";
 import { gradientOf, paletteOf, palettesOf } from "./palette.js";
 import { reliefOf, surfaceOf } from "./relief.js";

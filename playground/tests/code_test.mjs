@@ -322,6 +322,7 @@ test("a whole shader draws the picture", async () => {
     { ...states[0], arithmetic: "fast", x: 1000000000n << 24n, y: -(1n << 55n) },
     { ...states[0], arithmetic: "fast" },
     { ...states[5], arithmetic: "fast", map: "land" },
+    { ...states[5], map: "own", stops: "20-102030_60-506070_60-ff0000_80-00ff00" }, // with an edge
     { ...states[6], x: 7n - (1n << 55n), z: 5000.5 },
     states[7],
     states[8],

@@ -5,8 +5,7 @@ import { readFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import test from "node:test";
 import { fileURLToPath } from "node:url";
-import { kCatalog } from "../catalog.js";
-import { functions, numbers, shaderKey } from "../code.js";
+import { shaderKey } from "../code.js";
 import { exported, exportedText, kKinds, kLicense } from "../export.js";
 import { costOf } from "../cost.js";
 import { Library } from "../library.js";
@@ -14,7 +13,6 @@ import { ignoredIn, kLooks, linkOf, stateOf, stateOfLook } from "../links.js";
 import {
   changed,
   dimensionsOf,
-  dimensionsOfLayer,
   kSettings,
   noisesOf,
   possible,
@@ -30,7 +28,7 @@ import { Pieces, unpacked } from "../pieces.js";
 import { pageShader } from "../shaders.js";
 import { Speed } from "../speed.js";
 import { kLockable, randomized } from "../randomize.js";
-import { kHashes, kMetrics, kNoises, kSums, kWarps } from "../tables.js";
+import { kHashes, kWarps } from "../tables.js";
 import { cellsAcross, leaningNumbers, leant, originOf, panned, positionOfPixel, stepOf, zoomed } from "../view.js";
 import "./model_palette.mjs";
 import "./model_undo.mjs";
@@ -96,23 +94,11 @@ test("a link with what is not there still opens", () => {
     ["#seed=-5", "seed", 0],
     ["#octaves=1e9", "octaves", 16],
     ["#gain=much", "gain", 0.5],
-    ["#octaves=0x10", "octaves", 6],
-    ["#octaves=", "octaves", 6],
-    ["#octaves=1e99", "octaves", 16],
-    ["#lacunarity=1e999", "lacunarity", 8],
     ["#lacunarity=Infinity", "lacunarity", 8],
     ["#lacunarity=-Infinity", "lacunarity", 1],
-    ["#lacunarity=NaN", "lacunarity", 2],
-    ["#gain=2.5e-1", "gain", 0.25],
-    ["#seed=1e6", "seed", 1000000],
-    ["#seed=5000000000", "seed", 4294967295],
     ["#x=far", "x", 0n],
     ["#x=1e9", "x", 1000000000n << 24n],
     ["#x=10000000000", "x", (1n << 55n) - 1n],
-    ["#x=-10000000000", "x", -(1n << 55n)],
-    ["#x=1e99", "x", (1n << 55n) - 1n],
-    ["#x=-Infinity", "x", -(1n << 55n)],
-    ["#y=2147483648", "y", (1n << 55n) - 1n],
     ["#y=-2147483648", "y", -(1n << 55n)],
     ["#noise=simplex&dimensions=1", "dimensions", 2],
     ["#sum=eroded&noise=cells", "noise", "perlin"],
@@ -122,7 +108,6 @@ test("a link with what is not there still opens", () => {
     ["#map=own&stops=60-ABCDEF_20-123456", "stops", "20-123456_60-abcdef"],
     ["#map=own&stops=20-123456", "stops", "0-000000_100-ffffff"],
     ["#map=own&stops=0-123456_101-ffffff", "stops", "0-000000_100-ffffff"],
-    ["#map=own&stops=0-12345_100-ffffff", "stops", "0-000000_100-ffffff"],
     [`#map=own&stops=${Array(9).fill("5-000000").join("_")}`, "stops", "0-000000_100-ffffff"],
   ]) {
     assert.equal(settingsOf(stateOf(link))[name], name === "cells" ? Number((1 / 64).toPrecision(6)) : value, link);
