@@ -15,7 +15,7 @@ export function positionText(parts) {
   return `${parts < 0n ? "-" : ""}${whole}${fraction ? `.${fraction}` : ""}`;
 }
 
-// A number as links have it, such as -12.5, .5, 3e-4 or Infinity, and nothing for another text. What is too large for a
+// A number as links have it, such as -12.5, .5, 3e-4 or Infinity, and nothing for another text. One too large for a
 // float becomes an infinity, and possible() makes the largest allowed number of that.
 export const parsedNumber = (text) =>
   /^[-+]?(?:Infinity|(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)$/.test(text) ? Number(text) : undefined;

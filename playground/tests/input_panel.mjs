@@ -306,7 +306,7 @@ test("a button shows that it has copied only if it has", async () => {
         if (!window.works) throw new Error("refused");
       };
       Object.defineProperty(navigator, "clipboard", { value: { writeText } });
-      // What a button calls when it has shown that it has copied, until somebody calls it here.
+      // The call by which a button ends to show that it has copied waits here.
       window.held = new Set();
       const [set, clear] = [window.setTimeout, window.clearTimeout];
       window.setTimeout = (call, time, ...rest) => (time === 1500 ? window.held.add(call) && call : set(call, time, ...rest));
