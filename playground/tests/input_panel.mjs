@@ -4,17 +4,7 @@ import { readFile } from "node:fs/promises";
 import { resolve } from "node:path";
 import test from "node:test";
 import {
-  browser,
-  focused,
-  keepCopies,
-  kLaptop,
-  kThorough,
-  press,
-  settled,
-  shownOnShared,
-  tabTo,
-  visibleText,
-  wait,
+  browser, focused, keepCopies, kLaptop, kThorough, press, settled, shownOnShared, tabTo, visibleText, wait,
 } from "./input_support.mjs";
 import { kPhone, opened, pixels, ready, stateOfPage } from "./support.mjs";
 

@@ -2,21 +2,8 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import {
-  browser,
-  decoding,
-  focused,
-  keepCopies,
-  kLaptop,
-  kPane,
-  kThorough,
-  pixelsOf,
-  press,
-  screenshot,
-  settled,
-  shownOnShared,
-  tabTo,
-  visibleText,
-  wait,
+  browser, decoding, focused, keepCopies, kLaptop, kPane, kThorough, pixelsOf, press, screenshot, settled,
+  shownOnShared, tabTo, visibleText, wait,
 } from "./input_support.mjs";
 import { kPage, kPhone, opened, pixels, ready, stateOfPage } from "./support.mjs";
 import "./input_panel.mjs";

@@ -6,21 +6,8 @@ import { exported } from "../export.js";
 import { scalarCode } from "../scalar.js";
 import { linkOf, stateOf } from "../links.js";
 import {
-  changed,
-  chosen,
-  detailsOf,
-  dimensionsOf,
-  kMostLayers,
-  mapsOf,
-  possible,
-  rangeOf,
-  settingsOf,
-  withMoved,
-  titlesOf,
-  usualState,
-  uses,
-  withLayer,
-  withoutLayer,
+  changed, chosen, detailsOf, dimensionsOf, kMostLayers, mapsOf, possible, rangeOf, settingsOf, withMoved, titlesOf,
+  usualState, uses, withLayer, withoutLayer,
 } from "../model.js";
 
 const kThree = "#sum=none&noise=value&weight=2&sum2=none&blend2=add&offset2=0.5&scale2=4&blend3=mix&weight3=0.25";

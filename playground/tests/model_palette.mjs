@@ -4,15 +4,7 @@ import test from "node:test";
 import { linkOf, stateOf } from "../links.js";
 import { changed, chosen, usualState } from "../model.js";
 import {
-  canLoseStop,
-  gradientOf,
-  kMostStops,
-  paletteOf,
-  stopsOf,
-  stopsOfMap,
-  withAnotherStop,
-  withoutStop,
-  withStop,
+  canLoseStop, gradientOf, kMostStops, paletteOf, stopsOf, stopsOfMap, withAnotherStop, withoutStop, withStop,
 } from "../palette.js";
 import { kMaps } from "../tables.js";
 

@@ -11,15 +11,7 @@ import { costOf } from "../cost.js";
 import { Library } from "../library.js";
 import { ignoredIn, kLooks, linkOf, stateOf, stateOfLook } from "../links.js";
 import {
-  changed,
-  dimensionsOf,
-  kSettings,
-  noisesOf,
-  possible,
-  settingsOf,
-  shownLayers,
-  usualLayer,
-  usualState,
+  changed, dimensionsOf, kSettings, noisesOf, possible, settingsOf, shownLayers, usualLayer, usualState,
 } from "../model.js";
 import { chance, settingsBy } from "./states.mjs";
 import { parsedNumber, parsedPosition, positionText } from "../numbers.js";
