@@ -401,14 +401,6 @@ test("copied code of other languages computes the picture", async () => {
   assert.notDeepEqual(await words(code.replace(", 7)", ", 8)")), await words(code));
 });
 
-test("copied functions are short", async () => {
-  for (const settings of [{}, { period: 8 }, { warp: "warp" }, { noise: "simplex" }]) {
-    await setState(page, changed(usualState(), settings));
-    const { length } = await copiedCode(page, "glsl", true);
-    assert.ok(length > 4000 && length < 8050, `${linkOf(changed(usualState(), settings))}: ${length} characters`);
-  }
-});
-
 test("copied C++ has pattern(p), too", async () => {
   await setState(page, states[1]);
   const printed = await compiled(
