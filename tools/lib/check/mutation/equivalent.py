@@ -209,16 +209,8 @@ EQUIVALENT: tuple[Equivalence, ...] = (
 
     # A file included twice then has only macros, and these may be defined twice if they are the same; or
     # nothing but #include, of files with guards of their own.
-    *alike("config.glsl", ("#define HN_CONFIG_GLSL", "")),
-    *alike("hashnoise.glsl", ("#define HN_HASHNOISE_GLSL", "")),
-    *alike("fbm.glsl", ("#define HN_FBM_GLSL", "")),
-    *alike("fbm_d.glsl", ("#define HN_FBM_D_GLSL", "")),
-    *alike("warp.glsl", ("#define HN_WARP_GLSL", "")),
-    *alike("curl.glsl", ("#define HN_CURL_GLSL", "")),
-    *alike("noise1d.glsl", ("#define HN_NOISE1D_GLSL", "")),
-    *alike("noise2d.glsl", ("#define HN_NOISE2D_GLSL", "")),
-    *alike("noise3d.glsl", ("#define HN_NOISE3D_GLSL", "")),
-    *alike("noise4d.glsl", ("#define HN_NOISE4D_GLSL", "")),
+    *(Equivalence(f"{name}.glsl", f"#define HN_{name.upper()}_GLSL", ("",)) for name in (
+        "config", "hashnoise", "fbm", "fbm_d", "warp", "curl", "noise1d", "noise2d", "noise3d", "noise4d")),
 )
 
 
