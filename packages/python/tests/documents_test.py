@@ -140,7 +140,3 @@ def run(code: str) -> dict:
     names: dict = {}
     exec(compile(code, PAGE.name, "exec"), names)
     return names
-
-
-if __name__ == "__main__":
-    unittest.main()

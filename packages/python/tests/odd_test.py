@@ -272,7 +272,3 @@ class Kinds(unittest.TestCase):
             hashnoise.fbm(numpy.array([numpy.nan, numpy.inf, 1e300, 1e38]), arithmetic="fixed")
             hashnoise.perlin(numpy.array([numpy.nan, 0.5]), cell=3)
             hashnoise.perlin(numpy.ma.array([numpy.nan, 0.5], mask=[True, False]), cell=3)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -438,7 +438,3 @@ class Wrong(unittest.TestCase):
             self.assert_told(ValueError, "dimensions must be from 1 to 4, not 5", lambda: ask(5))
             self.assert_told(TypeError, "dimensions must be a whole number", lambda: ask("2"))
         self.assert_told(ValueError, "^components: .*cellular", lambda: hashnoise.components("cellular", 4))
-
-
-if __name__ == "__main__":
-    unittest.main()

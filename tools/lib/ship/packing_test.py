@@ -220,7 +220,3 @@ It is there.
             text = page.of_package(ROOT / "docs" / "guide" / f"{name}.md")
             self.assertRegex(text, rf"\A# [^\n]+\n\n[^\n]+\n\n    {command_}\n\n")
             self.assertNotIn("<!-- in a package", text)
-
-
-if __name__ == "__main__":
-    unittest.main()

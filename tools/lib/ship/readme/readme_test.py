@@ -273,7 +273,3 @@ class Readme(unittest.TestCase):
             for target in re.findall(r"\]\(([^)#\s]+)(?:#[\w-]+)?\)", page.read_text()):
                 if "://" not in target:
                     self.assertTrue((page.parent / target).exists(), f"{page.name}: {target}")
-
-
-if __name__ == "__main__":
-    unittest.main()

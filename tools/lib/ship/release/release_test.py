@@ -255,7 +255,3 @@ class Addresses(unittest.TestCase):
 class Version(unittest.TestCase):
     def test_it_is_the_one_of_cmake_and_of_the_changelog(self):
         self.assertEqual(files.newest((ROOT / "CHANGELOG.md").read_text(encoding="utf-8"))[0], version())
-
-
-if __name__ == "__main__":
-    unittest.main()

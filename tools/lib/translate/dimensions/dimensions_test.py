@@ -192,7 +192,3 @@ class Files(unittest.TestCase):
                 ({"warp2d.glsl": ""}, "warp2d.glsl does not state `8 multiplications`")):
             with self.subTest(texts=texts), self.assertRaisesRegex(Unclear, why):
                 files.made(texts)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -959,7 +959,3 @@ class Command(unittest.TestCase):
             status, shown = self.call("hn_value2", "--glsl", str(library))
         self.assertEqual(status, 2)
         self.assertRegex(shown, r"value2d\.glsl:\d+: there is no function hn_absent\(vec2\)")
-
-
-if __name__ == "__main__":
-    unittest.main()
