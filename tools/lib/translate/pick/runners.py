@@ -65,7 +65,9 @@ class Runner:
     faults: Mapping[tuple[str, str], str]  # operators of types, and faults with {} as operands
     arithmetics: Sequence[str] = ("fast", "fixed", "precise")  # that the language has
     exact = ""               # a program that compares the helpers of the syntax with the language's own
-    loop: str                # the head of a loop of {points}
+    loop = "for (int point = 0; point < {points}; point++) {{"  # the head of a loop of {points}
+    receives = "var r = "    # before a call that returns something
+    one_of = "r.{name}"      # of several results
     optimizes = False        # whether it is built as users build it, and not with all checks
     indent = "        "
 
@@ -102,14 +104,11 @@ class Runner:
         return self.syntax().declare(type_, name, value, changes)
 
     def result(self, results: Sequence[Part], number: int) -> str:
-        raise NotImplementedError
-
-    def passed(self, name: str, is_set: bool) -> str:
-        return name
+        return self.one_of.format(name=results[number].name, number=number) if len(results) > 1 else "r"
 
     def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
         """The statements of a call, whose result is `r`."""
-        raise NotImplementedError
+        return [f"{self.receives if results else ''}{name}({', '.join(arguments)});"]
 
     def call(self, module: Module, function: Function, points: int) -> str:
         syntax = self.syntax()
@@ -141,7 +140,7 @@ class Runner:
                 if type_ in module.structs:
                     name = f"{name}s"
                     lines.append(self.declare(type_, name, piece.text, parameter.is_set))
-                arguments.append(self.passed(name, parameter.is_set))
+                arguments.append(syntax.example_struct.format(name) if parameter.is_set else name)
                 if parameter.is_set:
                     outputs += leaves(type_, name)
         of_results = [leaf for i, part in enumerate(results) for leaf in leaves(part.type, self.result(results, i), syntax.axes(part))]
@@ -165,6 +164,7 @@ class RustRunner(Runner):
     faults = {("int", ">>"): "i32::min(i32::MAX, ({}) / (1 << {}))",
               ("uint", "*"): "u32::saturating_mul({}, {})"}
     loop = "for _ in 0..{points} {{"
+    receives, one_of = "let r = ", "r.{number}"
     MAIN = """fn main() {{
     let bytes = std::fs::read("inputs").unwrap();
     let mut words = bytes.chunks(4).map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]]));
@@ -219,25 +219,8 @@ class RustRunner(Runner):
         ran(folder, "clippy-driver", "--edition", "2021", "--crate-type", "rlib", "--emit", "metadata", "-D", "warnings",
             "noise.rs")
 
-    def result(self, results: Sequence[Part], number: int) -> str:
-        return f"r.{number}" if len(results) > 1 else "r"
 
-    def passed(self, name: str, is_set: bool) -> str:
-        return f"&mut {name}" if is_set else name
-
-    def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
-        return [f"{'let r = ' if results else ''}{name}({', '.join(arguments)});"]
-
-
-class LikeC(Runner):
-    """A language with C#'s loops and declarations."""
-    loop = "for (int point = 0; point < {points}; point++) {{"
-
-    def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
-        return [f"{'var r = ' if results else ''}{name}({', '.join(arguments)});"]
-
-
-class CRunner(LikeC):
+class CRunner(Runner):
     """Each text is a translation unit of its own; undefined behaviour ends the program."""
     syntax = C
     programs = ("gcc",)
@@ -309,11 +292,8 @@ int main(void) {{
     def result(self, results: Sequence[Part], number: int) -> str:
         return results[number].name
 
-    def passed(self, name: str, is_set: bool) -> str:
-        return f"&{name}" if is_set else name
 
-
-class CSharpRunner(LikeC):
+class CSharpRunner(Runner):
     """Each text is in a namespace of its own."""
     syntax = CSharp
     programs = ("mcs", "mono")
@@ -357,11 +337,8 @@ class CSharpRunner(LikeC):
     def result(self, results: Sequence[Part], number: int) -> str:
         return f"r.{pascal(results[number].name)}" if len(results) > 1 else "r"
 
-    def passed(self, name: str, is_set: bool) -> str:
-        return f"ref {name}" if is_set else name
 
-
-class JavaScriptRunner(LikeC):
+class JavaScriptRunner(Runner):
     """Each text is a module."""
     syntax = JavaScript
     programs = ("node",)
@@ -370,6 +347,7 @@ class JavaScriptRunner(LikeC):
     write = {"float": "putFloat({});", "int": "put({});", "uint": "put({});", "bool": "put({} ? 1 : 0);"}
     faults = {("int", ">>"): "(({}) >>> ({}))", ("uint", "*"): "(({}) * ({}))"}
     loop = "for (let point = 0; point < {points}; point++) {{"
+    receives = "const r = "
     WORDS = """import { readFileSync, writeFileSync } from "node:fs";
 const inputs = readFileSync("inputs");
 const outputs = [];
@@ -402,14 +380,8 @@ export const write = () => writeFileSync("outputs", Uint32Array.from(outputs));
         written_to(folder, {"main.mjs": "".join(f'import "./{name}";\n' for name in names)})
         ran(folder, "node", "main.mjs")
 
-    def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
-        return [f"{'const r = ' if results else ''}{name}({', '.join(arguments)});"]
 
-    def result(self, results: Sequence[Part], number: int) -> str:
-        return f"r.{results[number].name}" if len(results) > 1 else "r"
-
-
-class JavaRunner(LikeC):
+class JavaRunner(Runner):
     """Each text is in a package of its own."""
     syntax = Java
     programs = ("javac", "java")
@@ -419,6 +391,7 @@ class JavaRunner(LikeC):
     write = {"float": "Words.put(Float.floatToRawIntBits({}));", "int": "Words.put({});", "uint": "Words.put({});",
              "bool": "Words.put({} ? 1 : 0);"}
     faults = {("int", ">>"): "(({}) >>> ({}))", ("uint", ">>"): "(({}) >> ({}))"}
+    one_of = "r.{name}()"
     cheap = ("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Xshare:auto")  # for programs that end soon
     WORDS = """package words;
 import java.nio.*;
@@ -454,11 +427,8 @@ public final class Words {{
     def lint(self, texts: Sequence[str], folder: Path) -> None:
         self._compile({f"m{i}/HashNoise.java": f"package m{i};\n{text}" for i, text in enumerate(texts)}, folder)
 
-    def result(self, results: Sequence[Part], number: int) -> str:
-        return f"r.{results[number].name}()" if len(results) > 1 else "r"
 
-
-class GoRunner(LikeC):
+class GoRunner(Runner):
     """Each text is a package, with what calls it."""
     syntax = Go
     programs = ("go",)
@@ -519,9 +489,6 @@ func Write() { os.WriteFile("outputs", outputs, 0644) }
 
     def result(self, results: Sequence[Part], number: int) -> str:
         return f"r{number}"
-
-    def passed(self, name: str, is_set: bool) -> str:
-        return f"&{name}" if is_set else name
 
 
 RUNNERS: dict[str, type[Runner]] = {"rust": RustRunner, "csharp": CSharpRunner, "c": CRunner,

@@ -263,7 +263,3 @@ class OfOsl(unittest.TestCase):
     def test_precise_is_refused(self) -> None:
         with self.assertRaisesRegex(Unknown, "take --arithmetic fixed"):
             command.picked(["hn_perlin2"], command.Choice("osl", "precise"))
-
-
-if __name__ == "__main__":
-    unittest.main()
