@@ -276,7 +276,7 @@ class Wrong(unittest.TestCase):
         self.assert_told(AttributeError, r" \(here it is grid\)$", lambda: hashnoise.noise2array)
         self.assert_told(AttributeError, "; call a function such as fbm", lambda: hashnoise.FastNoiseLite)
         for noise, said in (("OpenSimplex2S", r"there is no noise .* \(here it is simplex_smooth\); there are"),
-                            ("worley", r'there is no noise "worley" in 2D \(here it is cellular\); there are'),
+                            ("worley", r'there is no noise "worley" in 2D; there are: perlin, '),
                             ("OpenSimplex2", r'there is no noise "OpenSimplex2" in 2D \(here it is simplex\); there are'),
                             ("PERLIN", r'there is no noise "PERLIN" in 2D \(did you mean perlin\?\); there are'),
                             ("None", "noise must be a name, not 'None'; leave it out for the usual one")):
