@@ -65,8 +65,11 @@ def tables() -> list[tuple[str, str, str]]:
             (LANGUAGES, "tools/make readme: picked", files.picked_text("hn_value2", "glsl")),
             (LANGUAGES, "tools/make readme: picked in WGSL", files.picked_text("hn_lattice2", "wgsl")),
             (LANGUAGES, "tools/make readme: picks", files.picks_table()),
-            (LANGUAGES, "tools/make readme: picked for programs", files.picked_for_programs()),
+            (LANGUAGES, "tools/make readme: picked in Rust", files.picked_text("hn_lattice2", "rust")),
             (LANGUAGES, "tools/make readme: files", files.files_table()),
+            (MEASURING, "tools/make readme: peers",
+             numbers.peer_table(numbers.peer_costs(numbers.CPU), numbers.peer_costs(numbers.GPU))
+             + "".join(stamps.note(f"{machine}/peers.csv") for machine in (numbers.CPU, numbers.GPU))),
             *((page, f"tools/make readme: {name}", made + stamps.note(of)) for page, name, made, of in (
                 (MEASURING, "costs", numbers.cost_table(costs, "spirv", "of SPIR-V"), "llvmpipe/bench.csv"),
                 (MEASURING, "costs on a GPU",
@@ -78,7 +81,6 @@ def tables() -> list[tuple[str, str, str]]:
                 (UNIFORM, "uniform", of_uniform.page_table(of_uniform.read()), "uniform.csv"),
                 (MEASURING, "noises", numbers.form_table(costs), "llvmpipe/bench.csv"),
                 (MEASURING, "compile times", of_compilers.page_table(of_compilers.record()), "llvmpipe/compile.csv"),
-                (MEASURING, "peers", numbers.peer_table(numbers.peer_costs(numbers.CPU)), "llvmpipe/peers.csv"),
                 (MEASURING, "packages for Python", numbers.package_table(numbers.package_costs("python")),
                  "cpu/python.csv"),
                 *((MEASURING, f"crates on {target}",
@@ -87,7 +89,6 @@ def tables() -> list[tuple[str, str, str]]:
                 *((MEASURING, f"grids by {title}", cpu.page_table(record.read(fills.RESULTS / name).rows), f"cpu/{name}")
                   for title, name in (("GCC", "gcc.csv"), ("Clang", "clang.csv"))),
                 (MEASURING, "NEON", neon.page_table(record.read(fills.RESULTS / "neon.csv").rows), "cpu/neon.csv"),
-                (MEASURING, "peers on a GPU", numbers.peer_table(numbers.peer_costs(numbers.GPU)), "h100/peers.csv"),
                 (HASHES, "hashes", hashes.pasted_table(hashes.record("hashes.csv")), "hashes.csv"),
                 *((QUALITY, name, make(hashes.record(of)), of) for name, make, of in (
                     ("hashes of the library", hashes.hash_table, "quality.csv"),
