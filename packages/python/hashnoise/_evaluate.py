@@ -71,7 +71,7 @@ def evaluated(function, least, coordinates, points, cell, out, threads, *, noise
 
 
 def functions_of(module, kind):
-    """Makes the functions of a module: each evaluates the noise or the fractal that has its name, as `kind` says."""
+    """Makes the functions of a module: each evaluates the noise or the fractal that has its name."""
     def function_of(name, least, most, *, doc, **own):
         """A function of `least` to `most` coordinates, with the options of its own and their defaults."""
         for option in own:

@@ -91,7 +91,7 @@ def _options(function: Function, catalog: Catalog) -> tuple[_Option, ...]:
 
 
 def _own_options(function: Function, catalog: Catalog) -> Iterable[_Option]:
-    """Those that not all functions have."""
+    """Options that not all functions have."""
     return _of_sum(function, catalog) if isinstance(function, Sum) else _of_noise(function, catalog)
 
 

@@ -108,7 +108,7 @@ def facts(corpus: ElementTree.Element) -> list[str]:
 
 
 def differences(before: Path, now: Path) -> tuple[list[str], list[str]]:
-    """What is gone, and what is new."""
+    """The facts that are gone, and those that are new."""
     facts_before, facts_now = ({*path.read_text(encoding="utf-8").splitlines()} for path in (before, now))
     return ([f"gone: {fact}" for fact in sorted(facts_before - facts_now)],
             [f"new: {fact}" for fact in sorted(facts_now - facts_before)])
