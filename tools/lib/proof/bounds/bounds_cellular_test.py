@@ -1,5 +1,5 @@
-"""Tests of the proofs for cellular noise: blocks of cells that are one smaller are refuted, ranges are nearly attained, and
-the text of the library stays within the bounds where these are largest."""
+"""Tests of the proofs for cellular noise: blocks of cells that are one smaller are refuted, ranges are nearly attained,
+and the text of the library stays within the bounds where these are largest."""
 
 import functools
 import itertools
@@ -31,7 +31,8 @@ DISTANCES = {  # of vectors, by the metric
 @functools.cache
 def directions(dims):
     """All of the contract: axes by directions."""
-    words = [sign << 31 | bits << (14 if dims == 2 else 15) for sign in (0, 1) for bits in range(2**(9 if dims == 2 else 16))]
+    words = [sign << 31 | bits << (14 if dims == 2 else 15) for sign in (0, 1)
+             for bits in range(2**(9 if dims == 2 else 16))]
     return np.array([feature_points.direction(word, dims) for word in words]).T / 512
 
 
@@ -141,17 +142,21 @@ class Errors(unittest.TestCase):
             columns = columns_of(function) | dict.fromkeys(("fx", "fy", "fz")[:dims], 0.5) | {"jitter": 0.0}
             columns["fx"] = 0.5 + np.arange(len(columns["cx"])) * 2.0**-23
             columns |= {"metric": 1} if "metric" in columns else {}
-            self.assertTrue(1 / 2 < ratios(function, OCTAHEDRAL, [NEAREST], FIXED, columns=columns)[0] < 1, (name, dims))
+            self.assertTrue(1 / 2 < ratios(function, OCTAHEDRAL, [NEAREST], FIXED, columns=columns)[0] < 1,
+                            (name, dims))
 
     def test_borders_of_points_that_are_apart(self):
         """Where they are, the bound is far smaller. How far apart they are is the oracle's."""
         for dims in DIMS:
             function, count, clear = rows()["cell_border", dims, "cell", "v"], 300, cellular.CLEAR
-            columns = {name: column[:count] for name, column in columns_of(function).items()} | {"jitter": np.ones(count)}
+            columns = {name: column[:count] for name, column in columns_of(function).items()}
+            columns["jitter"] = np.ones(count)
             apart = []
-            for seed, *place in zip(columns["seed"], *(columns[f"{kind}{axis}"] for kind in "cf" for axis in "xyz"[:dims])):
+            for seed, *place in zip(columns["seed"], *(columns[f"{kind}{axis}"] for kind in "cf"
+                                                       for axis in "xyz"[:dims])):
                 lattice = Lattice(Knobs("lattice"), int(seed))
-                field = feature_points.Field.exact(lattice, list(map(int, place[:dims])), list(map(Fraction, place[dims:])), 1)
+                field = feature_points.Field.exact(lattice, list(map(int, place[:dims])),
+                                                   list(map(Fraction, place[dims:])), 1)
                 around = itertools.product(range(-2, 3), repeat=dims)
                 offsets = np.array([field.point(beside).offset for beside in around], float) / field.arithmetic.unit
                 nearest = offsets[(offsets**2).sum(axis=1).argmin()]
@@ -233,7 +238,8 @@ class MovingPoints(unittest.TestCase):
             off = (backwards(dims, sine(angle + 2**30), sine(angle), moving.fixed_product) / 2**16
                    - backwards(dims, np.cos(a), np.sin(a), np.multiply))
             seen = np.linalg.norm(off.transpose(2, 0, 1), 2, axis=(1, 2)).max()
-            self.assertTrue(0.9 * moving.fixed_rotation_error(dims) < seen < moving.fixed_rotation_error(dims), (dims, seen))
+            self.assertTrue(0.9 * moving.fixed_rotation_error(dims) < seen < moving.fixed_rotation_error(dims),
+                            (dims, seen))
 
     def test_nothing_wraps(self):
         """A sine may be 1. So its half times itself would wrap, which no sine below 1 does. The library multiplies in

@@ -1,5 +1,5 @@
-"""Tests of the proofs for phasor noise and its derivatives: bounds hold in boxes, the steps from t to a weight are within
-theirs, and no word overflows."""
+"""Tests of the proofs for phasor noise and its derivatives: bounds hold in boxes, the steps from t to a weight are
+within theirs, and no word overflows."""
 
 import itertools
 import unittest

@@ -345,7 +345,8 @@ class New(unittest.TestCase):
 class Entries(unittest.TestCase):
     def test_perlin_is_found_and_others_are_not(self):
         self.assertIn("perlin", noises.names())
-        with self.assertRaisesRegex(LookupError, "no bounds of merlin: write them in tools/lib/proof/bounds/noises, and name them in PROOFS"):
+        message = "no bounds of merlin: write them in tools/lib/proof/bounds/noises, and name them in PROOFS"
+        with self.assertRaisesRegex(LookupError, message):
             noises.find("merlin")
 
     def test_a_noise_without_a_row(self):

@@ -1,5 +1,5 @@
-"""Tests of sums with slopes over noises of the library: loops over any that fits have the contract's values, and no noise
-reaches the end at which derivatives are cut off."""
+"""Tests of sums with slopes over noises of the library: loops over any that fits have the contract's values, and no
+noise reaches the end at which derivatives are cut off."""
 
 import itertools
 import re

@@ -1,8 +1,8 @@
-"""The text of the library in 32-bit floats, with any rounding, in doubles, or in integers, for the tests of the bounds: a
-function is named by its row in the suite's table, and by the columns of that.
+"""The text of the library in 32-bit floats, with any rounding, in doubles, or in integers, for the tests of the bounds:
+a function is named by its row in the suite's table, and by the columns of that.
 
-The text in doubles stands for the exact noise, so that a test of a bound needs no noise of its own. Golden files compare
-the text with the contract."""
+The text in doubles stands for the exact noise, so that a test of a bound needs no noise of its own. Golden files
+compare the text with the contract."""
 
 from __future__ import annotations
 

@@ -1,5 +1,6 @@
 """The text of the library stays within the bounds of sums, and reaches a part of them: over floats that round in any
-direction and over integers, beside the same text over doubles. A sum of the catalog is tested as soon as it has bounds."""
+direction and over integers, beside the same text over doubles. A sum of the catalog is tested as soon as it has
+bounds."""
 
 import functools
 import itertools
@@ -46,15 +47,18 @@ def has(function, gradient):
 def at_position(function):
     """The function from a position, beside which one from a cell has more roundings; in a tile it has none."""
     return next((other for other in rows().values() if not other.has_cell and not function.has_period
-                 and (other.bound, other.axes, other.settings) == (function.bound, function.axes, function.settings)), function)
+                 and (other.bound, other.axes, other.settings) == (function.bound, function.axes, function.settings)),
+                function)
 
 
 def random_sum(rng, function, fixed, **others):
     """One in the domain of the bounds. A lacunarity is what the function takes from its place."""
     low = 0 if fixed or function.has_cell else -3
     octaves = int(rng.integers(1, 7))
-    arguments = {"p_max": 2.0**rng.integers(0, 8), "octaves": octaves, "gain": to_float(rng.uniform(0, 1 if fixed else 2)),
-                 "lacunarity": float(rng.integers(0, 4)) if function.has_period else to_float(rng.uniform(low, 3))} | others
+    arguments = {"p_max": 2.0**rng.integers(0, 8), "octaves": octaves,
+                 "gain": to_float(rng.uniform(0, 1 if fixed else 2)),
+                 "lacunarity": float(rng.integers(0, 4)) if function.has_period else to_float(rng.uniform(low, 3)),
+                 **others}
     if "detail" in function.settings:
         arguments["octaves"] = to_float(arguments["octaves"] - rng.choice((0.0, 1 - 2.0**-19, 0.5, rng.random())))
     if "footprint" in function.settings:
@@ -82,7 +86,8 @@ def columns_of(function, s, p):
 def tolerances(s, dims, gradient, fixed):
     """Of each result."""
     noise = CATALOG[s.kind].noise
-    own, of_value = bounds_of(noise, dims, gradient.name), (float_sums.octave_tolerance, sums.fixed_octave_tolerance)[fixed]
+    own = bounds_of(noise, dims, gradient.name)
+    of_value = sums.fixed_octave_tolerance if fixed else float_sums.octave_tolerance
     if s.kind in KINDS:
         return [of_value(s, own)]
     slope = slope_bounds_of(f"{noise.removesuffix('_d').removesuffix('_vector')}_d", dims)
@@ -143,7 +148,8 @@ class Sums(unittest.TestCase):
             self.assertGreater(ratio, 1, kind)
         for macros in ((), (FIXED,)):
             found = ratios(("fbm", "ping_pong"), [NEAREST], *macros, exact_positions=True, p_max=4096.0, octaves=9,
-                           lacunarity=to_float(2.99), gain=1.0, strength=64.0, forms=lambda function: not function.has_period)
+                           lacunarity=to_float(2.99), gain=1.0, strength=64.0,
+                           forms=lambda function: not function.has_period)
             self.assertGreater(max(found.values()), 1)
 
     def test_parts_that_are_left_out_are_noticed(self):
@@ -161,21 +167,22 @@ class Sums(unittest.TestCase):
     def test_the_domain(self):
         """Outside of it there is no bound, or that of the range."""
         def last(kind, *arguments, fixed=False, **others):
-            return tolerances(Sum(kind, 1.0, *arguments, **({"strength": 1.0, "amplitude": 1.0} | others)), 2, OCTAHEDRAL,
-                              fixed)[-1]
+            s = Sum(kind, 1.0, *arguments, **({"strength": 1.0, "amplitude": 1.0} | others))
+            return tolerances(s, 2, OCTAHEDRAL, fixed)[-1]
         for kind, arguments in itertools.product(ALL, ((33, 1.0, 0.5), (2, -1.0, 0.5), (2, 256.0, 0.1), (2, 2.0, 1.5))):
             self.assertEqual(last(kind, *arguments, fixed=True), math.inf, (kind, arguments))
         for kind in ALL:
             self.assertEqual(last(kind, 2, 256.0, 1.0, from_cell=True), math.inf)
         for kind, arguments in itertools.product(SLOPED + SHIFTS, ((6, 1e20, 1.0), (20, 2.0, 1e20))):
             self.assertEqual(last(kind, *arguments), math.inf, (kind, arguments))
-        for kind, most in (("fbm", 2.001), ("billow", 2.001), ("ridged", 1.001), ("ping_pong", 2.002), ("weighted", 3.01)):
+        for kind, most in (("fbm", 2.001), ("billow", 2.001), ("ridged", 1.001), ("ping_pong", 2.002),
+                           ("weighted", 3.01)):
             self.assertLess(last(kind, 200, 2.0, 0.5), most)
         self.assertEqual(last("fbm", 20, 2.0, 1e20), math.inf)
         self.assertGreaterEqual(last("warp", 3, 2.0, 0.5, amplitude=2.0**-98), 2.0**-98)  # HN_PRECISE: 0
         for kind, arguments, amplitude, bounded in (
-                ("fbm_d", (6, 2.0, 1.0), 0, True), ("fbm_d", (7, 2.0, 1.0), 0, False), ("fbm_d", (2, 63.0, 1.0), 0, True),
-                ("fbm_d", (2, 64.0, 1.0), 0, False), ("warp_progressive", (6, 2.0, 1.0), 8.0, True),
+                ("fbm_d", (6, 2.0, 1.0), 0, True), ("fbm_d", (7, 2.0, 1.0), 0, False),
+                ("fbm_d", (2, 63.0, 1.0), 0, True), ("fbm_d", (2, 64.0, 1.0), 0, False), ("warp_progressive", (6, 2.0, 1.0), 8.0, True),
                 ("warp_progressive", (6, 2.0, 1.0), 8.1, False), ("warp", (6, 2.0, 1.0), 64.0, True)):
             self.assertEqual(jacobians.is_bounded(Sum(kind, 1.0, *arguments, amplitude=amplitude)), bounded)
         with self.assertRaisesRegex(LookupError, "no proof of the sum fog"):
@@ -211,8 +218,8 @@ def ratios_of_gullies(rounding, tolerance_of, bounds, *macros):
         angle, size = rng.uniform(0, 2 * np.pi, COUNT), steep * rng.uniform(0.99, 1, COUNT) + 1e-3 * (steep == 0)
         slope = (size * [np.cos(angle), np.sin(angle)]).astype(np.float32).astype(float)
         f = np.where(rng.random(COUNT) < 0.5, rng.random((2, COUNT)), rng.integers(0, 65, (2, COUNT)) / 64)
-        columns = (along_axes("c", rng.integers(-2**20, 2**20, (2, COUNT))) | along_axes("f", f) | along_axes("p", (0, 0))
-                   | along_axes("e", slope) | {"footprint": s.footprint or 0.0, "octaves": s.octaves, "seed": 0,
+        columns = (along_axes("c", rng.integers(-2**20, 2**20, (2, COUNT))) | along_axes("f", f)
+                   | along_axes("p", (0, 0)) | along_axes("e", slope) | {"footprint": s.footprint or 0.0, "octaves": s.octaves, "seed": 0,
                                                "lacunarity": s.lacunarity, "gain": s.gain, "depth": depth})
         found, exact = (np.array(of(GULLIES, how, **columns)) for of, how in (
             (text_of_gullies(*macros), rounding), (text_of_gullies(), EXACT)))
@@ -225,8 +232,8 @@ def ratios_of_gullies(rounding, tolerance_of, bounds, *macros):
 
 class Gullies(unittest.TestCase):
     def test_floats_and_integers(self):
-        for rounding, tolerance, macros in (*((rounding, float_sums.gullies_tolerance, ()) for rounding in some(roundings(7), 0, 2)),
-                                            (NEAREST, gullies.fixed_tolerance, (FIXED,))):
+        in_floats = [(rounding, float_sums.gullies_tolerance, ()) for rounding in some(roundings(7), 0, 2)]
+        for rounding, tolerance, macros in (*in_floats, (NEAREST, gullies.fixed_tolerance, (FIXED,))):
             worst = ratios_of_gullies(rounding, tolerance, read_gullies(), *macros)
             self.assertTrue((worst < 1).all() and (worst > 1 / 30).all(), (rounding, worst))
 

@@ -1,5 +1,5 @@
-"""The text of the library stays within the bounds of each noise, and reaches a part of them: over floats that round in any
-direction and over integers, beside the same text over doubles. A noise of the catalog is tested as soon as it has
+"""The text of the library stays within the bounds of each noise, and reaches a part of them: over floats that round in
+any direction and over integers, beside the same text over doubles. A noise of the catalog is tested as soon as it has
 bounds."""
 
 import functools
@@ -46,8 +46,8 @@ def rows():
 
 @functools.cache
 def text(gradient, *macros):
-    return Text([function.id for function in rows().values() if has(function, gradient)], *OF_GRADIENT[gradient], *macros,
-                optimized=True)
+    ids = [function.id for function in rows().values() if has(function, gradient)]
+    return Text(ids, *OF_GRADIENT[gradient], *macros, optimized=True)
 
 
 def has(function, gradient):
@@ -67,10 +67,12 @@ def near(rng, count, ends, reach=0.5):
 
 ARGUMENTS = {  # by the names of columns
     "c": lambda rng, count: rng.integers(-2**31, 2**31, count),
-    "f": lambda rng, count: np.where(rng.random(count) < 0.5, rng.random(count), near(rng, count, (0.0, 0.5, 1.0))).clip(0, 1),
+    "f": lambda rng, count: np.where(rng.random(count) < 0.5, rng.random(count),
+                                     near(rng, count, (0.0, 0.5, 1.0))).clip(0, 1),
     "p": lambda rng, count: np.zeros(count),
     "position": lambda rng, count: near(rng, count, (0.0, 0.0, 0.5, -7.0)) * 2.0**rng.integers(-20, 12, count),
-    "k": lambda rng, count: np.where(rng.random(count) < 0.5, rng.choice((-16, 16, 32), count), rng.uniform(-16, 16, count)),
+    "k": lambda rng, count: np.where(rng.random(count) < 0.5, rng.choice((-16, 16, 32), count),
+                                     rng.uniform(-16, 16, count)),
     "phase": lambda rng, count: near(rng, count, np.arange(-8, 9) / 8),
     "jitter": lambda rng, count: np.where(rng.random(count) < 0.3, rng.random(count), 1.0),
     "metric": lambda rng, count: rng.integers(1, 6, count),
@@ -87,7 +89,8 @@ def columns_of(function):
 
 
 def coarse(columns):
-    return {name: np.floor(x / COARSE) * COARSE if name[0] == "f" or name in "xyzw" else x for name, x in columns.items()}
+    return {name: np.floor(x / COARSE) * COARSE if name[0] == "f" or name in "xyzw" else x
+            for name, x in columns.items()}
 
 
 # --- Errors -----------------------------------------------------------------------------------------------------------
@@ -107,7 +110,8 @@ def weights_of(function, columns, kind):
         return np.min([abs(at - np.rint(at)) for at in (2 * x + y, 2 * y, 2 * x - y)], axis=0) > 2.0**-18
     if function.bound.startswith("cell") and kind in "od":
         first, second = distances(function, columns)
-        return np.where(second - first > CLEAR, first if kind == "d" else 1.0, 0.0)  # of a derivative, times the distance
+        # of a derivative, times the distance
+        return np.where(second - first > CLEAR, first if kind == "d" else 1.0, 0.0)
     return 1.0
 
 
@@ -133,7 +137,8 @@ def ratios(function, gradient, simulated, *macros, columns=None, given=lambda co
     columns = columns or columns_of(function)
     exact, found = text(gradient)(function.id, EXACT, **columns), []
     for rounding in simulated:
-        for result, (one, right) in enumerate(zip(text(gradient, *macros)(function.id, rounding, **given(columns)), exact)):
+        results = text(gradient, *macros)(function.id, rounding, **given(columns))
+        for result, (one, right) in enumerate(zip(results, exact)):
             name = function.outputs[result].name
             error, limit = proven(function, name, gradient, FIXED in macros)
             seen = (abs(one - right) * weights_of(function, columns, name[0])).max()
@@ -179,7 +184,8 @@ class Noises(unittest.TestCase):
     def test_differences(self):
         """No noise changes faster than is proven, but for those that jump."""
         for _, function, gradient in cases():
-            if function.form != "position" or function.bound in ("random", "hex_tiling") or function.outputs[0].name[0] == "o":
+            jumps = function.bound in ("random", "hex_tiling") or function.outputs[0].name[0] == "o"
+            if function.form != "position" or jumps:
                 continue
             rng, axes, columns = np.random.default_rng(2), "xyzw"[:function.axes], columns_of(function)
             count = len(columns["x"])
@@ -211,7 +217,8 @@ def of_kernel(kernel, gradient, slope, place):
 
 
 def of_waves(kernel, slope, place):
-    along, rate = ((1.0, *(0.0,) * (kernel.dims - 1)), phasor.rate_along(kernel, 1)) if slope else ((0.0,) * kernel.dims, 1.0)
+    along = (float(slope), *(0.0,) * (kernel.dims - 1))
+    rate = phasor.rate_along(kernel, 1) if slope else 1.0
     return kernel.scale / 1024 * kernel.steps**slope * phasor.attained(kernel, along, rate, place * kernel.steps)
 
 
@@ -233,7 +240,8 @@ class Formulas(unittest.TestCase):
             gradient, of = FORMULAS[name]
             columns, reached, slope = columns_of(function), [], result == "d"
             for place in rng.uniform(0, 0.5 if dims > 2 or of is of_lattice else 0.25, (8, dims, 1)):
-                most = (of_lattice(dims, gradient, slope, place) if of is of_lattice else of_waves(of[dims], slope, place)
+                most = (of_lattice(dims, gradient, slope, place) if of is of_lattice
+                        else of_waves(of[dims], slope, place)
                         if noise.startswith("phasor") else of_kernel(of[dims], gradient, slope, place))
                 waves = dict.fromkeys((name for name in columns if name[0] == "k"), 16.0)
                 found = text(OCTAHEDRAL)(function.id, EXACT, **columns | waves | along_axes("f", place))

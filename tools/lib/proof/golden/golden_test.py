@@ -42,19 +42,22 @@ SETTINGS = read_configurations()
 FILES = {file.function.id: file for file in golden_files(list(FUNCTIONS.values()), SETTINGS)}
 
 
-# Numbers that each column of that name has, of every function: edges of what it may be, and those beyond that count as the
-# nearer end. x, cx, fx and so on are all axes.
+# Numbers that each column of that name has, of every function: edges of what it may be, and those beyond that count as
+# the nearer end. x, cx, fx and so on are all axes.
 ENDS = {0, -1, INT_MIN, INT_MAX}
 BEYOND = {0.0, 1.0, -math.inf, math.inf}
 EDGES = {
-    "f32 axis": {-0.0, -1.0, 2.0**-21, math.inf, -math.inf}, "i32 axis": {*ENDS, 1}, "u32 axis": {0, 1, 2**31, 2**32 - 1},
+    "f32 axis": {-0.0, -1.0, 2.0**-21, math.inf, -math.inf}, "i32 axis": {*ENDS, 1},
+    "u32 axis": {0, 1, 2**31, 2**32 - 1},
     "c*": ENDS, "f*": {0.0, 2.0**-149, 0.5, 1 - 2.0**-24, 1.0}, "p*": {*ENDS, 1, 2, 3, 5, 2**30},
     "k*": {0.0, 1.0, 16.0, -16.0, -17.0, 2.0**-17}, "e*": {0.0, 1.0, -1.0, 8.0},
     "phase": {0.0, 0.25, -0.25, 0.5, 1.0, 2.0**-30, 1000.125}, "jitter": BEYOND,
     "metric": {0, *cellular_rows.METRICS, INT_MAX}, "seed": {0, 1, 2**32 - 1}, "radius": BEYOND | {0.5, 2.0**-16},
-    "octaves": {-1, 0, 1, 2, 6, 32, 33, INT_MAX}, "detail": {0.0, 1.0, 1 + 2.0**-23, 2.0}, "footprint": {0.0, 0.25, 2.0, -1.0},
+    "octaves": {-1, 0, 1, 2, 6, 32, 33, INT_MAX}, "detail": {0.0, 1.0, 1 + 2.0**-23, 2.0},
+    "footprint": {0.0, 0.25, 2.0, -1.0},
     "lacunarity": {0.0, 0.5, 1.0, 2.0, 255.0, 300.0}, "gain": {0.0, 0.25}, "strength": BEYOND | {2.0**-18, -1.0},
-    "amplitude": BEYOND | {64.0, 100.0, -1.0}, "depth": {0.0, 1.0, 8.0, 9.0, -1.0}, "cells": {*ENDS, 1, 65536, 65537} - {-1},
+    "amplitude": BEYOND | {64.0, 100.0, -1.0}, "depth": {0.0, 1.0, 8.0, 9.0, -1.0},
+    "cells": {*ENDS, 1, 65536, 65537} - {-1},
     "units": {*ENDS, 1, 65536, 65537} - {-1}, "n": {0, 1, 2, 3, 2**16, 2**31}, "i": {0, 1, 2**31}, "k": {*range(6)},
     "h": {0, 2**31, 2**32 - 1}, "key": {0, 1, 2**31, 255}, "zero": {0, 1, 2**31}, "noise": {0.0, 2.0**-149, 0.0625},
     "spread": {*range(-19, 21)}, "reach": {0.0, 0.0625, 1.0, 3.0, -1.0, 4.0}, "a": {0.0, 0.5, 1.0, -0.5, 1.5},
@@ -111,7 +114,8 @@ class GoldenContents(unittest.TestCase):
         self.assertRegex(sine[5], "^settings fnv1.sine:fast .* lattice.sine:fast lattice.sine.fixed:fixed$")
         self.assertEqual(self.file("hash.unorm")[5], "settings any:exact")
         digests = self.file("hash.lattice2")[-10:]
-        self.assertEqual([line.split()[1] for line in digests[:-1]], [setting.split(":")[0] for setting in exact[5].split()[1:]])
+        self.assertEqual([line.split()[1] for line in digests[:-1]],
+                         [setting.split(":")[0] for setting in exact[5].split()[1:]])
 
     def test_fixed_arithmetic_by_hand(self) -> None:
         # Where a float has no fraction there is no noise.
@@ -150,7 +154,8 @@ class GoldenContents(unittest.TestCase):
             self.assertEqual(further, fixed is not None and not file.function.form.startswith(("point", "place")), id)
 
     def test_rows_have_every_edge(self) -> None:
-        """Of every function, also of one that is new. (That rows stay as they are golden.regenerated_is_committed sees.)"""
+        """Of every function, also of one that is new. (That rows stay as they are golden.regenerated_is_committed
+        sees.)"""
         for id, file in FILES.items():
             read, function = Golden(id, file.values[-1].name, finite=False), file.function
             self.assertGreaterEqual(len(read.inputs), 96 if function.form in ("position", "cell") else 64, id)
@@ -185,10 +190,12 @@ class GoldenContents(unittest.TestCase):
 
     def test_a_function_that_the_oracle_does_not_have(self) -> None:
         function = FUNCTIONS["noise2d.perlin"]
-        for change, message in (({"bound": "merlin"}, r"noise2d\.perlin: the oracle has no merlin: write it in .*/oracle/noises"),
+        for change, message in (({"bound": "merlin"},
+                                 r"noise2d\.perlin: the oracle has no merlin: write it in .*/oracle/noises"),
                                 ({"family": "octave_sum"}, r"/oracle/sums\.py, and name it in SUMS"),
                                 ({"family": "independent"}, r"/oracle/functions\.py, in OF_WORDS")):
-            file = GoldenFile(replace(function, **change), [setting for setting in SETTINGS if setting.name == "lattice"])
+            lattice = [setting for setting in SETTINGS if setting.name == "lattice"]
+            file = GoldenFile(replace(function, **change), lattice)
             with self.assertRaisesRegex(CatalogError, message):
                 file.text()
 
@@ -381,14 +388,16 @@ class GoldenCheck(unittest.TestCase):
             with mock.patch.object(Values, "evaluate", return_value=(1,)), \
                     mock.patch.object(Values, "digest", return_value="digest"):
                 changed = file.text(text, Sample(3, "salt")).split("\n")
-            wrong = {i - 7 for i, (line, right) in enumerate(zip(changed, text.split("\n"), strict=True)) if line != right}
+            wrong = {i - 7 for i, (line, right) in enumerate(zip(changed, text.split("\n"), strict=True))
+                     if line != right}
             self.assertEqual(wrong, {i for i in chosen if i < every + of_fixed or file.function.family == "hash"})
             self.assertTrue(any(i >= every for i in wrong))
             self.assertLessEqual(len(wrong), lines)
 
     def test_another_oracle_asks_other_rows(self) -> None:
         self.assertRegex(golden.salt(), "^[0-9a-f]{64}$")
-        self.assertNotEqual(Sample(8, "a").of("noise2d.perlin", 192, 195, 18), Sample(8, "b").of("noise2d.perlin", 192, 195, 18))
+        self.assertNotEqual(Sample(8, "a").of("noise2d.perlin", 192, 195, 18),
+                            Sample(8, "b").of("noise2d.perlin", 192, 195, 18))
 
     def test_writing_removes_stale_files_only(self) -> None:
         (self.directory / "hash.old.golden").write_text("")

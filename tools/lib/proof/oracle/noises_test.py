@@ -238,7 +238,8 @@ class EveryNoise(unittest.TestCase):
                 self.assertEqual(at(0), tuple(scale * x for x in plain.exact(knobs, p, seed, (3,) * n)))
 
     def test_a_noise_that_is_not_there_and_a_period_too_few(self) -> None:
-        with self.assertRaisesRegex(LookupError, "no merlin: write it in .*/noises from docs/reference/contract.md, and name it in NOISES"):
+        message = "no merlin: write it in .*/noises from docs/reference/contract.md, and name it in NOISES"
+        with self.assertRaisesRegex(LookupError, message):
             noises.find("merlin")
         with self.assertRaises(ValueError):
             noises.find("value").exact(Knobs("lattice"), (0.5, 0.5), 0, (48,))

@@ -40,7 +40,7 @@ def derived(promise: float, exact: float, lipschitz: float, cell_error: float, p
     """Bounds of a noise with a fixed error that is the sum of its parts; the cut takes no value out of its range."""
     error, fixed = position_error(cell_error, lipschitz), sum(parts.values()) * SAFE
     return ProvenBounds(promise, exact, lipschitz, cell_error, error, exact + error, fixed,
-                   exact + (sum(parts.values()) - parts["cut"]) * SAFE, parts)
+                        exact + (sum(parts.values()) - parts["cut"]) * SAFE, parts)
 
 
 def listed(ranges: list[float]) -> str:
@@ -56,12 +56,14 @@ class Proof:
     derive: Callable[[int, Gradient | None], ProvenBounds]
     # Of fixed arithmetic: by name, bounds of the magnitudes that must stay below 2^31.
     largest_intermediates: Callable[[int, Gradient | None], dict[str, float]]
-    describe: Callable[[int, Gradient | None], dict[str, object]] = lambda *_: {}  # more numbers for tools/make bounds --table
+    # More numbers for tools/make bounds --table
+    describe: Callable[[int, Gradient | None], dict[str, object]] = lambda *_: {}
     # Of a number of dimensions: the ends of ranges in the order in which the comments state them, and the least value.
     ends: Callable[[int], list[float]] | None = None
     least: Callable[[int], float] | None = None
     offset_error: Callable[[int, bool], float] | None = None  # of a component of an offset, in floats or in integers
-    quotes: Callable[[], list[tuple[str, str]]] = list  # numbers in prose: pairs of a file and a text that must stand in it
+    # Numbers in prose: pairs of a file and a text that must stand in it
+    quotes: Callable[[], list[tuple[str, str]]] = list
 
 
 def of_components(proof: Proof) -> Proof:
@@ -83,6 +85,6 @@ def names() -> list[str]:
 
 def find(name: str) -> Proof:
     if name not in names():
-        raise LookupError(f"there are no bounds of {name}: write them in tools/lib/proof/bounds/noises, and name them in "
-                          "PROOFS")
+        raise LookupError(f"there are no bounds of {name}: write them in tools/lib/proof/bounds/noises, "
+                          "and name them in PROOFS")
     return proofs()[name]

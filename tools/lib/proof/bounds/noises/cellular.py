@@ -1,23 +1,23 @@
-"""Proofs for cellular noise, from docs/reference/contract.md, section 16. features.py, distances.py, moving.py and borders.py
-of the folder above have them; here they are put together.
+"""Proofs for cellular noise, from docs/reference/contract.md, section 16. features.py, distances.py, moving.py and
+borders.py of the folder above have them; here they are put together.
 
-HN_CELLULAR and HN_CELLULAR_THREE. One bound holds for all metrics: the largest. The bound of floats is the hybrid metric's,
-whose distances are the largest; in fixed arithmetic the Euclidean one's, by the root of a small square. The errors of
-offsets are smaller.
+HN_CELLULAR and HN_CELLULAR_THREE. One bound holds for all metrics: the largest. The bound of floats is the hybrid
+metric's, whose distances are the largest; in fixed arithmetic the Euclidean one's, by the root of a small square. The
+errors of offsets are smaller.
 
-HN_CELLULAR_PHASE. How fast distances change with the phase is not bounded here. One bound holds for the distances and for
-each component of an offset: the larger one. It is the offset's, which is rotated twice.
+HN_CELLULAR_PHASE. How fast distances change with the phase is not bounded here. One bound holds for the distances and
+for each component of an offset: the larger one. It is the offset's, which is rotated twice.
 
-HN_CELLULAR_D. The value is the first of hn_cellular, in the Euclidean metric. A derivative is a component of (position -
-point) / distance. An error of the position moves it by that over the distance: without a bound near the point. So the
+HN_CELLULAR_D. The value is the first of hn_cellular, in the Euclidean metric. A derivative is a component of (position
+- point) / distance. An error of the position moves it by that over the distance: without a bound near the point. So the
 errors are for a derivative times the distance, in cells. They hold where the second distance is so much larger than the
 first that no other point is taken for the nearest one.
 
-HN_CELLULAR_SMOOTH. The sum of weights is largest where two points are at the place, in the middle of a wall, and others as
-near as they can be. It is nowhere 4, so it fits 32 bits in units of 2^-30.
+HN_CELLULAR_SMOOTH. The sum of weights is largest where two points are at the place, in the middle of a wall, and others
+as near as they can be. It is nowhere 4, so it fits 32 bits in units of 2^-30.
 
-HN_CELL_BORDER. It changes by no more than the place moves: inside of a cell it is the distance to the nearest of some lines
-or planes, and at the border it is 0 on both sides.
+HN_CELL_BORDER. It changes by no more than the place moves: inside of a cell it is the distance to the nearest of some
+lines or planes, and at the border it is 0 on both sides.
 """
 
 from __future__ import annotations
@@ -72,8 +72,8 @@ def of_distances(first: int, count: int) -> Proof:
     def describe(dims: int, _: Gradient | None) -> dict[str, object]:
         return {f"{name}_largest": end for name, end in zip(("first", "second", "third")[first - 1:], ends(dims))}
 
-    return Proof(CASES, lambda dims, _: derive_distances(dims, count), lambda dims, _: distances.largest_intermediates(dims),
-                 describe, ends, quotes=quotes)
+    return Proof(CASES, lambda dims, _: derive_distances(dims, count),
+                 lambda dims, _: distances.largest_intermediates(dims), describe, ends, quotes=quotes)
 
 
 # --- Points that move -------------------------------------------------------------------------------------------------
@@ -116,8 +116,8 @@ def derive_slope(dims: int) -> ProvenBounds:
     lipschitz, parts = 2 * math.sqrt(dims), distances.fixed_direction_parts(dims)
     cell_error = distances.direction_error(dims, features.largest_distance(dims, 1))
     longer = 20 * distances.UNIT  # of a vector of length 1, whatever its errors
-    return ProvenBounds(0.0, 1.0, lipschitz, cell_error, position_error(cell_error, lipschitz), 1 + longer, total(parts),
-                        1 + 2.0**-14, parts)
+    return ProvenBounds(0.0, 1.0, lipschitz, cell_error, position_error(cell_error, lipschitz), 1 + longer,
+                        total(parts), 1 + 2.0**-14, parts)
 
 
 # --- The smooth one ---------------------------------------------------------------------------------------------------
@@ -154,7 +154,8 @@ def quotes_of_border() -> list[tuple[str, str]]:
 
 
 def describe_border(dims: int, _: Gradient | None) -> dict[str, object]:
-    return {"border_of_a_climb": borders.climb(dims), "error_of_points_1/8_apart": distances.border_error(dims, apart=CLEAR),
+    return {"border_of_a_climb": borders.climb(dims),
+            "error_of_points_1/8_apart": distances.border_error(dims, apart=CLEAR),
             "fixed_error_of_points_1/8_apart": sum(distances.fixed_border_parts(dims, CLEAR).values())}
 
 
@@ -174,5 +175,5 @@ PROOFS = {
         lambda dims: [-least_smooth(dims)], least_smooth, quotes=quotes_of_smooth),
     "cell_border": Proof(
         CASES, derive_border,
-        lambda dims, _: distances.largest_intermediates(dims) | distances.largest_border_intermediates(dims), describe_border,
-        least=lambda _: 0.0, offset_error=distances.offset_error, quotes=quotes_of_border)}
+        lambda dims, _: distances.largest_intermediates(dims) | distances.largest_border_intermediates(dims),
+        describe_border, least=lambda _: 0.0, offset_error=distances.offset_error, quotes=quotes_of_border)}

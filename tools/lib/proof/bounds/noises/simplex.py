@@ -1,7 +1,7 @@
 """Proofs for hn_simplex and its derivatives, hn_simplex_smooth, and both of the former with a phase, from
 docs/reference/contract.md, sections 13 and 14. kernels.py has the range and the slopes, kernel_floats.py and
-kernel_fixed.py the errors, and rotations.py what a phase changes; here they are put together. With derivatives the value is
-computed in the same steps, so it has the same bounds."""
+kernel_fixed.py the errors, and rotations.py what a phase changes; here they are put together. With derivatives the
+value is computed in the same steps, so it has the same bounds."""
 
 from __future__ import annotations
 
@@ -18,7 +18,8 @@ ACCURACY = "docs/measured/accuracy.md"
 
 def derived_value(kernel: Kernel) -> ProvenBounds:
     exact, lipschitz = kernel.scale / 1024 * kernels.range_of(kernel, OCTAHEDRAL), lipschitz_of(kernel, OCTAHEDRAL)
-    return derived(1.0, exact, lipschitz, kernel_floats.error_bound(kernel), kernel_fixed.error_parts(kernel, lipschitz))
+    return derived(1.0, exact, lipschitz, kernel_floats.error_bound(kernel),
+                   kernel_fixed.error_parts(kernel, lipschitz))
 
 
 def derived_slope(kernel: Kernel) -> ProvenBounds:
@@ -62,7 +63,8 @@ def below(proof: Proof) -> str:
 
 
 def describe(kernels_: dict[int, Kernel], dims: int) -> dict[str, object]:
-    return {"scale": kernels_[dims].scale / 1024, "error_from_cell_to_nearest": kernel_floats.error_bound(kernels_[dims], 0.5)}
+    return {"scale": kernels_[dims].scale / 1024,
+            "error_from_cell_to_nearest": kernel_floats.error_bound(kernels_[dims], 0.5)}
 
 
 # --- With a phase -----------------------------------------------------------------------------------------------------
@@ -79,7 +81,8 @@ def ratio(dims: int) -> float:
 
 def derive_phase(dims: int, _: Gradient | None) -> ProvenBounds:
     kernel = ROTATING[dims]
-    return rotations.rotated(derived_value(SIMPLEX[dims]), dims, kernel.scale / 1024 * kernels.range_of(kernel, ROTATED),
+    return rotations.rotated(derived_value(SIMPLEX[dims]), dims,
+                             kernel.scale / 1024 * kernels.range_of(kernel, ROTATED),
                              lipschitz_of(kernel, ROTATED), unit(dims), ratio(dims))
 
 
@@ -113,7 +116,8 @@ PROOFS = {
         CASES, derive_d, largest_slope_intermediates, lambda dims, _: {
             "slope_error_from_cell_to_nearest": kernel_floats.slope_error_bound(SIMPLEX[dims], 0.5)}),
     "simplex_phase": Proof(
-        ROTATING_CASES, derive_phase, largest_phase_intermediates, lambda dims, _: {"scale": ROTATING[dims].scale / 1024},
+        ROTATING_CASES, derive_phase, largest_phase_intermediates,
+        lambda dims, _: {"scale": ROTATING[dims].scale / 1024},
         quotes=lambda: [(ACCURACY, f"and `hn_simplex` below {below(PROOFS['simplex_phase'])}.")]),
     "simplex_d_phase": Proof(
         ROTATING_CASES, lambda dims, _: replace(derive_phase(dims, None), slope=derive_slope_phase(dims)),

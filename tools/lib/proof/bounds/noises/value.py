@@ -1,9 +1,9 @@
 """Proofs for hn_value and its derivatives, from docs/reference/contract.md, sections 9 and 10. hn_value_d computes the
 value in the same steps, so it has the same bounds.
 
-Each component of hn_value_vector (section 22) is hn_value with other hashes, and the bounds hold for any. The hashes of y
-and z are the low 32 bits of products of two factors below 2^24. So they are hashes, too, and their numbers are in the range
-of hn_value's.
+Each component of hn_value_vector (section 22) is hn_value with other hashes, and the bounds hold for any. The hashes of
+y and z are the low 32 bits of products of two factors below 2^24. So they are hashes, too, and their numbers are in the
+range of hn_value's.
 
 RANGE. The number of a corner is within +-1, and -1 occurs. The weights are not negative and sum to 1, so the value is
 within +-1, too. A derivative is s'(f_1) times an interpolation of differences of two numbers: at most
@@ -102,7 +102,8 @@ def derive(dims: int, _: Gradient | None) -> ProvenBounds:
              "scaling": UNIT / 2}
     fixed_error = lipschitz / ONE + largest_joint_effect(dims, None, NUMBER_ONE) + UNIT / 2
     fixed_largest = (1 + 2 * overshoot()) ** dims + lerp + UNIT / 2
-    return ProvenBounds(1.0, 1.0, lipschitz, cell_error, error, 1.0 + error, fixed_error * SAFE, fixed_largest * SAFE, parts)
+    return ProvenBounds(1.0, 1.0, lipschitz, cell_error, error, 1.0 + error, fixed_error * SAFE, fixed_largest * SAFE,
+                        parts)
 
 
 def derive_slope(dims: int) -> ProvenBounds:
@@ -114,7 +115,7 @@ def derive_slope(dims: int) -> ProvenBounds:
              "interpolation": slope_rounding(dims, gradients=False) / (NUMBER_ONE / 4), "scaling": SLOPE_UNIT / 2}
     fixed_error = sum(parts.values()) * SAFE
     return ProvenBounds(0.0, STEEPEST, lipschitz, cell_error, error, STEEPEST + error, fixed_error,
-                   STEEPEST + fixed_error, parts)
+                        STEEPEST + fixed_error, parts)
 
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
@@ -127,8 +128,10 @@ def largest_slope_intermediates(dims: int, gradient: Gradient | None) -> dict[st
 
 
 CASES = tuple((dims, None) for dims in (1, 2, 3, 4))
-VALUE = Proof(CASES, derive, largest_intermediates, lambda dims, _: {"error_from_cell_to_nearest": error_bound(dims, 0.5)})
-VALUE_D = Proof(CASES, lambda dims, _: replace(derive(dims, None), slope=derive_slope(dims)), largest_slope_intermediates,
+VALUE = Proof(CASES, derive, largest_intermediates,
+              lambda dims, _: {"error_from_cell_to_nearest": error_bound(dims, 0.5)})
+VALUE_D = Proof(CASES, lambda dims, _: replace(derive(dims, None), slope=derive_slope(dims)),
+                largest_slope_intermediates,
                 lambda dims, _: {"slope_error_from_cell_to_nearest": slope_error_bound(dims, 0.5)})
 PROOFS = {
     "value": VALUE,

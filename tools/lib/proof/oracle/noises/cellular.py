@@ -1,5 +1,5 @@
-"""Section 16 of docs/reference/contract.md: the distances of the nearest points of cells, with derivatives, with points that
-go round with a phase, and a sum over all points that are near, without creases. (cell_border.py has borders.)"""
+"""Section 16 of docs/reference/contract.md: the distances of the nearest points of cells, with derivatives, with points
+that go round with a phase, and a sum over all points that are near, without creases. (cell_border.py has borders.)"""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Sections 6, 10, 14 and 22 of docs/reference/contract.md: Perlin noise, with its derivatives, with a phase, and one along
-each axis."""
+"""Sections 6, 10, 14 and 22 of docs/reference/contract.md: Perlin noise, with its derivatives, with a phase, and one
+along each axis."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Sections 13 and 14 of docs/reference/contract.md: simplex noise, with its derivatives, with a phase, and with kernels that
-reach farther."""
+"""Sections 13 and 14 of docs/reference/contract.md: simplex noise, with its derivatives, with a phase, and with kernels
+that reach farther."""
 
 from __future__ import annotations
 

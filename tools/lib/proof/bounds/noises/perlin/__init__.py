@@ -1,7 +1,7 @@
 """hn_perlin and its derivatives: exact.py (ranges and slopes), floats.py and fixed.py (errors); with a phase as in
-rotations.py, with gradients at all phases. hn_perlin_d computes the value in the same steps, so it has the same bounds. Each
-component of hn_perlin_vector (docs/reference/contract.md, section 22) is hn_perlin with other hashes, and the bounds hold
-for any; see value.py."""
+rotations.py, with gradients at all phases. hn_perlin_d computes the value in the same steps, so it has the same bounds.
+Each component of hn_perlin_vector (docs/reference/contract.md, section 22) is hn_perlin with other hashes, and the
+bounds hold for any; see value.py."""
 
 from __future__ import annotations
 
@@ -32,11 +32,12 @@ def derive(dims: int, gradient: Gradient) -> ProvenBounds:
     cell_error = error_bound(dims, gradient)
     error = position_error(cell_error, lipschitz)
     return ProvenBounds(exact if gradient is SINE else 1.0, exact, lipschitz, cell_error, error, exact + error,
-                   fixed_error(dims, gradient), exact + range_loss(dims, gradient), error_parts(dims, gradient))
+                        fixed_error(dims, gradient), exact + range_loss(dims, gradient), error_parts(dims, gradient))
 
 
 def derive_d(dims: int, gradient: Gradient) -> ProvenBounds:
-    slope = derived(0.0, slope_bound(dims), slope_lipschitz_bound(dims), slope_error_bound(dims), slope_error_parts(dims))
+    slope = derived(0.0, slope_bound(dims), slope_lipschitz_bound(dims), slope_error_bound(dims),
+                    slope_error_parts(dims))
     return replace(derive(dims, gradient), slope=slope)
 
 
@@ -79,6 +80,10 @@ def derive_slope_phase(dims: int, gradient: Gradient) -> ProvenBounds:
                              slope_lipschitz_bound(dims, ROTATED), 4 * unit(dims), ratio(dims))
 
 
+def derive_d_phase(dims: int, gradient: Gradient) -> ProvenBounds:
+    return replace(derive_phase(dims, gradient), slope=derive_slope_phase(dims, gradient))
+
+
 def scaled_intermediates(name: str, dims: int, largest: float, of_unit: float) -> dict[str, float]:
     return rotations.largest_intermediates(name, dims, largest / of_unit, round(1024 * SCALE[ROTATED][dims]))
 
@@ -108,9 +113,8 @@ PROOFS = {
     "perlin": PERLIN,
     "perlin_d": PERLIN_D,
     "perlin_phase": Proof(CASES[1:3], derive_phase, largest_phase_intermediates, describe_phase, quotes=lambda: [
-        (ACCURACY, f"With a phase `hn_perlin` stays below {listed([range_bound(dims, ROTATED) for dims in (2, 3)])} in 2D")]),
-    "perlin_d_phase": Proof(
-        CASES[1:3], lambda dims, gradient: replace(derive_phase(dims, gradient), slope=derive_slope_phase(dims, gradient)),
-        largest_slope_phase_intermediates),
+        (ACCURACY,
+         f"With a phase `hn_perlin` stays below {listed([range_bound(dims, ROTATED) for dims in (2, 3)])} in 2D")]),
+    "perlin_d_phase": Proof(CASES[1:3], derive_d_phase, largest_slope_phase_intermediates),
     "perlin_vector": of_components(PERLIN),
     "perlin_vector_d": of_components(PERLIN_D)}
