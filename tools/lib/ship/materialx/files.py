@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from functools import cache
 from typing import NamedTuple
 from xml.sax.saxutils import quoteattr
@@ -200,10 +201,25 @@ def implementations(target: str) -> str:
         f'file="{node(form)}.{TARGETS[target]}" function="{node(form)}" target="{target}" />\n' for form in FORMS))
 
 
+def interface() -> Iterator[tuple[str, str]]:
+    """As of ship.blender."""
+    for form in FORMS:
+        for one in inputs(form):
+            usual = re.search(r'(?:value|defaultgeomprop)="([^"]*)"', one.said)
+            yield f"{node(form)}.{one.name}", f"{TYPES[one.type]} {usual[1]}"
+        output = re.search(r'<output name="(\w+)" type="(\w+)"', declared(form))
+        yield f"{node(form)}.{output[1]}", f"output {output[2]}"
+
+
 def node_table() -> str:
     return table(("node", "inputs", "`out`"),
                  [(f"`{node(form)}`", ", ".join(f"`{one.name}`" for one in inputs(form)), TYPES[forms()[form].type])
                   for form in FORMS])
+
+
+def tables() -> list[tuple[str, str, str]]:
+    """As of ship.readme."""
+    return [("packages/materialx/README.md", "tools/make readme: nodes", node_table())]
 
 
 @cache

@@ -1,0 +1,156 @@
+"""Each piece of base.pieces can be deleted, and all of them: the rest works.
+
+    python3 -B -m check.commands.pieces_test FOLDER [PIECE...]     makes copies of the tree in the folder, in an hour
+
+Without each piece a copy is configured, each test that is registered has its files, all modules of Python are imported,
+and the tests of LISTS pass. Without all pieces, and with a PIECE in place of that without this one, a copy is built and
+passes all its tests.
+
+Exit status: 0 it works, 1 it does not.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from unittest import mock
+
+from base import pieces
+from base.pieces import PIECES
+from base.tree import ROOT, files
+
+CONTRIBUTING = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
+# They read lists of files, links, rooms, and what packages have.
+LISTS = ("base.rooms_test", "catalog.catalog_test", "check.frozen.interface_test.Interface.test_the_library_is_as_in_the_committed_table",
+         "check.make.make_test.Table", "ship.packing_test", "ship.readme.readme_test.Readme", "ship.website.website_test")
+IMPORTS = """
+import importlib, pathlib
+rooms = {path.name for path in pathlib.Path().iterdir()}
+for path in sorted(pathlib.Path().rglob("*.py")):
+    try:
+        importlib.import_module(".".join(path.with_suffix("").parts))
+    except ModuleNotFoundError as error:
+        if error.name.split(".")[0] in rooms:
+            print(f"{path}: {error}")
+    except SystemExit:
+        pass  # it is a program
+"""
+
+
+def copy(names: Iterable[str], folder: Path) -> Path:
+    """The tree without these pieces, in a folder that keeps the build of an earlier copy."""
+    gone = {file for name in names for file in pieces.files_of(name, files())}
+    for path in folder.glob("*"):
+        if path.name != "build":
+            shutil.rmtree(path) if path.is_dir() else path.unlink()
+    for file in files():
+        if file not in gone:
+            (folder / file).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / file, folder / file)
+    return folder
+
+
+def run(command: Sequence[str | Path], folder: Path) -> list[str]:
+    """The output of a command that fails."""
+    done = subprocess.run(command, cwd=folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    return done.stdout.splitlines() if done.returncode else []
+
+
+def configured(tree: Path) -> list[str]:
+    return run(["cmake", "-S", ".", "-B", "build", "-G", "Ninja"], tree)
+
+
+def lost_tests(tree: Path) -> list[str]:
+    """Files and modules of registered tests that are not there."""
+    shown = subprocess.run(["ctest", "--show-only=json-v1", "-C", "Thorough"], cwd=tree / "build", capture_output=True,
+                           check=True).stdout
+    lost = []
+    for test in json.loads(shown)["tests"]:
+        words = test.get("command", [])
+        modules = [word for option, word in zip(words, words[1:]) if option == "-m" and "." in word]
+        paths = [tree / "tools" / "lib" / f"{module.replace('.', '/')}.py" for module in modules]
+        paths += [Path(word) for word in words if word.startswith(f"{tree}/") and not word.startswith(f"{tree}/build/")]
+        lost += [f"{test['name']}: there is no {path}" for path in paths if not path.exists()]
+    return lost
+
+
+def python(tree: Path, *arguments: str) -> list[str]:
+    command = [tree / "tools" / "lib" / "base" / "scientific-python", "--with", "jinja2,numpy,scipy", "-B", *arguments]
+    return run(command, tree / "tools" / "lib")
+
+
+def imported(tree: Path) -> list[str]:
+    done = subprocess.run([tree / "tools" / "lib" / "base" / "scientific-python", "--with", "jinja2,numpy,scipy", "-c",
+                           IMPORTS], cwd=tree / "tools" / "lib", capture_output=True, text=True, check=False)
+    return [*done.stdout.splitlines(), *(done.stderr.splitlines() if done.returncode else [])]
+
+
+def listed(tree: Path, tests: Sequence[str] = LISTS) -> list[str]:
+    return python(tree, "-m", "unittest", *tests)
+
+
+class Table(unittest.TestCase):
+    def test_each_path_is_there(self) -> None:
+        for name, paths in PIECES.items():
+            if not pieces.is_deleted(name):
+                for path in paths:
+                    self.assertTrue((ROOT / path).exists() or pieces.was_deleted(path), f"{name}: {path}")
+
+    def test_a_page_was_deleted_if_its_piece_was(self) -> None:
+        self.assertFalse(pieces.was_deleted("docs/guide/no-such-page.md"))
+        with mock.patch.dict(PIECES, {"gone": ("docs/guide/no-such-page.md", "no-such-folder")}):
+            for path in ("docs/guide/no-such-page.md", "no-such-folder/README.md"):
+                self.assertTrue(pieces.was_deleted(path))
+            self.assertFalse(pieces.was_deleted("docs/guide/no-such-page.mds"))
+        with mock.patch.dict(PIECES, {"there": ("docs/guide/no-such-page.md", "tools/pick")}):
+            self.assertFalse(pieces.was_deleted("docs/guide/no-such-page.md"))
+
+    @unittest.skipIf(any(map(pieces.is_deleted, PIECES)), "something was deleted")
+    def test_the_page_has_the_size_of_the_rest(self) -> None:
+        """Within a twentieth, so that not each change changes the page."""
+        said, now = (list(map(int, re.search(r"([\d,]+) lines of code,? (?:and )?([\d,]+) of tests", text.replace(",", ""))
+                              .groups())) for text in (CONTRIBUTING, pieces.lines_of(pieces.rest())))
+        for one, other in zip(said, now, strict=True):
+            self.assertLess(abs(one - other), other / 20, f"CONTRIBUTING.md states {said}, and it is {now}")
+
+
+@unittest.skipUnless(__name__ == "__main__", "the test commands.pieces makes copies")
+class Copies(unittest.TestCase):
+    folder: Path
+    whole: Sequence[str] = ()  # pieces
+
+    def test_without_each(self) -> None:
+        for name in () if self.whole else PIECES:
+            with self.subTest(name):
+                tree = copy([name], self.folder / "one")
+                for found in (configured(tree) or lost_tests(tree), imported(tree), listed(tree)):
+                    self.assertEqual(found, [], "\n".join(found))
+
+    def test_the_whole_without_some(self) -> None:
+        for names in map(list, self.whole) if self.whole else [[*PIECES]]:
+            found = run([copy(names, self.folder / "whole") / "tools" / "test"], self.folder / "whole")
+            self.assertEqual(found, [], "\n".join(found))
+
+    @unittest.skipUnless(not whole, "pieces were named")
+    def test_something_that_the_rest_needs(self) -> None:
+        for path, look, said in (("conformance/report", configured, "The room cli cannot see report"),
+                                 ("tools/lib/translate/names.py", imported, "No module named 'translate.names'"),
+                                 ("examples/examples_test.py", lambda tree: configured(tree) or lost_tests(tree),
+                                  "examples.webgl: there is no "),
+                                 ("docs/guide/random.md", lambda tree: listed(tree, ["ship.readme.readme_test.Readme"]),
+                                  "README.md: docs/guide/random.md")):
+            with self.subTest(path), mock.patch.dict(PIECES, {"needed": (path,)}):
+                self.assertIn(said, "\n".join(look(copy(["needed"], self.folder / "one"))))
+
+
+if __name__ == "__main__":
+    Copies.folder, Copies.whole = Path(sys.argv[1]).resolve(), [[name] for name in sys.argv[2:]]
+    for name in ("one", "whole"):
+        (Copies.folder / name).mkdir(parents=True, exist_ok=True)
+    unittest.main(argv=sys.argv[:1], verbosity=2)
