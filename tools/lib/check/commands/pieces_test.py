@@ -38,8 +38,8 @@ for path in sorted(pathlib.Path().rglob("*.py")):
     except ModuleNotFoundError as error:
         if error.name.split(".")[0] in rooms:
             print(f"{path}: {error}")
-    except SystemExit:
-        pass  # it is a program
+    except (IndexError, SystemExit):
+        pass  # it is a program, without arguments
 """
 
 
