@@ -65,8 +65,9 @@ def was_deleted(path: str) -> bool:
 
 def rest() -> list[str]:
     """The files that are left without all pieces."""
-    gone = {file for name in PIECES for file in files_of(name, files())}
-    return [file for file in files() if file not in gone]
+    found = files()
+    gone = {file for name in PIECES for file in files_of(name, found)}
+    return [file for file in found if file not in gone]
 
 
 def lines_of(names: Iterable[str]) -> str:

@@ -2,22 +2,24 @@
 
     python3 -B -m check.commands.pieces_test FOLDER [PIECE...]     makes copies of the tree in the folder, in an hour
 
-Without each piece a copy is configured, each test that is registered has its files, all modules of Python are imported,
-and the tests of LISTS pass. Without all pieces, and with a PIECE in place of that without this one, a copy is built and
-passes all its tests.
+By default no module of Python imports one of a piece. In copies: without each piece a copy is configured, each test that
+is registered has its files, and the tests of LISTS pass; without all pieces, and with a PIECE in place of that without
+this one, a copy is built and passes all its tests.
 
 Exit status: 0 it works, 1 it does not.
 """
 
 from __future__ import annotations
 
+import ast
+import functools
 import json
 import re
 import shutil
 import subprocess
 import sys
 import unittest
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from unittest import mock
 
@@ -29,18 +31,33 @@ CONTRIBUTING = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
 # They read lists of files, links, rooms, and what packages have.
 LISTS = ("base.rooms_test", "catalog.catalog_test", "check.frozen.interface_test.Interface.test_the_library_is_as_in_the_committed_table",
          "check.make.make_test.Table", "ship.packing_test", "ship.readme.readme_test.Readme", "ship.website.website_test")
-IMPORTS = """
-import importlib, pathlib
-rooms = {path.name for path in pathlib.Path().iterdir()}
-for path in sorted(pathlib.Path().rglob("*.py")):
-    try:
-        importlib.import_module(".".join(path.with_suffix("").parts))
-    except ModuleNotFoundError as error:
-        if error.name.split(".")[0] in rooms:
-            print(f"{path}: {error}")
-    except (IndexError, SystemExit):
-        pass  # it is a program, without arguments
-"""
+
+
+def outer_imports(text: str) -> Iterator[str]:
+    """The modules that a module imports when it is imported, and names in them."""
+    left: list[ast.AST] = [*ast.parse(text).body]
+    while left:
+        node = left.pop()
+        if isinstance(node, ast.ImportFrom):
+            yield from (node.module or "", *(f"{node.module}.{name.name}" for name in node.names))
+        elif isinstance(node, ast.Import):
+            yield from (name.name for name in node.names)
+        elif not isinstance(node, ast.FunctionDef) and getattr(getattr(node, "test", None), "id", "") != "TYPE_CHECKING":
+            left += [child for child in ast.iter_child_nodes(node) if isinstance(child, ast.stmt)]
+
+
+@functools.cache
+def modules() -> dict[str, set[str]]:
+    return {name: {*outer_imports((ROOT / name).read_text(encoding="utf-8"))}
+            for name in files() if name.startswith("tools/lib/") and name.endswith(".py")}
+
+
+def needed(piece: str) -> list[str]:
+    """The imports of modules of a piece by others. An import in a function is for code that runs where there is one."""
+    inside = pieces.files_of(piece, modules())
+    names = {name.removeprefix("tools/lib/").removesuffix(".py").replace("/", ".") for name in inside}
+    return [f"{file} imports {name}" for file, imported in modules().items() if file not in inside
+            for name in sorted(names & imported)]
 
 
 def copy(names: Iterable[str], folder: Path) -> Path:
@@ -80,19 +97,9 @@ def lost_tests(tree: Path) -> list[str]:
     return lost
 
 
-def python(tree: Path, *arguments: str) -> list[str]:
-    command = [tree / "tools" / "lib" / "base" / "scientific-python", "--with", "jinja2,numpy,scipy", "-B", *arguments]
-    return run(command, tree / "tools" / "lib")
-
-
-def imported(tree: Path) -> list[str]:
-    done = subprocess.run([tree / "tools" / "lib" / "base" / "scientific-python", "--with", "jinja2,numpy,scipy", "-c",
-                           IMPORTS], cwd=tree / "tools" / "lib", capture_output=True, text=True, check=False)
-    return [*done.stdout.splitlines(), *(done.stderr.splitlines() if done.returncode else [])]
-
-
 def listed(tree: Path, tests: Sequence[str] = LISTS) -> list[str]:
-    return python(tree, "-m", "unittest", *tests)
+    return run([tree / "tools/lib/base/scientific-python", "--with", "jinja2,numpy,scipy", "-B", "-m", "unittest", *tests],
+               tree / "tools" / "lib")
 
 
 class Table(unittest.TestCase):
@@ -111,6 +118,12 @@ class Table(unittest.TestCase):
         with mock.patch.dict(PIECES, {"there": ("docs/guide/no-such-page.md", "tools/pick")}):
             self.assertFalse(pieces.was_deleted("docs/guide/no-such-page.md"))
 
+    def test_nothing_imports_a_piece(self) -> None:
+        for name in PIECES:
+            self.assertEqual(needed(name), [])
+        with mock.patch.dict(PIECES, {"needed": ("tools/lib/translate/names.py",)}):
+            self.assertIn("tools/lib/translate/wgsl/module.py imports translate.names", needed("needed"))
+
     @unittest.skipIf(any(map(pieces.is_deleted, PIECES)), "something was deleted")
     def test_the_page_has_the_size_of_the_rest(self) -> None:
         """Within a twentieth, so that not each change changes the page."""
@@ -123,34 +136,34 @@ class Table(unittest.TestCase):
 @unittest.skipUnless(__name__ == "__main__", "the test commands.pieces makes copies")
 class Copies(unittest.TestCase):
     folder: Path
-    whole: Sequence[str] = ()  # pieces
+    named: Sequence[str] = ()
 
     def test_without_each(self) -> None:
-        for name in () if self.whole else PIECES:
+        for name in () if self.named else PIECES:
             with self.subTest(name):
                 tree = copy([name], self.folder / "one")
-                for found in (configured(tree) or lost_tests(tree), imported(tree), listed(tree)):
+                for found in (configured(tree) or lost_tests(tree), listed(tree)):
                     self.assertEqual(found, [], "\n".join(found))
 
-    def test_the_whole_without_some(self) -> None:
-        for names in map(list, self.whole) if self.whole else [[*PIECES]]:
-            found = run([copy(names, self.folder / "whole") / "tools" / "test"], self.folder / "whole")
-            self.assertEqual(found, [], "\n".join(found))
+    def test_the_whole(self) -> None:
+        for names in [[name] for name in self.named] or [[*PIECES]]:
+            with self.subTest(names):
+                tree = copy(names, self.folder / "whole")
+                self.assertEqual(found := run([tree / "tools" / "test"], tree), [], "\n".join(found))
 
-    @unittest.skipUnless(not whole, "pieces were named")
     def test_something_that_the_rest_needs(self) -> None:
-        for path, look, said in (("conformance/report", configured, "The room cli cannot see report"),
-                                 ("tools/lib/translate/names.py", imported, "No module named 'translate.names'"),
-                                 ("examples/examples_test.py", lambda tree: configured(tree) or lost_tests(tree),
-                                  "examples.webgl: there is no "),
-                                 ("docs/guide/random.md", lambda tree: listed(tree, ["ship.readme.readme_test.Readme"]),
-                                  "README.md: docs/guide/random.md")):
+        for path, look, said in () if self.named else (
+                ("conformance/report", configured, "The room cli cannot see report"),
+                ("examples/examples_test.py", lambda tree: configured(tree) or lost_tests(tree),
+                 "examples.webgl: there is no "),
+                ("docs/guide/random.md", lambda tree: listed(tree, ["ship.readme.readme_test.Readme"]),
+                 "README.md: docs/guide/random.md")):
             with self.subTest(path), mock.patch.dict(PIECES, {"needed": (path,)}):
                 self.assertIn(said, "\n".join(look(copy(["needed"], self.folder / "one"))))
 
 
 if __name__ == "__main__":
-    Copies.folder, Copies.whole = Path(sys.argv[1]).resolve(), [[name] for name in sys.argv[2:]]
+    Copies.folder, Copies.named = Path(sys.argv[1]).resolve(), sys.argv[2:]
     for name in ("one", "whole"):
         (Copies.folder / name).mkdir(parents=True, exist_ok=True)
     unittest.main(argv=sys.argv[:1], verbosity=2)
