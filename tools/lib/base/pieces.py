@@ -1,7 +1,6 @@
 """The pieces that can be deleted, each alone and all together: the rest configures, builds and passes its tests.
 
-    python3 -B -m base.pieces              lists the pieces, their paths, and what is left without them
-    python3 -B -m base.pieces NAME...      only prints the paths of these, for rm -r
+    python3 -B -m base.pieces     lists the pieces, their sizes and paths, and the size of the rest without them
 
 check.commands.pieces_test tests it. A piece registers its tests in a tests.cmake of its own and is otherwise found by its files; so
 this table is all that names it. Pages that stay may link to its pages.
@@ -10,7 +9,6 @@ this table is all that names it. Pages that stay may link to its pages.
 from __future__ import annotations
 
 import re
-import sys
 from collections.abc import Iterable
 
 from base.tree import ROOT, files
@@ -79,18 +77,11 @@ def lines_of(names: Iterable[str]) -> str:
     return f"{counts[0]:,} lines of code, {counts[1]:,} of tests"
 
 
-def main(names: list[str]) -> int:
-    if unknown := [name for name in names if name not in PIECES]:
-        print(f"base.pieces: there is no piece {unknown[0]}; there are {', '.join(PIECES)}", file=sys.stderr)
-        return 2
-    for name in names:
-        print(*PIECES[name])
-    if not names:
-        for name in PIECES:
-            print(f"{name}: {lines_of(files_of(name, files()))}\n    {' '.join(PIECES[name])}")
-        print(f"without them all: {lines_of(rest())}")
-    return 0
+def main() -> None:
+    for name in PIECES:
+        print(f"{name}: {lines_of(files_of(name, files()))}\n    {' '.join(PIECES[name])}")
+    print(f"without them all: {lines_of(rest())}")
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    main()

@@ -60,11 +60,6 @@ def node_table() -> str:
                  [(name, ", ".join(of), others, kind) for (name, others, kind), of in sizes.items()])
 
 
-def tables() -> list[tuple[str, str, str]]:
-    """As of ship.readme."""
-    return [("packages/blender/README.md", "tools/make readme: nodes", node_table())]
-
-
 def interface() -> Iterator[tuple[str, str]]:
     """The names that stay from 1.0 on, with their meaning: rows of conformance/expected/interface.csv."""
     for form in FORMS:

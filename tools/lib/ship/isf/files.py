@@ -101,11 +101,6 @@ def node_table() -> str:
                   for name, look in LOOKS.items()])
 
 
-def tables() -> list[tuple[str, str, str]]:
-    """As of ship.readme."""
-    return [("packages/isf/README.md", "tools/make readme: looks", node_table())]
-
-
 @cache
 def package() -> dict[str, str]:
     """All files, by their paths."""

@@ -217,11 +217,6 @@ def node_table() -> str:
                   for form in FORMS])
 
 
-def tables() -> list[tuple[str, str, str]]:
-    """As of ship.readme."""
-    return [("packages/materialx/README.md", "tools/make readme: nodes", node_table())]
-
-
 @cache
 def package() -> dict[str, str]:
     """All files, by their paths."""

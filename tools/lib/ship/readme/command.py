@@ -17,9 +17,9 @@ from __future__ import annotations
 import importlib
 import re
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
-from base.modules import LIB
+from base.pieces import is_deleted
 from base.tree import ROOT
 from base.usage import Parser
 from catalog.tables.markdown import with_section
@@ -33,11 +33,20 @@ ENGINES = "docs/guide/engines.md"
 SIZE = re.compile(r"(--strip --out noise\.glsl`, )\d+ kB")  # of the whole library, in the README
 
 
-def of_pieces(what: str) -> Iterator:
-    """The results of this function of the tables of measurements, and of the files of packages, if they have one."""
-    for path in sorted([*LIB.glob("measure/tables.py"), *LIB.glob("ship/*/files.py")]):
-        module = importlib.import_module(".".join(path.relative_to(LIB).with_suffix("").parts))
-        yield from getattr(module, what, list)()
+def of_measuring(part: str) -> Iterable:
+    """The tables of records, or the quotes of them."""
+    if is_deleted("measuring"):
+        return ()
+    from measure import tables as of_records
+    return getattr(of_records, part)()
+
+
+def of_packages() -> Iterator[tuple[str, str, str]]:
+    """The tables of nodes on the pages of packages."""
+    for path in sorted((ROOT / "tools" / "lib" / "ship").glob("*/files.py")):
+        module = importlib.import_module(f"ship.{path.parent.name}.files")
+        if hasattr(module, "node_table"):
+            yield f"packages/{path.parent.name}/README.md", "tools/make readme: nodes", module.node_table()
 
 
 def tables() -> list[tuple[str, str, str]]:
@@ -56,7 +65,7 @@ def tables() -> list[tuple[str, str, str]]:
             (LANGUAGES, "tools/make readme: picks", files.picks_table()),
             (LANGUAGES, "tools/make readme: files", files.files_table()),
             (ENGINES, "tools/make readme: nodes", files.nodes_table()), *of_programs,
-            *of_pieces("tables")]
+            *of_packages(), *of_measuring("tables")]
 
 
 def problems(check: bool) -> list[str]:
@@ -76,7 +85,7 @@ def problems(check: bool) -> list[str]:
     elif right != readme:
         found.append(f"{README}: the size of the single file is not what it should be; run tools/make readme")
     found += [f"{README}: it must state {quote!r}"
-              for quote in (numbers.golden_quote(), *of_pieces("quotes"))
+              for quote in (numbers.golden_quote(), *of_measuring("quotes"))
               if quote not in readme]
     return found
 

@@ -51,11 +51,6 @@ def node_table() -> str:
                    shown(PORTS[forms()[form].type])) for form in NODES])
 
 
-def tables() -> list[tuple[str, str, str]]:
-    """As of ship.readme."""
-    return [("packages/unity/README.md", "tools/make readme: nodes", node_table())]
-
-
 def interface() -> Iterator[tuple[str, str]]:
     """As of ship.blender."""
     return ((bare(form), "") for form in SCRIPTS)

@@ -39,11 +39,6 @@ def node_table() -> str:
                   for key, of in sizes.items()])
 
 
-def tables() -> list[tuple[str, str, str]]:
-    """As of ship.readme."""
-    return [("packages/unreal/README.md", "tools/make readme: nodes", node_table())]
-
-
 def interface() -> Iterator[tuple[str, str]]:
     """As of ship.blender."""
     return ((f"{bare(form)} {arithmetic}", f"{code(form, arithmetic)} {output(form)}")
