@@ -69,7 +69,7 @@ def copy(names: Iterable[str], folder: Path) -> Path:
     for file in files():
         if file not in gone:
             (folder / file).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(ROOT / file, folder / file)
+            shutil.copy2(ROOT / file, folder / file)  # of the same age, so that little is built anew
     return folder
 
 
