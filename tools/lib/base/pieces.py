@@ -42,9 +42,9 @@ PIECES: dict[str, tuple[str, ...]] = {
     **{f"pick-{name}": (f"tools/lib/translate/pick/{name}.py",) for name in ("go", "java")},
     "pick-csharp": ("tools/lib/translate/pick/csharp.py", "packages/unity", "tools/lib/ship/unity", "tools/lib/ship/heights"),
     "pick-rust": ("tools/lib/translate/pick/rust.py", "packages/rust", "tools/lib/ship/rust"),
-    "pick-verilog": ("examples/silicon", "tools/lib/measure/silicon", "docs/measured/silicon.md",
-                *(f"tools/lib/translate/pick/{name}" for name in (
-                    "circuit.py", "verilog.py", "verilog.cmake", "verilog_bench.py", "verilog_test.py"))),
+    "pick-verilog": ("examples/silicon", "docs/measured/silicon.md",
+                     *(f"tools/lib/translate/pick/{name}" for name in (
+                         "circuit.py", "verilog.py", "verilog.cmake", "verilog_bench.py", "verilog_test.py"))),
 }
 
 

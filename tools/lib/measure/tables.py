@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from pathlib import Path
 
 from catalog.tables.markdown import table
 from measure import cpu, fills, neon, record, stamps
@@ -21,12 +20,10 @@ Costs = Mapping[str, Mapping[str, str]]  # the rows of bench.csv, by id
 KNOBS = "docs/reference/knobs.md"
 MEASURING = "docs/measured/measuring.md"
 DEFAULT_HASH = "docs/measured/default-hash.md"
-OPERATIONS = "docs/measured/gpu-operations.md"
 HASHES = "docs/measured/hashes.md"
 QUALITY = "docs/measured/quality.md"
 JUDGE = "docs/measured/judge.md"
 UNIFORM = "docs/guide/uniform.md"
-SILICON = Path(__file__).with_name("silicon")
 RECORDS = "docs/measured/results/README.md"
 
 NOISES = {  # in the table, by the end of its ids
@@ -63,32 +60,32 @@ def cost_table(rows: Costs, count: str, whose: str) -> str:
 
 
 def form_table(rows: Costs) -> str:
-    """The cost of each noise, by its dimensions and arithmetic."""
-    def cells(form: str, arithmetic: str) -> list[str]:
-        found = [rows.get(f"noise{n}d.{form}.lattice{arithmetic}") for n in range(1, 5)]
-        return [_cost(row) if row else "" for row in found]
+    """The cost of each noise, by its dimensions: with floats / fixed."""
+    def cell(form: str, axes: int) -> str:
+        ids = [f"noise{axes}d.{form}.lattice{arithmetic}" for arithmetic in ("", "+fixed")]
+        return " / ".join(_cost(rows[id]) for id in ids if id in rows)
 
-    lines = [[f"`hn_{form}`" if not arithmetic else f"`hn_{form}`, {arithmetic[1:]}", *cells(form, arithmetic)]
-             for form in FORMS for arithmetic in ("", "+fixed")]
-    return table(("noise", "1D", "2D", "3D", "4D"), lines)
+    return table(("noise", "1D", "2D", "3D", "4D"),
+                 [[f"`hn_{form}`", *(cell(form, axes) for axes in range(1, 5))] for form in FORMS])
 
 
-def peer_table(rows: Costs) -> str:
-    """Ours beside other libraries', from peers.csv."""
+def peer_table(*machines: Costs) -> str:
+    """Ours beside other libraries', from the peers.csv of each machine."""
+    def cell(id: str) -> str:
+        return ", ".join(_cost(rows[id]) for rows in machines)
+
     lines = []
     for noise in dict.fromkeys(call.noise for call in CALLS):
         calls = {call.peer: call for call in CALLS if call.noise == noise}
         ours = next(iter(calls.values())).ours
-        lines.append([noise, _cost(rows[f"{ours}.lattice"]),
-                      *(_cost(rows[f"{subject(calls[peer.option])}{dimensions(calls[peer.option])}"])
+        lines.append([noise, cell(f"{ours}.lattice"),
+                      *(cell(f"{subject(calls[peer.option])}{dimensions(calls[peer.option])}")
                         if peer.option in calls else "" for peer in PEERS)])
     return table(("noise", "hashnoise", *(peer.title for peer in PEERS)), lines)
 
 
 def _cost(row: Mapping[str, str]) -> str:
-    """The ratio, and the instructions on NAVI21 where they were counted."""
-    ratio = f"{float(row['ratio']):.2f}"
-    return f"{ratio} · {row['navi21']}" if row["navi21"].isdigit() else ratio
+    return f"{float(row['ratio']):.2f}"
 
 
 def quotes() -> list[str]:
@@ -132,21 +129,19 @@ def _of_theirs(rows: Costs, noise: str) -> float:
 
 
 def tables() -> Iterator[tuple[str, str, str]]:
-    """As of ship.readme."""
+    """Made parts of pages: the page, the name of the marks, and the table."""
     rows = costs(CPU)
-    found = [
-        (MEASURING, "costs", cost_table(rows, "navi21", "on AMD's NAVI21"), "llvmpipe/bench.csv"),
+    yield from ((page, f"tools/make readme: {name}", made + stamps.note(of)) for page, name, made, of in (
+        (MEASURING, "costs", cost_table(rows, "spirv", "of SPIR-V"), "llvmpipe/bench.csv"),
         (MEASURING, "costs on a GPU",
          cost_table(costs(GPU), "nvidia", "of NVIDIA's assembly"), "h100/bench.csv"),
         (MEASURING, "costs by compilers", of_gpus.chip_table(of_gpus.costs()), "gpu/costs.csv"),
         (KNOBS, "costs of arithmetics", of_gpus.arithmetics_quote(of_gpus.costs()), "gpu/costs.csv"),
         (DEFAULT_HASH, "costs of the hash", of_gpus.titled_table(of_gpus.costs(), of_gpus.HASHED),
          "gpu/costs.csv"),
-        (OPERATIONS, "operations", of_gpus.operation_table(of_gpus.operation_costs()), "gpu/operations.csv"),
         (UNIFORM, "uniform", of_uniform.page_table(of_uniform.read()), "uniform.csv"),
         (MEASURING, "noises", form_table(rows), "llvmpipe/bench.csv"),
         (MEASURING, "compile times", of_compilers.page_table(of_compilers.record()), "llvmpipe/compile.csv"),
-        (MEASURING, "peers", peer_table(peer_costs(CPU)), "llvmpipe/peers.csv"),
         (MEASURING, "packages for Python", package_table(package_costs("python")),
          "cpu/python.csv"),
         *((MEASURING, f"crates on {target}",
@@ -155,16 +150,13 @@ def tables() -> Iterator[tuple[str, str, str]]:
         *((MEASURING, f"grids by {title}", cpu.page_table(record.read(fills.RESULTS / name).rows), f"cpu/{name}")
           for title, name in (("GCC", "gcc.csv"), ("Clang", "clang.csv"))),
         (MEASURING, "NEON", neon.page_table(record.read(fills.RESULTS / "neon.csv").rows), "cpu/neon.csv"),
-        (MEASURING, "peers on a GPU", peer_table(peer_costs(GPU)), "h100/peers.csv"),
         (HASHES, "hashes", hashes.pasted_table(hashes.record("hashes.csv")), "hashes.csv"),
         *((QUALITY, name, make(hashes.record(of)), of) for name, make, of in (
             ("hashes of the library", hashes.hash_table, "quality.csv"),
             ("controls", hashes.control_table, "quality.csv"),
             ("looks", hashes.look_table, "directions.csv"),
             ("traces", hashes.trace_table, "directions.csv"))),
-        (JUDGE, "judged", of_noises.judge_table(of_noises.read()), "judged.csv")]
-    if SILICON.is_dir():  # it is Verilog's, which can be deleted
-        from measure.silicon import command as of_circuits
-        found.append(("docs/measured/silicon.md", "circuits", of_circuits.table(of_circuits.read()), "silicon.csv"))
-    yield from ((page, f"tools/make readme: {name}", made + stamps.note(of)) for page, name, made, of in found)
+        (JUDGE, "judged", of_noises.judge_table(of_noises.read()), "judged.csv")))
+    notes = "".join(stamps.note(f"{machine}/peers.csv") for machine in (CPU, GPU))
+    yield MEASURING, "tools/make readme: peers", peer_table(peer_costs(CPU), peer_costs(GPU)) + notes
     yield RECORDS, "tools/make readme: records", stamps.records_table()

@@ -52,9 +52,6 @@ def of_packages() -> Iterator[tuple[str, str, str]]:
 def tables() -> list[tuple[str, str, str]]:
     """Made parts of pages: the page, the name of the marks, and the table."""
     typical = numbers.typical()
-    # Of all languages; nobody looks where one was deleted.
-    of_programs = ([(LANGUAGES, "tools/make readme: picked for programs", files.picked_for_programs())]
-                   if {"csharp", "go", "java", "rust"} < {*files.SYNTAXES} else [])
     return [(NOISES, "tools/make readme: values", numbers.typical_table(typical, numbers.COMMON)),
             (SUMS, "tools/make readme: typical values of sums", numbers.typical_table(typical, numbers.SUMS)),
             (SUMS, "tools/make readme: typical values of sums in 1D and 4D",
@@ -64,7 +61,9 @@ def tables() -> list[tuple[str, str, str]]:
             (LANGUAGES, "tools/make readme: picked in WGSL", files.picked_text("hn_lattice2", "wgsl")),
             (LANGUAGES, "tools/make readme: picks", files.picks_table()),
             (LANGUAGES, "tools/make readme: files", files.files_table()),
-            (ENGINES, "tools/make readme: nodes", files.nodes_table()), *of_programs,
+            (ENGINES, "tools/make readme: nodes", files.nodes_table()),
+            *([] if is_deleted("pick-rust") else [
+                (LANGUAGES, "tools/make readme: picked in Rust", files.picked_text("hn_lattice2", "rust"))]),
             *of_packages(), *of_measuring("tables")]
 
 

@@ -18,6 +18,7 @@ from base.tree import ROOT, TOOLS
 from catalog.tables import glsl
 from ship.readme import command, files, numbers, picture
 from ship.recipes import RECIPES
+from translate.pick.command import SYNTAXES
 
 PAGES = ("README.md", "llms.txt", "docs/guide/build-systems.md", "docs/guide/cellular.md", "docs/guide/cpu.md", "docs/guide/hex-tiling.md",
          "docs/reference/knobs.md", "docs/guide/moving.md", "docs/reference/noises.md", "docs/guide/random.md", "docs/guide/same-bits.md", "docs/reference/fractals.md",
@@ -149,15 +150,12 @@ class Numbers(unittest.TestCase):
         peers["fbm.fbm2.lattice"] = {**peers["fbm.fbm2.lattice"], "ratio": "9.999"}
         gpus = {**of_gpus.costs()}
         gpus["noise2d.perlin.lattice", "m1"] = gpus["noise2d.perlin.lattice", "m1"]._replace(cost="9999")
-        prices = [{**row, "alone": "99.00"} for row in of_gpus.operation_costs()]
-        with mock.patch.object(of_gpus, "operation_costs", return_value=prices), \
-                mock.patch.object(of_gpus, "costs", return_value=gpus), \
+        with mock.patch.object(of_gpus, "costs", return_value=gpus), \
                 mock.patch.object(tables, "costs", return_value=costs), \
                 mock.patch.object(tables, "peer_costs", return_value=peers):
             status, output = self.check()
         self.assertEqual(status, 1)
         self.assertRegex(output, r"docs/measured/measuring\.md: a table is not what it should be")
-        self.assertRegex(output, r"docs/measured/gpu-operations\.md: a table is not what it should be")
         self.assertRegex(output, r"README\.md: it must state \".* a quarter \(0\.36 and ")
 
     @unittest.skipIf(is_deleted("measuring"), "measuring was deleted")
@@ -168,7 +166,7 @@ class Numbers(unittest.TestCase):
             for renderer in (tables.CPU, tables.GPU):
                 record = pathlib.Path(folder) / renderer / "bench.csv"
                 record.parent.mkdir()
-                record.write_text("id,ratio,navi21,nvidia\n")
+                record.write_text("id,ratio,spirv,nvidia\n")
             with mock.patch.object(tables, "RESULTS", pathlib.Path(folder)), self.assertRaises(SystemExit) as stop:
                 self.check()
             self.assertEqual(stop.exception.code, 2)
@@ -260,7 +258,7 @@ class ForMachines(unittest.TestCase):
         rows = dict(re.findall(r"^\| ([A-Z][\w+#, ]*) \| `(.*)` \|$", self.text, re.MULTILINE))
         for heading, language in (("Rust", "rust"), ("C#", "csharp"), ("C", "c"), ("Java", "java"), ("Go", "go"),
                                   ("JavaScript, TypeScript", "javascript"), ("JavaScript, TypeScript", "typescript")):
-            if language not in files.SYNTAXES:
+            if language not in SYNTAXES:
                 continue
             with self.subTest(language):
                 name, arguments = re.fullmatch(r"(?:\w+\.)?(\w+)\((.*)\)", rows[heading]).groups()
