@@ -11,7 +11,6 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from base.pieces import is_deleted
 from base.tree import ROOT
 from catalog import command, copies, grid, parameters, sections, shaders, suite
 from catalog.model import CATALOG, CatalogError, read
@@ -68,14 +67,11 @@ class Made(unittest.TestCase):
                 if "__init__.pyi" in made:  # the package can be deleted
                     module = made["_sums.py" if function in catalog.sums else "_noises.py"]
                     self.assertRegex(made["__init__.pyi"], rf"(?m)^def {function.name}\(")
-                    self.assertRegex(module, rf"(?m)^def {function.name}\(")
+                    self.assertRegex(module, rf"(?m)^{function.name} = _")
                 self.assertIn(f'.call = "hn_{function.name}(p', suite.files()["library/functions.inc"])
                 self.assertIn(f"HN_ONLY_TYPES_OF_GLSL(hn_{function.name})\n", made["hashnoise.hpp"])
                 if getattr(function, "step", "") not in ("", "eroded"):
                     self.assertRegex(made["fbm2d.glsl"], rf"(?m)^HN_FN hn_float hn_i_{function.name}\(hn_octaves2 o")
-                if not is_deleted("python"):
-                    module = made["_sums.py" if function in catalog.sums else "_noises.py"]
-                    self.assertRegex(module, rf"(?m)^{function.name} = _")
 
     def test_rows_of_the_suite(self):
         fbm, ping_pong, warp = (next(sum_ for sum_ in read().sums if sum_.name == name)
