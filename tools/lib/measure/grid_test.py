@@ -10,10 +10,10 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+from base.elsewhere import NEON, Build, Failed, Place, output_of
 from base.testing import Case, called
 from base.tree import ROOT
 from measure import cpu, fills, neon, stamps
-from measure.elsewhere import NEON, Build, Failed, Place, output_of
 
 ATTEMPTS = 5  # other programs on the machine can spoil a measurement, but hardly every time
 FOLDER = Path()
@@ -118,7 +118,7 @@ class ByAStandIn(Fills):
         self.assertEqual(status, 0, printed)
         row, = self.rows("neon.csv")
         self.assertEqual(list(row.values())[:5], ["cellular3", "1", "1", "1", "2.5"])
-        self.assertIn("| `cellular3` | 1.00 | 1.00 | 1.00 | 2.50 | 2.50 | 1.00 | 1.00 |", neon.page_table([row]))
+        self.assertIn("| `cellular3` | 1.00 | 1.00 | 1.00 | 2.50 | 2.50 |", neon.page_table([row]))
 
     def test_what_cannot_be_counted_or_built(self) -> None:
         with mock.patch.dict(os.environ, EACH="0"):
