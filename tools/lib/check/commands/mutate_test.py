@@ -176,7 +176,7 @@ class Sweep(Case):
 
     def test_the_verdicts(self):
         """How hn-conform ends, and then the status of the command, and a text that it prints so often."""
-        thorough, uncounted = ("--thorough", "--jobs", "1"), "the unchanged library does not pass, so a mutant proves nothing: "
+        thorough, unsound = ("--thorough", "--jobs", "1"), "library does not pass, so a mutant proves nothing: "
         only_thorough = {"with_filter": "int('--thorough' in arguments)", "without": 0}
         for arguments, ends, expected, text, count in (
                 ((), {}, 0, "killed by c.d\n", 2),
@@ -189,7 +189,7 @@ class Sweep(Case):
                 (thorough, only_thorough, 1, "SURVIVED, and killed with --thorough by c.d\n", 2),
                 (thorough, only_thorough, 1, "2 survived (2 of them not --thorough)", 1),
                 ((), {"with_filter": 3}, 3, "ERROR: exit status 3: no driver\n", 2),
-                ((), {"unchanged": "int('c.d' in arguments)"}, 3, f"{uncounted}killed by c.d", 1)):
+                ((), {"unchanged": "int('c.d' in arguments)"}, 3, f"{unsound}killed by c.d", 1)):
             with self.subTest(text, ends=ends):
                 status, output = self.sweep(*arguments, **ends)
                 self.assertEqual((status, output.count(text)), (expected, count), output)
