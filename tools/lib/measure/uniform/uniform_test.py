@@ -49,9 +49,9 @@ class UniformTest(unittest.TestCase):
         self.assertEqual(self.text, command.with_spreads(self.text, command.in_units(self.text)))
         for sampler in self.samplers.values():
             self.assertEqual(sampler.spread_of(NUMBER).tolist(), [*self.spreads[SUBJECT.name]])
-        for end, way in zip(self.bell.end, self.bell.way, strict=True):
-            for number in (end, way):
-                self.assertIn(f"{round(number * model.PARTS)}", page.partition("The bell, which")[2])
+        for name, numbers in (("B", self.bell.end), ("H", self.bell.way)):
+            parts = ", ".join(str(round(number * model.PARTS)) for number in numbers)
+            self.assertIn(f"`{name}` is `({parts}) / {model.PARTS}`", page)
 
     def test_the_tail_of_every_sum_rises(self) -> None:
         # A coefficient of a sum is linear in rho_8, which lies between rho_4^3 and rho_4^2 (Hoelder, on the
