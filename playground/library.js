@@ -2,18 +2,11 @@
 // writes, which are copied.
 
 export class Library {
-  // version; glsl: {file: [line, ...]} without comments; `unpack` makes the pieces of the languages of this name.
-  constructor({ version, glsl }, unpack) {
+  // version; glsl: {file: [line, ...]} without comments.
+  constructor({ version, glsl }) {
     this.version = version;
     this.glsl = glsl;
-    this.unpack = unpack;
-    this.loading = {}; // promises
     this.pieces = {}; // {shading, cpu}, which the page has after its first picture
-  }
-
-  async load(name) {
-    this.loading[name] ??= this.unpack(name).then((pieces) => (this.pieces[name] = pieces));
-    await this.loading[name];
   }
 
   // The texts of these functions in a shading language, and of their helpers.

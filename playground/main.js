@@ -448,11 +448,11 @@ class Playground extends Picture {
 // For the tests, and for people who open the console: hashnoise.pixels(64, 64), hashnoise.state, ...
 unpacked(byId("library").textContent)
   .then(async (data) => {
-    const library = new Library(data, async (name) => new Pieces(await unpacked(byId(name).textContent)));
+    const library = new Library(data);
     window.hashnoise = new Playground(library);
     await window.hashnoise.start();
     for (const name of ["shading", "cpu"]) {
-      await library.load(name);
+      library.pieces[name] = new Pieces(await unpacked(byId(name).textContent));
       window.hashnoise.controls.showCode();
     }
     document.documentElement.dataset.ready = "yes";

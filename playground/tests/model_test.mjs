@@ -28,8 +28,8 @@ import "./model_undo.mjs";
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "..", "..");
 const page = readFileSync(process.argv[2], "utf8");
 const inPage = (id) => new RegExp(`id="${id}">([^<]*)<`).exec(page)[1];
-const library = new Library(await unpacked(inPage("library")), async (name) => new Pieces(await unpacked(inPage(name))));
-for (const name of ["shading", "cpu"]) await library.load(name);
+const library = new Library(await unpacked(inPage("library")));
+for (const name of ["shading", "cpu"]) library.pieces[name] = new Pieces(await unpacked(inPage(name)));
 
 test("the page is small", () => assert.ok(page.length < 1_150_000, `${page.length} bytes`));
 
