@@ -55,8 +55,9 @@ def _bounds_table(derived: Everything, largest: str) -> str:
     rows = []
     for key, of_noise in derived.items():
         row = of_noise.bounds(*key).rounded()
-        lipschitz = "none: it jumps" if math.isinf(row.lipschitz) else f"{row.lipschitz:.2f}"
-        rows.append([name_of(key), shortest(of_noise.range, 6), lipschitz, scientific(of_noise.cell_error),
+        if math.isinf(row.lipschitz) or "_vector" in key[0]:
+            continue  # a sentence has random numbers, and that each component of a vector is such a noise
+        rows.append([name_of(key), shortest(of_noise.range, 6), f"{row.lipschitz:.2f}", scientific(of_noise.cell_error),
                      scientific(of_noise.error), f"{row.limit:g}", scientific(of_noise.fixed_error),
                      f"{row.fixed_limit:g}"])
     return table(("", "range, exact", "L", "fast and precise: from a cell", "from a position", largest,
@@ -153,28 +154,9 @@ def gullies_table(_: Everything) -> str:
     return table(("", "fast and precise: height", "a slope", "fixed: height", "a slope"), rows)
 
 
-def _parts_table(derived: Everything) -> str:
-    """In units of 1e-6."""
-    def number(value: float) -> str:
-        return f"{math.ceil(value * 1e7) / 10:.1f}" if value else ""
-
-    parts = list(dict.fromkeys(part for of_noise in derived.values() for part in of_noise.fixed_parts))
-    return table(("", *parts), [[name_of(key), *(number(of_noise.fixed_parts.get(part, 0.0)) for part in parts)]
-                                for key, of_noise in derived.items()])
-
-
-def parts_table(derived: Everything) -> str:
-    return _parts_table(values_of(derived))
-
-
-def slope_parts_table(derived: Everything) -> str:
-    return _parts_table(slopes_of(derived))
-
-
 TABLES: dict[str, Callable[[Everything], str]] = {
     "noises": noise_table, "derivatives": slope_table, "sums": sums_table, "Jacobians": jacobians_table,
-    "gullies": gullies_table, "parts": parts_table, "parts of derivatives": slope_parts_table,
-    "steps": lambda _: smoothness.steps_table()}
+    "gullies": gullies_table, "steps": lambda _: smoothness.steps_table()}
 
 
 def with_tables(text: str, derived: Everything) -> str:

@@ -9,7 +9,7 @@ from base.tree import GLSL
 from catalog import asked
 from catalog.tables import glsl
 from catalog.tables.markdown import table
-from translate.pick.command import ARITHMETICS, SYNTAXES, Choice, picker, read_library
+from translate.pick.command import ARITHMETICS, Choice, picker, read_library
 from translate.pick.program import Program, chosen
 from translate.pick.shading import LANGUAGES
 from translate.single_file.files import text
@@ -32,7 +32,7 @@ def files_table() -> str:
         files = {column: [] for column in "1234*"}
         for file in glsl.files_of(function):
             match = DIMENSIONS.search(file)
-            files[match[1] if match else "*"].append(f"`{file}` {size(file)}")
+            files[match[1] if match else "*"].append(f"`{file}`")
         rows.setdefault(tuple(", ".join(of) for of in files.values()), []).append(f"`{function}`")
     return table(("", "1D", "2D", "3D", "4D", "all"), [[", ".join(functions), *cells] for cells, functions in rows.items()])
 
@@ -74,10 +74,3 @@ def picks_table() -> str:
 
 def picked_text(name: str, language: str) -> str:
     return f"```{language}\n{pick()([name], Choice(language))}```\n"
-
-
-@functools.cache
-def picked_for_programs() -> str:
-    """A short function in each language of programs; the JavaScript is the TypeScript without types."""
-    return "\n".join(f"`--language {language}`:\n\n{picked_text('hn_lattice2', language)}" for language in SYNTAXES
-                     if language != "javascript")

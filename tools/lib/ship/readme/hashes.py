@@ -31,14 +31,18 @@ def pasted_table(rows: Rows) -> str:
 
 
 def hash_table(rows: Rows) -> str:
-    """A row for each hash in the plane and in space, a column for each part of the gate."""
-    found: dict[tuple[str, str], dict[str, str]] = {}
+    """The results of each hash in the plane and in space, and the parts of the gate that fail."""
+    found: dict[str, dict[str, list[Mapping[str, str]]]] = {}
     for row in rows:
         if row["part"] != "all":
-            found.setdefault((row["hash"], row["dimensions"]), {})[row["part"]] = (
-                f"{int(row['of']):,}" if row["failed"] == "0" else f"**{_said(row)}**")
-    parts = list(next(iter(found.values())))
-    return table(("hash", *parts), [[f"`{name}` {n}D", *cells.values()] for (name, n), cells in found.items()])
+            found.setdefault(row["hash"], {}).setdefault(row["dimensions"], []).append(row)
+
+    def cell(parts: Rows) -> str:
+        return ", ".join([f"{sum(int(row['of']) for row in parts)}",
+                          *(f"**{row['part']}: {_said(row)}**" for row in parts if row["failed"] != "0")])
+
+    return table(("hash", "results in 2D", "in 3D"),
+                 [[f"`{name}`", *map(cell, parts.values())] for name, parts in found.items()])
 
 
 def control_table(rows: Rows) -> str:
@@ -48,28 +52,28 @@ def control_table(rows: Rows) -> str:
                    row["worst"] * (row["failed"] != "0")] for row in rows if row["part"] == "all"])
 
 
-def _value(row: Mapping[str, str]) -> str:
-    return row["mean"] + f" ± {row['error']}" * (float(row["error"]) > 0)
-
-
 def look_table(rows: Rows) -> str:
     """A row for each noise: the harmonics of its structures and of its waves, and how much slices differ."""
     noises: dict[tuple[str, str], dict[str, list[str]]] = {}
     for row in rows:
         if row["noise"].split(",")[0] not in ("hn_phasor", "hn_fbm"):
             kind = row["measure"].split(",")[0]
-            noises.setdefault((row["noise"], row["dimensions"]), {}).setdefault(kind, []).append(_value(row))
+            noises.setdefault((row["noise"], row["dimensions"]), {}).setdefault(kind, []).append(row["mean"])
     return table(("noise", *LOOKS), [[f"`{name.split(',')[0]}`{name[len(name.split(',')[0]):]}, {n}D",
                                       *(", ".join(found.get(kind, ())) for kind in LOOKS)]
                                      for (name, n), found in noises.items()])
 
 
 def trace_table(rows: Rows) -> str:
-    """Measures of single noises, and all that have a limit."""
+    """Measures of single noises, and all that have a limit; a cell has the values of all waves, or slices."""
     def limit(row: Mapping[str, str]) -> str:
         least = row["measure"].split(",")[0] in ("even", "slices")
         return ("at least " * least + row["allowed"]) * bool(row["allowed"])
 
+    found: dict[tuple[str, str, str], list[str]] = {}
+    for row in rows:
+        if row["allowed"] or row["measure"].split(",")[0] not in LOOKS:
+            measure = row["measure"].partition(", wave (")[0].partition(", slices")[0]
+            found.setdefault((f"`{row['noise']}`, {row['dimensions']}D", measure, limit(row)), []).append(row["mean"])
     return table(("noise", "measure", "value", "allowed"),
-                 [[f"`{row['noise']}`, {row['dimensions']}D", row["measure"], _value(row), limit(row)]
-                  for row in rows if row["allowed"] or row["measure"].split(",")[0] not in LOOKS])
+                 [[noise, measure, ", ".join(values), allowed] for (noise, measure, allowed), values in found.items()])

@@ -108,32 +108,32 @@ def cost_table(rows: Costs, count: str, whose: str) -> str:
 
 
 def form_table(rows: Costs) -> str:
-    """The cost of each noise, by its dimensions and arithmetic."""
-    def cells(form: str, arithmetic: str) -> list[str]:
-        found = [rows.get(f"noise{n}d.{form}.lattice{arithmetic}") for n in range(1, 5)]
-        return [_cost(row) if row else "" for row in found]
+    """The cost of each noise, by its dimensions: with floats / fixed."""
+    def cell(form: str, axes: int) -> str:
+        ids = [f"noise{axes}d.{form}.lattice{arithmetic}" for arithmetic in ("", "+fixed")]
+        return " / ".join(_cost(rows[id]) for id in ids if id in rows)
 
-    lines = [[f"`hn_{form}`" if not arithmetic else f"`hn_{form}`, {arithmetic[1:]}", *cells(form, arithmetic)]
-             for form in FORMS for arithmetic in ("", "+fixed")]
-    return table(("noise", "1D", "2D", "3D", "4D"), lines)
+    return table(("noise", "1D", "2D", "3D", "4D"),
+                 [[f"`hn_{form}`", *(cell(form, axes) for axes in range(1, 5))] for form in FORMS])
 
 
-def peer_table(rows: Costs) -> str:
-    """Ours beside other libraries', from peers.csv."""
+def peer_table(*machines: Costs) -> str:
+    """Ours beside other libraries', from the peers.csv of each machine."""
+    def cell(id: str) -> str:
+        return ", ".join(_cost(rows[id]) for rows in machines)
+
     lines = []
     for noise in dict.fromkeys(call.noise for call in CALLS):
         calls = {call.peer: call for call in CALLS if call.noise == noise}
         ours = next(iter(calls.values())).ours
-        lines.append([noise, _cost(rows[f"{ours}.lattice"]),
-                      *(_cost(rows[f"{subject(calls[peer.option])}{dimensions(calls[peer.option])}"])
+        lines.append([noise, cell(f"{ours}.lattice"),
+                      *(cell(f"{subject(calls[peer.option])}{dimensions(calls[peer.option])}")
                         if peer.option in calls else "" for peer in PEERS)])
     return table(("noise", "hashnoise", *(peer.title for peer in PEERS)), lines)
 
 
 def _cost(row: Mapping[str, str]) -> str:
-    """The ratio, and the instructions on NAVI21 where they were counted."""
-    ratio = f"{float(row['ratio']):.2f}"
-    return f"{ratio} · {row['navi21']}" if row["navi21"].isdigit() else ratio
+    return f"{float(row['ratio']):.2f}"
 
 
 def cost_quotes() -> list[str]:
