@@ -321,7 +321,8 @@ test("a changed library is noticed", async () => {
   await broken.evaluate(() => {
     const { library } = window.hashnoise;
     const changed = (text) => text.replaceAll("0x9E3779B9u", "0x9E3779B8u");
-    for (const [file, lines] of Object.entries(library.glsl)) library.glsl[file] = lines.map(changed);
+    const { pieces } = library.pieces.shading;
+    for (const at of pieces.keys()) pieces[at] = changed(pieces[at]);
   });
   await setState(broken, pictures[0]);
   await setState(page, pictures[0]);
