@@ -21,8 +21,7 @@ HASHED = {"hash.lattice2.lattice": "`hn_lattice` of an `ivec2`", "hash.lattice3.
           "noise2d.value.lattice": "value 2D", "noise3d.value.lattice": "value 3D", "noise2d.perlin.lattice": "Perlin 2D",
           "noise3d.perlin.lattice": "Perlin 3D", "noise2d.simplex.lattice": "simplex 2D",
           "noise3d.simplex.lattice": "simplex 3D"}
-OF_OPERATIONS = ("ampere", "blackwell", "sm90", "polaris10", "navi21", "navi31", "gfx1201", "adreno630", "adreno740",
-                 "m1", "acm", "bmg")
+OF_OPERATIONS = ("ampere", "sm90", "polaris10", "navi31", "adreno740", "m1", "acm")
 # The letters of the peers in cells.
 LETTERS = {"fastnoiselite": "F", "wombat": "W", "materialx": "M", "webgl-noise": "S", "psrdnoise": "P",
            "terrain-erosion": "E", "phasor-noise": "T", "clay-john": "J"}
