@@ -1,6 +1,5 @@
 """The examples are built and run as docs/guide/engines.md describes, on a display that nobody sees or in a browser.
-Their pictures show the land that the twin computes; and with the shader of golden.py in the place of their own, golden
-values bit for bit.
+Their pictures show the land that the twin computes.
 
     examples_test.py WORK CLASS    WORK is a scratch folder, in which raylib is kept
 
@@ -26,7 +25,6 @@ from pathlib import Path
 EXAMPLES = Path(__file__).resolve().parent
 sys.path.insert(0, str(EXAMPLES.parent / "tools" / "lib"))
 
-from golden import Picture  # noqa: E402
 from screen import Absent, Screen  # noqa: E402
 
 from base import chromium, twin  # noqa: E402
@@ -131,7 +129,6 @@ class Raylib(Example):
     name = "raylib"
     title = "raylib"
     programs = ("cargo", "pkg-config")
-    picture = Picture("fbm_d.fbm_d2", "hn_fbm_d(vec2({x}, {y}), {octaves}, {lacunarity}, {gain}, {seed})")
 
     @classmethod
     def prepare(cls):
@@ -166,27 +163,13 @@ class Raylib(Example):
         pixels, output = self.shown(self.whole)
         self.assertNotIn("WARNING: SHADER", output)
         self.assert_the_land_is_where_the_twin_has_it(pixels, 1e-5)
-
-    def golden(self, library: str) -> list[str]:
-        """The faults with that text as the library."""
-        build = (self.folder / self.program).parent
-        kept = [(path, path.read_text()) for path in (build / "noise.fs", build / "fbm_d2d.single.glsl")]
-        (build / "noise.fs").write_text(self.picture.shader("out vec4 color;", "(479 - int(gl_FragCoord.y))"))
-        (build / "fbm_d2d.single.glsl").write_text("#define HN_ARITHMETIC HN_FIXED\n" + library)
-        try:
-            pixels, output = self.shown(self.picture.drawn)
-        finally:
-            for path, text in kept:
-                path.write_text(text)
-        self.assertTrue(self.picture.drawn(pixels), output)
-        return self.picture.wrong(pixels)
-
-    def test_golden_values(self):
-        library = ((self.folder / self.program).parent / "fbm_d2d.single.glsl").read_text()
-        self.assertEqual(self.golden(library), [])
-        changed = library.replace("0x85EBCA77u", "0x85EBCA79u")
-        self.assertNotEqual(changed, library)
-        self.assertGreater(len(self.golden(changed)), 20)
+        library = (self.folder / self.program).parent / "fbm_d2d.single.glsl"
+        own = library.read_text()
+        library.write_text(own.replace("0x85EBCA77u", "0x85EBCA79u"))
+        self.addCleanup(library.write_text, own)
+        other, _ = self.shown(self.whole)
+        with self.assertRaises(AssertionError):
+            self.assert_the_land_is_where_the_twin_has_it(other, 1e-5)
 
     def test_the_lines_of_the_page(self):
         """They stand in the program, but for names; and their command makes the file."""
@@ -329,7 +312,6 @@ class Vulkan(Example):
     name = "vulkan"
     title = "Vulkan"
     programs = ("glslangValidator", "xwininfo")
-    picture = Picture("noise2d.perlin", "hn_perlin(vec2({x}, {y}), {seed})")
 
     @classmethod
     def prepare(cls):
@@ -337,11 +319,7 @@ class Vulkan(Example):
         if glob.glob("/usr/share/vulkan/explicit_layer.d/VkLayer_khronos_validation.json"):
             cls.variables["VK_INSTANCE_LAYERS"] = "VK_LAYER_KHRONOS_validation"
 
-    def test_the_land_and_then_golden_values(self):
-        self.land()
-        self.golden_values()  # builds the program anew, which takes long
-
-    def land(self):
+    def test_the_land(self):
         titles = []
 
         def whole_with_its_title(pixels):
@@ -357,19 +335,6 @@ class Vulkan(Example):
         x, y, height = titles[-1]
         self.assertEqual(subprocess.run([self.folder / "heights", self.name, x, y], check=True, text=True,
                                         stdout=subprocess.PIPE).stdout.strip(), height)
-
-    def golden_values(self):
-        fragment = self.copy / "examples" / "vulkan" / "noise.frag"
-        own = fragment.read_text()
-        includes = own[:own.index("#include")] + '#include "hashnoise/hashnoise.glsl"\n'
-        head = "layout(location = 0) out vec4 color;"
-        fragment.write_text(includes + self.picture.shader(head, "int(gl_FragCoord.y)"))
-        self.type(self.build)
-        pixels, output = self.shown(self.picture.drawn)
-        self.assertTrue(self.picture.drawn(pixels), output)
-        self.assertEqual(self.picture.wrong(pixels), [])
-        changed = [bytes([pixels[0][0] ^ 1]) + pixels[0][1:], *pixels[1:]]  # one bit of one pixel
-        self.assertEqual(len(self.picture.wrong(changed)), 1)
 
 
 class Screens(unittest.TestCase):

@@ -1,5 +1,6 @@
 // The functions of the picture, in each language. The page draws with the same functions: the text that is copied has
 // numbers where that of the page has uniforms, so that no shader is compiled again when a number changes.
+import { combined } from "./combine.js";
 import { isLeaning, isSolid, remapOf, settingsOf, shownLayers, tintedLayers, uses } from "./model.js";
 import { kMetrics, kNoises, kSums } from "./tables.js";
 
@@ -336,8 +337,7 @@ class Writer {
   }
 }
 
-// Layers in one value. With integers each value is a whole number of steps, and so is a product, which is computed in
-// integers; sums of them are exact in floats. So no compiler can round one in another way.
+// Layers in one value, as combine.js has it.
 class Mixer {
   constructor(language, shown, writers) {
     this.language = language;
@@ -347,39 +347,18 @@ class Mixer {
     this.steep = shown.flatMap(({ blend }, at) => (at > 0 && blend === "slope" ? [at] : []));
   }
 
-  product(one, other) {
-    return this.fixed ? `layer_product(${one}, ${other})` : `${one} * ${other}`;
-  }
-
-  stepped(value) {
-    return this.fixed ? `layer_steps(${value})` : value;
-  }
-
-  // The value of a layer in the sum of all.
-  remapped({ weighted, moved }, { values }, call) {
-    const value = this.stepped(call);
-    const weightedValue = weighted ? this.product(values.weight, value) : value;
-    return moved ? `${weightedValue} + ${values.offset}` : weightedValue;
-  }
-
-  // A part from 0 to 1 of a value.
-  part(value) {
-    const [low, high] = ["0.0", "1.0"].map((text) => this.writers[0].number(text));
-    return this.stepped(`min(max(${value}, ${low}), ${high})`);
-  }
-
-  // So much of the way from v to a value.
-  mixed(part, value) {
-    return `v + ${this.product(part, this.fixed ? `${this.stepped(value)} - v` : `(${value} - v)`)}`;
-  }
-
-  // How much a layer counts, from 0 to 1; nothing for one that is combined in another way.
-  partOf(shape, writer, call, where, number) {
-    const { weight, offset } = writer.values;
-    if (shape.blend === "slope") return this.part(`${this.product(weight, this.slopeBelow(writer, where, number))} + ${offset}`);
-    if (shape.blend === "mix") return weight;
-    if (shape.blend === "mask") return this.part(this.remapped(shape, writer, call));
-    return shape.blend === "height" ? this.part(`${this.product(weight, "v")} + ${offset}`) : undefined;
+  get words() {
+    const [writer] = this.writers;
+    const stepped = (value) => (this.fixed ? `layer_steps(${value})` : value);
+    return {
+      name: (kind, at) => (kind === "v" ? "v" : `m${at + 1}`),
+      numbers: (at) => [this.writers[at].values.weight, this.writers[at].values.offset],
+      product: (one, other) => (this.fixed ? `layer_product(${one}, ${other})` : `${one} * ${other}`),
+      stepped, result: stepped, isExact: this.fixed,
+      part: (value) => stepped(writer.number(`min(max(${value}, 0.0), 1.0)`)),
+      lower: (...values) => `min(${values.join(", ")})`,
+      higher: (...values) => `max(${values.join(", ")})`,
+    };
   }
 
   // How steep it is below a layer, from what is below at the place and a step beside it along each axis.
@@ -414,45 +393,19 @@ class Mixer {
     return writer.define(called, writer.parametersOf(where), lines, size);
   }
 
-  // The value of a layer together with v, which is the value so far.
-  next({ blend, ...shape }, writer, call) {
-    const value = this.remapped(shape, writer, call);
-    if (blend === "add") return `v + ${value}`;
-    const plain = !shape.weighted && !shape.moved;
-    if (blend === "multiply") return this.product("v", plain ? value : this.fixed ? this.stepped(value) : `(${value})`);
-    return `${blend}(v, ${value})`;
-  }
-
   // The lines that make "v" at a place; and how much each layer with colours of its own counts, behind these lines.
-  mixing(form, isTinted, count) {
-    const { language, shown, writers } = this;
-    const where = writers[0][form];
-    const parts = [];
-    let mask;
-    const lines = writers.slice(0, count).flatMap((writer, at) => {
-      const call = `${writer.nameOf(where)}(${where.cell ? "cell, f" : "p"})`;
-      const shape = shown[at];
-      if (at === 0) {
-        const value = this.remapped(shape, writer, call);
-        const first = shape.weighted || shape.moved ? this.stepped(value) : value;
-        return [language === "wgsl" ? `var v = ${first};` : `float v = ${first};`];
-      }
-      const part = this.partOf(shape, writer, call, where, at + 1);
-      const isMask = shape.blend === "mask";
-      const named = isMask || (isTinted && shape.tinted) ? `m${at + 1}` : undefined;
-      const made = named ? [writer.let(writer.types.float(1), named, part)] : [];
-      if (isTinted && shape.tinted) {
-        const shown = shape.blend === "mix" ? this.part(named) : named;
-        parts.push(mask && !isMask ? this.product(mask, shown) : shown);
-      }
-      if (!isMask) {
-        const next = part ? this.mixed(named ?? part, call) : this.next(shape, writer, call);
-        made.push(`v = ${this.stepped(mask ? this.mixed(mask, next) : next)};`);
-      }
-      mask = isMask ? named : undefined;
-      return made;
+  mixing(form, hasTints, count) {
+    const { language, shown, words, writers } = this;
+    const [writer] = writers;
+    const where = writer[form];
+    const calls = writers.map((one) => `${one.nameOf(where)}(${where.cell ? "cell, f" : "p"})`);
+    const slope = (_, at) => this.slopeBelow(writer, where, at + 1);
+    const { steps, masks } = combined(shown.slice(0, count), calls, { ...words, slope, hasTints });
+    const lines = steps.map(([name, value], at) => {
+      if (name !== "v") return writer.let(writer.types.float(1), name, value);
+      return `${at ? "" : language === "wgsl" ? "var " : "float "}v = ${value};`;
     });
-    return { lines, parts };
+    return { lines, parts: masks };
   }
 
   // A function at a place. `end` makes its last lines of how much the layers with colours count, if they matter.
@@ -477,7 +430,7 @@ class Mixer {
     const [first, ...others] = axes.map((x) => `d${x}`);
     let length = first;
     for (const d of others) {
-      lines.push(set(`s${d}`, this.stepped(`max(${length}, ${d}) + 0.5 * min(${length}, ${d})`)));
+      lines.push(set(`s${d}`, this.words.stepped(`max(${length}, ${d}) + 0.5 * min(${length}, ${d})`)));
       length = `s${d}`;
     }
     return writer.define("layer_slope", ["v", ...axes].map((name) => [types.float(1), name]), [...lines, `return ${length};`]);

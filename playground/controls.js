@@ -1,17 +1,16 @@
 // The panel: its choices, and how it shows the state.
 import { kLanguages } from "./code.js";
-import { copied, copiedText, kKinds } from "./copied.js";
-import { countsOf } from "./cost.js";
+import { exported, exportedText, kKinds } from "./export.js";
 import { byId, element } from "./elements.js";
 import { LayerList } from "./layerlist.js";
-import { kLooks, numbersOf, parsed } from "./links.js";
+import { kLooks, parsed } from "./links.js";
 import { dimensionsOf, isSolid, kLeastTilt, kSettings, noisesOf, settingsOf, uses } from "./model.js";
-import { kParts, positionText, sameNumber } from "./numbers.js";
+import { positionText } from "./numbers.js";
 import { gradientOf } from "./palette.js";
 import { StopList } from "./stoplist.js";
-import { kLockable } from "./surprise.js";
+import { kLockable } from "./randomize.js";
 import {
-  kAbout, kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kRenderers, kSums, kTints, kViews, kWarps,
+  kAbout, kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kSums, kTints, kViews, kWarps,
 } from "./tables.js";
 
 // name: [label, step, from, to]. Without ends a slider has those of its setting.
@@ -38,7 +37,6 @@ const kChoices = {
   view: kViews,
   warp: kWarps,
   arithmetic: kArithmetics,
-  renderer: kRenderers,
 };
 const kScales = Object.fromEntries([1, 2, 4, 8, 16, 32, 64].map((scale) => [scale, `${scale} × as fine`]));
 const kSelects = {
@@ -50,8 +48,8 @@ const kSelects = {
   blend: labels(kBlends),
   scale: kScales,
 };
-// The labels of the texts, each with what stands small below it, and of the selects.
-const kTexts = {
+// The labels of the numbers, each with what stands small below it, and of the selects.
+const kNumbers = {
   seed: ["Seed"], period: ["Period", "cells, 0 is none"], x: ["x"], y: ["y"], cells: ["Cells across"],
   width: ["Width", "pixels"], height: ["Height", "pixels"], frames: ["Frames", "25 a second"],
 };
@@ -59,7 +57,6 @@ const kLabels = {
   sum: "Fractal", noise: "Noise", metric: "Metric", hash: "Hash", file: "Save as", blend: "Combined", scale: "Scale",
 };
 const kJumps = { Layers: "heading-layers", Shape: "heading-noise", Colours: "heading-colours", Code: "heading-code", File: "heading-file" };
-const kArrows = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 };
 const kNotes = {
   fast: "Floats are the fastest. They are within a few millionths of the exact value.",
   fixed: "Integers have the same bits on every GPU and in C++, with any driver.",
@@ -67,18 +64,6 @@ const kNotes = {
 
 function labels(table) {
   return Object.fromEntries(Object.entries(table).map(([name, { label }]) => [name, label]));
-}
-
-// The value so many steps further. A step is one; but a scale has no end at one cell, and halves below it.
-function counted(name, value, steps) {
-  if (typeof value === "bigint") return value + BigInt(steps) * kParts;
-  if (name !== "cells") return value + steps;
-  let cells = value;
-  for (let i = 0; i < Math.abs(steps); ++i) {
-    if (steps > 0) cells = cells < 1 ? 2 * cells : cells + 1;
-    else cells = cells < 2 ? cells / 2 : cells - 1;
-  }
-  return cells;
 }
 
 export class Controls {
@@ -92,7 +77,6 @@ export class Controls {
     this.state = undefined;
     this.layer = 0; // the number of the one that the panel shows
     this.typed = undefined; // the field whose text nobody has entered yet
-    this.corrected = undefined; // {name, value}: the field that shows what its number became
     const choose = (layer) => {
       this.layer = layer;
       this.show(this.state);
@@ -111,7 +95,7 @@ export class Controls {
     for (const [name, table] of Object.entries(kSelects)) this.makeSelect(name, table);
     for (const [name, setting] of Object.entries(kSliders)) this.makeSlider(name, ...setting);
     for (const [name, table] of Object.entries(kChoices)) this.makeChoices(name, table);
-    for (const [name, words] of Object.entries(kTexts)) this.makeText(name, ...words);
+    for (const [name, words] of Object.entries(kNumbers)) this.makeNumber(name, ...words);
     for (const [name, about] of Object.entries(kAbout)) byId(`row-${name}`).title = about;
     this.makeSwatches();
     this.makeLanguages();
@@ -147,16 +131,6 @@ export class Controls {
       element("output", { htmlFor: name, id: `of-${name}` }),
     );
     input.addEventListener("input", () => this.change({ [name]: Number(input.value) }));
-    // A slider has its number on its own grid, between its own ends. An arrow counts from the number that is shown.
-    input.addEventListener("keydown", (event) => {
-      const steps = kArrows[event.key];
-      if (!steps) return;
-      event.preventDefault();
-      const value = this.settings[name];
-      const wanted = value + steps * Number(input.step);
-      const [least, most] = [Math.min(value, Number(input.min)), Math.max(value, Number(input.max))];
-      this.change({ [name]: Math.min(Math.max(wanted, least), most) });
-    });
   }
 
   makeChoices(name, table) {
@@ -167,51 +141,22 @@ export class Controls {
     }
   }
 
-  makeText(name, label, small) {
-    const inputMode = ["x", "y", "cells"].includes(name) ? "decimal" : "numeric";
-    const input = element("input", { id: name, type: "text", inputMode, spellcheck: false });
+  // The browser counts up and down by the arrows, and states what is wrong with a text that is no number of the setting.
+  makeNumber(name, label, small) {
+    const { from = -2147483648, to = 2147483647, whole } = kSettings[name];
+    const input = element("input", { id: name, type: "number", min: from, max: to, step: whole ? 1 : "any", required: true });
     const words = small ? [`${label} `, element("small", { textContent: small })] : [label];
     byId(`row-${name}`).append(element("label", { htmlFor: name }, ...words), input);
-    const wrong = element("p", { className: "wrong", id: `wrong-${name}`, hidden: true });
-    wrong.setAttribute("role", "alert");
-    input.after(wrong);
-    const say = (text) => {
-      wrong.textContent = text;
-      wrong.hidden = false;
-      input.setAttribute("aria-describedby", wrong.id);
-    };
-    const entered = () => {
-      const typed = input.value.trim();
-      const value = parsed(name, typed);
-      if (value === undefined) {
-        input.setAttribute("aria-invalid", "true");
-        say(`This field takes ${numbersOf(name)}.`);
-        return false;
-      }
-      this.typed = this.corrected = undefined;
-      this.change({ [name]: value });
-      if (!sameNumber(typed, input.value)) {
-        this.corrected = { name, value: this.settings[name] };
-        say(`${typed} became ${input.value}. This field takes ${numbersOf(name)}.`);
-      }
-      return true;
-    };
     input.addEventListener("input", () => (this.typed = name));
-    input.addEventListener("change", entered);
-    // The arrows count up and down, as in a field of numbers. (Such a field has no room for BigInt.) They count from
-    // the typed text, whether or not it is entered.
-    input.addEventListener("keydown", (event) => {
-      const steps = event.key === "ArrowLeft" || event.key === "ArrowRight" ? 0 : kArrows[event.key];
-      if (!steps) return;
-      event.preventDefault();
-      if (this.typed === name && !entered()) return;
-      this.corrected = undefined;
-      this.change({ [name]: counted(name, this.settings[name], steps) });
+    input.addEventListener("change", () => {
+      if (!input.reportValidity()) return;
+      this.typed = undefined;
+      this.change({ [name]: parsed(name, input.value) });
     });
     // A wrong text stays until something else is shown.
     input.addEventListener("blur", () => {
       this.typed = undefined;
-      if (input.getAttribute("aria-invalid") !== "true") this.show(this.state);
+      if (input.validity.valid) this.show(this.state);
     });
   }
 
@@ -300,12 +245,12 @@ export class Controls {
   }
 
   get code() {
-    return copiedText(...this.copying);
+    return exportedText(...this.copying);
   }
 
   showCode() {
     if (!this.state) return;
-    const { head, library, code, waits } = copied(...this.copying);
+    const { head, library, code, waits } = exported(...this.copying);
     byId("copy").disabled = Boolean(waits);
     const inside = library();
     const kilobytes = Math.ceil((inside.join("\n").length + 1) / 1000);
@@ -329,28 +274,6 @@ export class Controls {
     byId("text-uncopied").value = text;
     byId("text-uncopied").focus();
     byId("text-uncopied").select();
-  }
-
-  // Nobody can choose this any more. Who just did goes on at the other choice.
-  refuseRenderer(name, sentence, other) {
-    const choice = byId(`renderer-${name}`);
-    if (document.activeElement === choice) byId(`renderer-${other}`).focus();
-    choice.disabled = true;
-    byId("note-renderer").textContent = sentence;
-    byId("note-renderer").hidden = false;
-    byId("renderer").parentElement.setAttribute("aria-describedby", "note-renderer");
-  }
-
-  // The table of compilers' counts for the function of the layer.
-  showCounts() {
-    const { sum, dimensions, arithmetic } = this.settings;
-    const { name, rows } = countsOf(this.library.counts, this.settings);
-    const [caption] = byId("counts").getElementsByTagName("caption");
-    byId("counts").hidden = !rows.length;
-    caption.textContent =
-      `A call of ${name}(p) in ${dimensions}D, in ${kArithmetics[arithmetic].toLowerCase()}${sum === "none" ? "" : ", of 6 octaves"}, as compilers count.`;
-    const cells = (row) => row.map((text, at) => element(at ? "td" : "th", at ? {} : { scope: "row" }, text));
-    byId("counts").tBodies[0].replaceChildren(...rows.map((row) => element("tr", {}, ...cells(row))));
   }
 
   show(whole) {
@@ -386,15 +309,11 @@ export class Controls {
       input.value = state[name];
       byId(`of-${name}`).textContent = name === "octaves" ? state[name] : state[name].toFixed(2);
     }
-    for (const name of Object.keys(kTexts)) {
+    for (const name of Object.keys(kNumbers)) {
       if (name === this.typed) continue; // a playing picture must not take it away
       const input = byId(name);
       const text = typeof state[name] === "bigint" ? positionText(state[name]) : String(state[name]);
       if (input.value !== text) input.value = text;
-      input.removeAttribute("aria-invalid");
-      if (name === this.corrected?.name && state[name] === this.corrected.value) continue;
-      input.removeAttribute("aria-describedby");
-      byId(`wrong-${name}`).hidden = true;
     }
     for (const name of Object.keys(kSettings)) {
       const row = byId(`row-${name}`);
@@ -412,7 +331,6 @@ export class Controls {
     // Relief is beside its view.
     const before = byId(state.view === "terrain" ? "row-tilt" : "row-file");
     if (before.nextElementSibling.id !== "row-steep") before.after(byId("row-steep"));
-    this.showCounts();
     this.showCode();
   }
 }

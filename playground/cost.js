@@ -2,19 +2,6 @@
 // plane. All are drawn in turns, so that what else the machine does concerns all; what a shader costs that computes
 // nothing is taken off all.
 import { emptyShader, frameOf, kColours, kTimes, plainOf, timedShader } from "./shaders.js";
-import { kNoises } from "./tables.js";
-
-// The counts of compilers for the noise or the fractal of a layer: the chip, instructions and registers. No rows for a
-// function that nobody has counted.
-export function countsOf({ chips, of }, { sum, noise, dimensions, arithmetic, hash }) {
-  const { calls, nearest } = kNoises[noise];
-  const name = sum !== "none" ? sum : calls.replace("hn_", "");
-  const isCounted = hash === "lattice" && (sum === "none" ? !nearest : noise === "perlin");
-  const found = of[`${name}${dimensions}${arithmetic === "fixed" ? " fixed" : ""}`];
-  const numbers = isCounted && found ? found.split(" ") : [];
-  const rows = chips.map((chip, at) => [chip, ...numbers.slice(2 * at, 2 * at + 2)]);
-  return { name: `hn_${name}`, rows: rows.filter(([, count = "-"]) => count !== "-") };
-}
 
 const kRounds = 12;
 const kFewRounds = 3; // of what is so slow that more would take too long
@@ -32,25 +19,24 @@ function ratiosOf(rounds) {
 
 // {ratio, low, high, cell, million}: at a position, of all rounds and between which the ratios of three parts of them
 // lie; from a cell; and milliseconds of a million values at a position.
-export async function costOf(backend, library, state) {
-  const { language } = backend;
+export async function costOf(gpu, library, state) {
   // Far out, where floats have no fractions, a position would be the same for all pixels.
   const shown = { ...state, x: 0n, y: 0n };
   const plain = plainOf(shown);
   const states = [plain, plain, shown, shown];
   const texts = [
-    emptyShader(library, language, plain),
-    timedShader(library, language, plain, "position"),
-    timedShader(library, language, shown, "position"),
-    timedShader(library, language, shown, "cell"),
+    emptyShader(library, plain),
+    timedShader(library, plain, "position"),
+    timedShader(library, shown, "position"),
+    timedShader(library, shown, "cell"),
   ];
   const programs = [];
   try {
-    for (const text of texts) programs.push(await backend.build(text));
+    for (const text of texts) programs.push(await gpu.build(text));
     let side = 256;
     let draws = 1;
     const measured = (number) =>
-      backend.time(programs[number], frameOf(states[number], side, side, kColours), side, draws);
+      gpu.time(programs[number], frameOf(states[number], side, side, kColours), side, draws);
     for (const number of states.keys()) await measured(number); // some drivers compile at the first draw
     const least = async (number) => Math.min(await measured(number), await measured(number));
     while ((await least(1)) - (await least(0)) < kEnough && (side < kMostSide || draws < kMostDraws)) {
@@ -73,6 +59,6 @@ export async function costOf(backend, library, state) {
     const million = ((position - empty) * 1e6) / (side * side * draws * kTimes);
     return { ratio, low: Math.min(ratio, ...known), high: Math.max(ratio, ...known), cell, million };
   } finally {
-    programs.forEach((program) => backend.discard(program));
+    programs.forEach((program) => gpu.discard(program));
   }
 }

@@ -14,7 +14,7 @@ const kGreys = 65536;
 const kColoursOfGif = 256;
 
 // The heights of values, as numbers of 16 bits: each value is a whole number of steps of 2^-20, and those between the
-// lowest and the highest colour are dealt to the numbers as they are to the 256 colours.
+// lowest and the highest colour are distributed to the numbers as they are to the 256 colours.
 export function heightsOf(values, state) {
   const { low, span } = unitsOf(state);
   return Uint16Array.from(values, (value) => {

@@ -34,33 +34,18 @@ export class LayerList {
       up,
       remove,
     );
-    row.draggable = true;
-    row.addEventListener("dragstart", (event) => {
-      this.dragged = at;
-      event.dataTransfer.effectAllowed = "move";
-    });
-    row.addEventListener("dragover", (event) => this.dragged !== undefined && event.preventDefault());
-    row.addEventListener("drop", (event) => {
-      event.preventDefault();
-      this.move(this.dragged, at);
-    });
-    row.addEventListener("dragend", () => (this.dragged = undefined));
     return { row, chosen, title, details, tint, on, up };
-  }
-
-  move(from, to) {
-    if (from !== undefined && from !== to) this.replace(withMoved(this.state, from, to), to, `It is layer ${to + 1} now.`);
   }
 
   moveUp(at) {
     if (at === 0) return;
-    this.move(at, at - 1);
+    this.replace(withMoved(this.state, at, at - 1), at - 1, `It is layer ${at} now.`);
     byId(`up-${at}`).focus();
   }
 
   remove(at) {
     const next = Math.max(at - 1, 0);
-    this.replace(withoutLayer(this.state, at), next, `Layer ${at + 1} is removed. Back undoes it.`);
+    this.replace(withoutLayer(this.state, at), next, `Layer ${at + 1} is removed. Undo takes it back.`);
     (this.state.layers.length > 1 ? this.rows[next].chosen : byId("add-layer")).focus();
   }
 

@@ -1,11 +1,10 @@
-// The library inside the page: the text of glsl/hashnoise/, with which WebGL2 draws at once, and the pieces that tools/pick
-// writes, with which WebGPU draws, and which are copied.
+// The library inside the page: the text of glsl/hashnoise/, with which the page draws, and the pieces that tools/pick
+// writes, which are copied.
 
 export class Library {
-  // version; counts: what compilers count (tools/lib/ship/playground/counts.py); glsl: {file: [line, ...]} without comments; `unpack` makes the pieces of the languages of this name.
-  constructor({ version, glsl, counts }, unpack) {
+  // version; glsl: {file: [line, ...]} without comments; `unpack` makes the pieces of the languages of this name.
+  constructor({ version, glsl }, unpack) {
     this.version = version;
-    this.counts = counts;
     this.glsl = glsl;
     this.unpack = unpack;
     this.loading = {}; // promises

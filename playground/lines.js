@@ -1,10 +1,10 @@
 // The picture as lines for tools/bake and for Python, which compute grids.
-import { kStepBeside } from "./code.js";
+import { kStepBeside, shapes } from "./code.js";
+import { combined } from "./combine.js";
 import { kAxes } from "./scalar.js";
 import { kNoises, kSums } from "./tables.js";
-import { isLeaning, numbersOfTinted, rangeOf, remapOf, shownLayers, tintedLayers, uses } from "./model.js";
+import { isLeaning, numbersOfTinted, rangeOf, remapOf, shownLayers, uses } from "./model.js";
 import { kPartsOfCell, leaningNumbers } from "./view.js";
-
 
 // Which number of the results of a noise is shown, in Python and by tools/bake.
 const kShown = { cellular: 0, cellular_second: 1, cellular_third: 2, curl: 0 };
@@ -116,60 +116,55 @@ const pythonOptions = (state, options) =>
 // The picture as a function of Python, and its call at a place.
 function patternOf(state, place) {
   const { dimensions } = state;
-  const shown = shownLayers(state);
+  const layers = shownLayers(state);
+  const shown = shapes(state);
   const axes = kAxes.slice(0, dimensions);
-  // As integers are in other languages, as soon as something is done with the value of a noise.
-  const isClipped = state.arithmetic === "fixed" && (shown.length > 1 || shown[0].weight !== 1 || shown[0].offset !== 0);
-  let mask = "";
-  const [masks, below] = [[], []];
   const parameters = axes.join(", ");
-  const lines = shown.reduce((done, layer, number) => {
-    const at = state.layers.indexOf(layer);
+  const warps = []; // by the layer
+  const calls = layers.map((layer, number) => {
     const scaled = layer.scale === 1 ? axes : axes.map((axis) => `${layer.scale} * ${axis}`);
     const period = state.period ? { period: state.period * layer.scale } : {};
-    const options = pythonOptions(state, { ...optionsOf(state, layer, at), ...period });
-    const warped = layer.warp !== "none" && (dimensions === 2 || dimensions === 3);
-    const moves = axes.map((axis) => `d${axis}`);
-    const { octaves, lacunarity, gain, amplitude } = layer;
-    const ofWarp = pythonOptions(state, { seed: (layer.seed + 1) % 4294967296, octaves, lacunarity, gain, amplitude, ...period });
-    const warp = warped
-      ? [`    ${moves.join(", ")} = hashnoise.${layer.warp}(${scaled.join(", ")}, ${ofWarp})`]
-      : [];
-    const passed = warped ? scaled.map((axis, i) => `${axis} + ${moves[i]}`) : scaled;
-    const value = `hashnoise.${functionOf(layer)}(${passed.join(", ")}, ${options})${indexOf(layer)}`;
-    const { weight, offset } = remapOf(state, at);
-    const remapped = `${weight === 1 ? "" : `${weight} * `}${value}${offset ? ` + ${offset}` : ""}`;
-    const next = {
-      add: `v + ${remapped}`, multiply: `v * (${remapped})`, min: `numpy.minimum(v, ${remapped})`, max: `numpy.maximum(v, ${remapped})`,
-    }[layer.blend];
-    const isSlope = number > 0 && layer.blend === "slope";
-    if (isSlope) below.push(`def below_${number + 1}(${parameters}):`, ...done, "    return v", "");
-    const beside = axes.map((axis) => `below_${number + 1}(${axes.map((other) => (other === axis ? `${axis} + ${kStepBeside}` : other)).join(", ")})`);
-    const clipped = (of) => `numpy.clip(${layer.weight} * ${of} + ${layer.offset}, 0, 1)`;
-    const part = {
-      mix: layer.weight, height: clipped("v"), slope: clipped(`slope(${["v", ...beside].join(", ")})`), mask: `numpy.clip(${remapped}, 0, 1)`,
-    }[layer.blend];
-    const isMask = number > 0 && layer.blend === "mask";
-    const own = tintedLayers(state).includes(layer);
-    const name = `mask_${number + 1}`;
-    const before = [...done, ...warp, ...(isMask || own ? [`    ${name} = ${part}`] : [])];
-    if (own) masks.push(mask && !isMask ? `${mask} * ${name}` : name);
-    if (isMask) {
-      mask = name;
-      return before;
+    const options = pythonOptions(state, { ...optionsOf(state, layer, state.layers.indexOf(layer)), ...period });
+    const moves = axes.map((axis) => `d${axis}_${number + 1}`);
+    const isWarped = shown[number].warp !== "none";
+    if (isWarped) {
+      const { octaves, lacunarity, gain, amplitude } = layer;
+      const ofWarp = pythonOptions(state, { seed: (layer.seed + 1) % 4294967296, octaves, lacunarity, gain, amplitude, ...period });
+      warps[number] = `    ${moves.join(", ")} = hashnoise.${layer.warp}(${scaled.join(", ")}, ${ofWarp})`;
     }
-    const mixed = next ?? `v + ${own ? name : part} * (${value} - v)`;
-    const made = mask ? `v + ${mask} * (${mixed} - v)` : mixed;
-    mask = "";
-    const result = number ? made : remapped;
-    return [...before, `    v = ${isClipped ? `numpy.clip(${result}, -8, 8)` : result}`];
-  }, []);
+    const passed = isWarped ? scaled.map((axis, i) => `${axis} + ${moves[i]}`) : scaled;
+    return `hashnoise.${functionOf(layer)}(${passed.join(", ")}, ${options})${indexOf(layer)}`;
+  });
+  // As integers are in other languages, as soon as something is done with the value of a noise.
+  const isClipped = state.arithmetic === "fixed";
+  const words = {
+    name: (kind, at) => (kind === "v" ? "v" : `mask_${at + 1}`),
+    numbers: (at) => [layers[at].weight, layers[at].offset],
+    product: (one, other) => `${one} * ${other}`,
+    stepped: String,
+    result: (value) => (isClipped ? `numpy.clip(${value}, -8, 8)` : value),
+    isExact: false, hasTints: true,
+    part: (value) => `numpy.clip(${value}, 0, 1)`,
+    lower: (...values) => `numpy.minimum(${values.join(", ")})`,
+    higher: (...values) => `numpy.maximum(${values.join(", ")})`,
+    slope: (v, at) => {
+      const beside = axes.map((axis) => axes.map((other) => (other === axis ? `${axis} + ${kStepBeside}` : other)).join(", "));
+      return `slope(${["v", ...beside.map((passed) => `below_${at + 1}(${passed})`)].join(", ")})`;
+    },
+  };
+  const linesOf = ({ steps }, count) => [...warps.slice(0, count).filter(Boolean), ...steps.map(([name, value]) => `    ${name} = ${value}`)];
+  const whole = combined(shown, calls, words);
+  const below = shown.flatMap(({ blend }, at) =>
+    at && blend === "slope"
+      ? [`def below_${at + 1}(${parameters}):`, ...linesOf(combined(shown.slice(0, at), calls, words), at), "    return v", ""]
+      : [],
+  );
   const leaning = leaningNumbers(state).map((row) => row.map((part, at) => `${part} * ${place[at]}`).join(" + "));
   const passed = isLeaning(state) ? [...leaning, ...place.slice(3)] : place;
   return {
     lines: [
       ...(below.length ? kSlope : []), ...below, "# Positions are in cells.",
-      `def pattern(${parameters}):`, ...lines, `    return ${["v", ...masks].join(", ")}`,
+      `def pattern(${parameters}):`, ...linesOf(whole), `    return ${["v", ...whole.masks].join(", ")}`,
     ],
     call: `pattern(${passed.slice(0, dimensions).join(", ")})`,
   };

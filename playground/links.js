@@ -1,7 +1,7 @@
 // Links, which carry the whole state, and the looks to begin with.
 
 import { changed, goingWith, kMostLayers, kSettings, possible, usualLayer, usualOf, usualState, uses } from "./model.js";
-import { isBeyondPositions, parsedNumber, parsedPosition, positionText, sameNumber } from "./numbers.js";
+import { isLastPosition, parsedNumber, parsedPosition, positionText } from "./numbers.js";
 import { kSums } from "./tables.js";
 
 // The first layer has plain names, and the second has "sum2" and so on.
@@ -27,14 +27,6 @@ export function parsed(name, text) {
   const setting = kSettings[name];
   if (typeof setting.usual === "string") return text;
   return typeof setting.usual === "bigint" ? parsedPosition(text) : parsedNumber(text);
-}
-
-// Which numbers a setting takes, for people.
-export function numbersOf(name) {
-  const { usual, whole, from, to } = kSettings[name];
-  if (typeof usual === "bigint") return "a number from −2147483648 to 2147483648, such as 12.5 or 1e9";
-  const digits = name === "cells" ? " of at most six digits" : "";
-  return `a ${whole ? "whole " : ""}number${digits} from ${from} to ${to}`;
 }
 
 // The state of a link. Unknown names and values that are none count as absent.
@@ -76,7 +68,7 @@ export function ignoredIn(link) {
     const given = name && parsed(name, text);
     const shown = typeof value === "bigint" ? positionText(value) : String(value);
     if (given === undefined || (typeof given === "string" && given.toLowerCase() !== value)) absent.push(`${key}=${text}`);
-    else if (typeof value === "bigint" && isBeyondPositions(text) && !sameNumber(text, shown))
+    else if (isLastPosition(value) && text !== shown)
       others.push(`${key}=${text} became ${shown}`);
     else if (given !== value && !(typeof given === "number" && Math.abs(given - value) <= 1e-4 * Math.abs(given)))
       others.push(`${key}=${text} became ${shown}`);
@@ -143,9 +135,9 @@ export const kLooks = {
   },
 };
 
-export function stateOfLook(name, { renderer, arithmetic, file, width, height, frames }) {
+export function stateOfLook(name, { arithmetic, file, width, height, frames }) {
   const { layers = [], ...look } = kLooks[name];
-  let state = { ...usualState(), renderer, arithmetic, file, width, height, frames };
+  let state = { ...usualState(), arithmetic, file, width, height, frames };
   state.layers.push(...layers.map(usualLayer));
   for (const [at, changes] of [look, ...layers].entries()) {
     state = changed(state, changes, at);

@@ -1,21 +1,21 @@
 // The page: the state, the picture, and what moves it.
 import { shaderKey } from "./code.js";
 import { Controls } from "./controls.js";
-import { Beside } from "./beside.js";
+import { Comparison } from "./compare.js";
 import { costOf } from "./cost.js";
 import { byId } from "./elements.js";
 import { linkInFile, planeOf } from "./files.js";
-import { anywhere, listen, listKeys, undoing } from "./hands.js";
+import { anywhere, listen, listKeys, undoing } from "./input.js";
 import { Library } from "./library.js";
 import { ignoredIn, linkOf, stateOf, stateOfLook } from "./links.js";
-import { changed, chosen, isTurned, kSettings, possible, rangeOf, titlesOf, uses } from "./model.js";
+import { changed, chosen, isTurned, kSettings, rangeOf, titlesOf, uses } from "./model.js";
 import { positionText } from "./numbers.js";
 import { gradientOf } from "./palette.js";
 import { kCanvases, Picture } from "./picture.js";
 import { Pieces, unpacked } from "./pieces.js";
 import { kBits } from "./shaders.js";
-import { kRenderers, kViews } from "./tables.js";
-import { surprised } from "./surprise.js";
+import { kViews } from "./tables.js";
+import { randomized } from "./randomize.js";
 import { Steps } from "./undo.js";
 import { histogramOf, summaryOf, wordsOf } from "./values.js";
 import { panned, partsOf, positionOfPixel, zoomed } from "./view.js";
@@ -90,25 +90,21 @@ class Playground extends Picture {
     this.linkTimer = setTimeout(() => this.writeLink(), kLinkDelay);
   }
 
-  // A change of more than a setting can be undone: the browser's Back brings back the picture.
+  // A change of more than a setting.
   replace(next, said) {
-    const other = linkOf(next) !== this.link;
-    this.writeLink();
     this.steps.note(this.state, next);
     this.take(next);
-    if (other) this.writeLink("pushState");
     byId("status").textContent = said;
   }
 
   look(name) {
-    this.replace(stateOfLook(name, this.state), `${name} is shown. Back undoes it.`);
+    this.replace(stateOfLook(name, this.state), `${name} is shown. Undo takes it back.`);
   }
 
-  // One step back, or forth again. A renderer that does not work is not tried again.
+  // One step back, or forth again.
   step(how, said) {
     const next = this.steps[how](this.state);
     if (!next) return;
-    if (byId(`renderer-${next.renderer}`).disabled) next.renderer = this.state.renderer;
     this.take(next);
     this.say(said);
   }
@@ -131,11 +127,10 @@ class Playground extends Picture {
     return linkOf(this.state);
   }
 
-  writeLink(how = "replaceState") {
+  writeLink() {
     clearTimeout(this.linkTimer);
     try {
-      // With the whole state, since the link leaves out unused settings.
-      history[how]({ ...this.state }, "", this.link || location.pathname + location.search);
+      history.replaceState(null, "", this.link || location.pathname + location.search);
     } catch {
       // A page in a frame without an address of its own has no link. Copying one still works.
     }
@@ -158,24 +153,10 @@ class Playground extends Picture {
     if (!this.probed) byId("value").textContent = "";
   }
 
-  async failed(error) {
-    const { renderer } = this.state;
-    const { webgl2, webgpu } = this.backends;
-    if (renderer === "webgpu" && (!webgpu || webgpu.lost) && this.without("webgpu", "webgl2")) return;
-    if (renderer === "webgl2" && webgl2?.lost) return; // it comes back
-    if (renderer === "webgl2" && !webgl2 && this.without("webgl2", "webgpu")) return;
+  failed(error) {
+    if (this.webgl?.lost) return; // it comes back
     byId("message").textContent = error.message;
     byId("message").hidden = false;
-  }
-
-  // A renderer that fails is not tried again: a device that is lost once is lost again. Returns whether the other takes over.
-  without(name, other) {
-    if (byId(`renderer-${other}`).disabled) return false;
-    const sentence = `${kRenderers[name]} does not work in this browser, so ${kRenderers[other]} draws the picture.`;
-    this.take({ ...this.state, renderer: other });
-    this.controls.refuseRenderer(name, sentence, other);
-    byId("status").textContent = sentence;
-    return true;
   }
 
   async drawn() {
@@ -202,7 +183,7 @@ class Playground extends Picture {
     byId("histogram").setAttribute("aria-label", words);
     byId("bars").style.clipPath = shape;
     byId("bars").style.background = gradientOf(state);
-    await this.beside.draw();
+    await this.comparison.draw();
   }
 
   // The value below the pointer.
@@ -262,8 +243,8 @@ class Playground extends Picture {
   // Cost, and the copied text.
 
   get costKey() {
-    const { layers, period, renderer } = this.state;
-    return [renderer, shaderKey({ ...this.state, view: "plane" }), ...layers.map(({ octaves }) => octaves), period].join(" ");
+    const { layers, period } = this.state;
+    return [shaderKey({ ...this.state, view: "plane" }), ...layers.map(({ octaves }) => octaves), period].join(" ");
   }
 
   async measure() {
@@ -275,14 +256,13 @@ class Playground extends Picture {
     try {
       this.play(false);
       const key = this.costKey;
-      const backend = await this.backend();
-      const { ratio, low, high, cell, million } = await costOf(backend, this.library, planeOf(this.state));
+      const { ratio, low, high, cell, million } = await costOf(this.gpu, this.library, planeOf(this.state));
       const text = (number) => (number < 10 ? number.toFixed(2) : number.toFixed(1));
       byId("cost").textContent = `${text(ratio)} × hn_perlin`;
       byId("note-cost").textContent =
         `A million values take ${text(million)} ms. It is pattern(p). ` +
         `From a cell, pattern(cell, f) costs ${text(cell)} ×. hn_perlin(p) in 2D, in floats, ` +
-        `was drawn in turns with both on ${backend.describe()}. ` +
+        `was drawn in turns with both on ${this.gpu.describe()}. ` +
         `Parts of the rounds gave ${text(low)} to ${text(high)}.`;
       byId("note-cost").hidden = false;
       this.measured = key;
@@ -340,8 +320,12 @@ class Playground extends Picture {
   async drop(file) {
     const link = file && (await linkInFile(file));
     if (link === undefined) return this.notice("This file has no setting. A PNG or a JSON of this page has one.");
-    this.replace(stateOf(link), `The setting of ${file.name} is shown. Back undoes it.`);
+    this.open(link, `The setting of ${file.name} is shown. Undo takes it back.`);
+  }
+
+  open(link, said) {
     const ignored = ignoredIn(link);
+    this.replace(stateOf(link), said);
     if (ignored) this.notice(ignored);
   }
 
@@ -350,13 +334,7 @@ class Playground extends Picture {
     try {
       await navigator.clipboard.writeText(text);
     } catch {
-      // Browsers that give no clipboard copy the selection.
-      const area = Object.assign(document.createElement("textarea"), { value: text });
-      document.body.append(area);
-      area.select();
-      done = document.execCommand("copy");
-      area.remove();
-      button.focus();
+      done = false; // people copy it themselves
     }
     this.controls.showUncopied(done ? undefined : text);
     if (!done) {
@@ -372,7 +350,7 @@ class Playground extends Picture {
   }
 
   // ------------------------------------------------------------------------------------------------------------------
-  // Hands.
+  // Input.
 
   // Where a pointer is, in pixels of the picture to the right of and above its middle.
   fromMiddle({ x, y }) {
@@ -411,21 +389,17 @@ class Playground extends Picture {
     this.change({ x: 0n, y: 0n, cells: kSettings.cells.usual });
   }
 
-  surprise() {
-    this.replace(surprised(this.state, this.controls.locked), "Other settings are shown. Back undoes it.");
+  randomize() {
+    this.replace(randomized(this.state, this.controls.locked), "Other settings are shown. Undo takes them back.");
   }
 
   roll() {
     this.change({ seed: crypto.getRandomValues(new Uint32Array(1))[0] % 1000000 });
   }
 
-  restored(canvas) {
-    const name = canvas.id.replace("picture-", "");
-    if (name === "webgpu" && this.state.renderer === name && !this.without("webgpu", "webgl2"))
-      return this.failed(new Error("The device of WebGPU was lost, and WebGL2 does not work in this browser."));
-    delete this.backends[name];
-    for (const key of this.programs.keys()) if (key.startsWith(`${name} `)) this.programs.delete(key);
-    if (name === this.state.renderer) this.request();
+  restored() {
+    this.webgl = undefined;
+    this.request();
   }
 
   // The panel hides, and is there again. The focus does not stay in what nobody sees.
@@ -440,25 +414,18 @@ class Playground extends Picture {
     for (const name of kCanvases) listen(this, byId(name));
     const clicks = {
       play: () => this.play(!this.playing), dice: () => this.roll(), in: () => this.zoom(2 ** -0.5),
-      out: () => this.zoom(2 ** 0.5), home: () => this.home(), surprise: () => this.surprise(),
+      out: () => this.zoom(2 ** 0.5), home: () => this.home(), surprise: () => this.randomize(),
       save: () => this.save(), measure: () => this.measure(),
       copy: () => this.copy(this.controls.code, byId("copy"), "The code"), link: () => this.copyLink(),
       undo: () => this.undo(), redo: () => this.redo(), help: () => byId("keys-list").showModal(),
     };
     for (const [id, action] of Object.entries(clicks)) byId(id).addEventListener("click", action);
-    this.beside = new Beside(this);
+    this.comparison = new Comparison(this);
     for (const id of ["hide", "handle"]) byId(id).addEventListener("click", () => this.fold());
     listKeys(byId("keys-list").querySelector("tbody"));
     addEventListener("keydown", (event) => undoing(this, event));
     addEventListener("keydown", (event) => anywhere(this, event));
-    // At popstate already, so that no link is written to the place in the history that is gone to.
-    addEventListener("popstate", ({ state }) => {
-      const next = state?.layers ? possible(state) : stateOf(location.hash);
-      const ignored = state?.layers ? "" : ignoredIn(location.hash);
-      this.steps.note(this.state, next);
-      this.take(next);
-      if (ignored) this.notice(ignored);
-    });
+    addEventListener("hashchange", () => this.open(location.hash, "The setting of the link is shown."));
     addEventListener("dragover", (event) => event.dataTransfer?.types.includes("Files") && event.preventDefault());
     addEventListener("drop", (event) => {
       if (!event.dataTransfer?.files.length) return;
@@ -467,7 +434,6 @@ class Playground extends Picture {
     });
     new ResizeObserver(() => this.request()).observe(byId("stage"));
     document.addEventListener("visibilitychange", () => document.hidden && this.play(false));
-    if (!navigator.gpu) this.controls.refuseRenderer("webgpu", "This browser has no WebGPU.", "webgl2");
     this.chooseCanvas();
     const ignored = ignoredIn(location.hash); // before the address loses it
     // Until there is a picture, or a sentence on why there is none. To make it sharp may take longer.

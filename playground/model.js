@@ -3,7 +3,7 @@
 import { scaleWithin, wrapped } from "./numbers.js";
 import { possibleStops, stopsOfMap } from "./palette.js";
 import {
-  kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kRenderers, kSums, kTints, kViews, kWarps,
+  kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kSums, kTints, kViews, kWarps,
 } from "./tables.js";
 
 // The settings, in the order of a link. A number has its ends; x and y are read and written by the view. Each layer has
@@ -45,7 +45,6 @@ export const kSettings = {
   x: { usual: 0n },
   y: { usual: 0n },
   cells: { usual: 8, from: 1 / 64, to: 1048576 },
-  renderer: { usual: "webgl2", of: kRenderers },
   file: { usual: "colours", of: kFiles },
   width: { usual: 1024, from: 1, to: 8192, whole: true },
   height: { usual: 1024, from: 1, to: 8192, whole: true },
@@ -216,7 +215,7 @@ export function uses(state, at = 0) {
   const turns = (other) => other.sum === "none" && Boolean(kNoises[other.noise].phase);
   return {
     sum: true, noise: true, dimensions: true, seed: true, period: true, arithmetic: true, hash: true, map: true,
-    stops: state.map === "own", contrast: true, x: true, y: state.dimensions > 1, cells: state.view !== "tiles", renderer: true,
+    stops: state.map === "own", contrast: true, x: true, y: state.dimensions > 1, cells: state.view !== "tiles",
     view: state.dimensions > 1, turn: turned, tilt: turned, steep: state.view === "terrain" || state.file === "normals",
     file: true, width: state.file !== "json", height: state.file !== "json", frames: isLoop(state),
     octaves: sum, lacunarity: sum, gain: sum, strength: Boolean(kSums[layer.sum].strength),

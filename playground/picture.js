@@ -3,7 +3,7 @@ import { shaderKey } from "./code.js";
 import { byId } from "./elements.js";
 import { fileOf, fileState, framesOf, planeOf } from "./files.js";
 import { linkOf } from "./links.js";
-import { isLoop, isSolid, mapsOf, rangeOf, reliefHeight } from "./model.js";
+import { isLoop, mapsOf, rangeOf, reliefHeight } from "./model.js";
 import { wrapped } from "./numbers.js";
 import { gradientOf, paletteOf, palettesOf } from "./palette.js";
 import { reliefOf, surfaceOf } from "./relief.js";
@@ -11,10 +11,8 @@ import { frameOf, kBits, kColours, pageShader } from "./shaders.js";
 import { Speed } from "./speed.js";
 import { originOf, partsOf, stepOf } from "./view.js";
 import { WebGL2 } from "./webgl.js";
-import { WebGPU } from "./webgpu.js";
 
-export const kBackends = { webgl2: WebGL2, webgpu: WebGPU };
-export const kCanvases = [...Object.keys(kBackends), "terrain"].map((name) => `picture-${name}`);
+export const kCanvases = ["picture-webgl2", "picture-terrain"];
 const kSideOfTerrain = 384; // values, at rest
 const kSideOfMoving = 128;
 const kFinestTerrain = 1024;
@@ -38,57 +36,51 @@ export class Picture {
   constructor(library, state) {
     this.library = library;
     this.state = state;
-    this.backends = {};
-    this.creating = {}; // promises of backends
     this.programs = new Map();
     this.speeds = new WeakMap(); // by the program
     this.moves = false;
   }
 
-  // Terrain is drawn on a canvas of its own, of the values that a backend computes.
+  // Terrain is drawn on a canvas of its own, of the values that the GPU computes.
   get canvas() {
-    return byId(`picture-${this.state.view === "terrain" ? "terrain" : this.state.renderer}`);
+    return byId(kCanvases[this.state.view === "terrain" ? 1 : 0]);
   }
 
   chooseCanvas() {
     for (const canvas of kCanvases.map(byId)) canvas.hidden = canvas !== this.canvas;
   }
 
-  // The backend of the state. One that is not to be had is replaced by the other.
-  async backend() {
-    const name = this.state.renderer;
-    if (!this.backends[name] || this.backends[name].lost) {
-      for (const key of this.programs.keys()) if (key.startsWith(`${name} `)) this.programs.delete(key);
-      // Once, however many ask until it is there.
-      this.creating[name] ??= kBackends[name].create(byId(`picture-${name}`)).finally(() => delete this.creating[name]);
-      this.backends[name] = await this.creating[name];
-      if (name === "webgpu") await this.library.load("shading");
+  get gpu() {
+    if (!this.webgl || this.webgl.lost) {
+      this.programs.clear();
+      this.webgl = new WebGL2(byId(kCanvases[0]));
     }
-    return this.backends[name];
+    return this.webgl;
   }
 
-  async program(backend, state) {
-    const key = `${state.renderer} ${shaderKey(state)}`;
+  async program(state) {
+    const key = shaderKey(state);
     let found = this.programs.get(key);
     this.programs.delete(key);
     if (!found) {
-      found = await backend.build(pageShader(this.library, backend.language, state));
+      const { gpu } = this;
+      found = await gpu.build(pageShader(this.library, state));
       if (this.programs.size >= kKeptPrograms) {
         const [oldest, program] = this.programs.entries().next().value;
         this.programs.delete(oldest);
-        this.backends[oldest.split(" ")[0]]?.discard(program);
+        gpu.discard(program);
       }
     }
     this.programs.set(key, found);
     return found;
   }
 
-  usePalette(backend, state) {
+  usePalette(state) {
     const maps = mapsOf(state);
     const colours = maps.map(gradientOf).join(" ");
-    if (backend.colours === colours) return;
-    backend.colours = colours;
-    backend.setPalette(palettesOf(maps));
+    if (this.gpu.colours === colours) return;
+    this.gpu.colours = colours;
+    this.gpu.setPalette(palettesOf(maps));
   }
 
   // The size of the picture in pixels of the screen.
@@ -117,14 +109,14 @@ export class Picture {
     return first ? Math.min(kCoarsest, within(kMoving)) : Math.min(Math.ceil(this.coarse / 2), within(kResting));
   }
 
-  async speedOf(backend, program, state) {
+  async speedOf(program, state) {
     if (!this.speeds.has(program)) {
       const size = this.size;
       const area = size[0] * size[1];
       const time = async (pixels) => {
         const [width, height] = size.map((side) => Math.max(1, Math.round(side * Math.sqrt(pixels / area))));
         const frame = this.frameSeen(state, width, height);
-        return this.timedStrip(backend, program, frame, width, height, 0, height);
+        return this.timedStrip(program, frame, width, height, 0, height);
       };
       this.speeds.set(program, await Speed.measured(time, area));
     }
@@ -143,22 +135,22 @@ export class Picture {
     return frameOf(state, width, height, kColours, { free: Math.round(width * this.free) });
   }
 
-  async timedStrip(backend, ...strip) {
+  async timedStrip(...strip) {
     const start = performance.now();
-    backend.strip(...strip);
-    await backend.finished();
+    this.gpu.strip(...strip);
+    await this.gpu.finished();
     return performance.now() - start;
   }
 
   // Draws a picture in strips where nobody sees it. One that is not the first of a state gives way as soon as another
   // is wanted: false.
-  async drawHidden(backend, program, speed, state, width, height, first) {
+  async drawHidden(program, speed, state, width, height, first) {
     const frame = this.frameSeen(state, width, height);
     const least = Math.ceil(height / kMostStrips);
     for (let row = 0; row < height; ) {
       if (row > 0 && this.wanted && !first) return false;
       const rows = Math.min(height - row, Math.max(least, Math.floor(speed.pixelsIn(kStrip) / width)));
-      speed.learn(rows * width, await this.timedStrip(backend, program, frame, width, height, row, rows));
+      speed.learn(rows * width, await this.timedStrip(program, frame, width, height, row, rows));
       row += rows;
     }
     return true;
@@ -192,7 +184,7 @@ export class Picture {
         byId("message").hidden = true;
       } catch (error) {
         this.tell(false);
-        await this.failed(error);
+        this.failed(error);
         if (!this.wanted) this.begun();
       }
     }
@@ -201,41 +193,39 @@ export class Picture {
   async draw() {
     const wanted = this.state;
     const state = { ...wanted };
-    const backend = await this.backend();
-    const program = await this.program(backend, state);
-    if (state.renderer !== this.state.renderer) return;
-    this.usePalette(backend, state);
-    if (state.view === "terrain") return this.drawTerrain(backend, program, state, wanted);
-    const speed = await this.speedOf(backend, program, state);
+    const program = await this.program(state);
+    this.usePalette(state);
+    if (state.view === "terrain") return this.drawTerrain(program, state, wanted);
+    const speed = await this.speedOf(program, state);
     const size = this.size;
     const first = this.moves || this.shown !== wanted;
     const coarse = this.coarseness(speed, size, first);
     const [width, height] = size.map((side) => Math.max(1, Math.round(side / coarse)));
-    if (!(await this.drawHidden(backend, program, speed, state, width, height, first))) return;
-    backend.show();
-    await this.wasDrawn(backend, wanted, coarse);
+    if (!(await this.drawHidden(program, speed, state, width, height, first))) return;
+    this.gpu.show();
+    await this.wasDrawn(wanted, coarse);
   }
 
-  async wasDrawn(backend, wanted, coarse) {
+  async wasDrawn(wanted, coarse) {
     this.shown = wanted;
     this.begun();
     this.coarse = coarse;
     if (coarse === 1 || this.moves) this.tell(false);
     else this.wanted = true;
-    byId("gpu").textContent = `Drawn by ${backend.describe()}.`;
+    byId("gpu").textContent = `Drawn by ${this.gpu.describe()}.`;
     await this.drawn();
   }
 
   // The bytes of a square with so many pixels on a side, in strips between which the page does other things. Nothing if
   // another picture is wanted meanwhile.
-  async squareOf(backend, program, state, side, mode) {
+  async squareOf(program, state, side, mode) {
     const bytes = new Uint8Array(4 * side * side);
-    const speed = await this.speedOf(backend, program, state);
+    const speed = await this.speedOf(program, state);
     for (let row = 0; row < side; ) {
       if (row > 0 && this.wanted) return undefined;
       const rows = Math.min(side - row, Math.max(Math.ceil(side / kMostStrips), Math.floor(speed.pixelsIn(kStrip) / side)));
       const frame = frameOf(state, side, side, mode, { first: row, rows });
-      bytes.set(await backend.read(program, frame, side, rows), 4 * row * side);
+      bytes.set(await this.gpu.read(program, frame, side, rows), 4 * row * side);
       row += rows;
     }
     return bytes;
@@ -243,15 +233,15 @@ export class Picture {
 
   // The surface is kept, since often the block is only rotated. At rest it first has as many values as it takes to look
   // right, and then as many as the screen shows.
-  async drawTerrain(backend, program, state, wanted) {
+  async drawTerrain(program, state, wanted) {
     const finest = Math.min(kFinestTerrain, Math.max(kSideOfTerrain, Math.min(...this.size)));
     const key = linkOf({ ...state, turn: 0, tilt: 0, width: 0, height: 0 });
     const had = this.surface?.key === key ? this.surface.side : 0;
     const side = this.moves ? Math.max(had, kSideOfMoving) : had < kSideOfTerrain ? kSideOfTerrain : finest;
     if (had !== side) {
-      const values = await this.squareOf(backend, program, state, side, kBits);
+      const values = await this.squareOf(program, state, side, kBits);
       const hasTints = mapsOf(state).length > 1;
-      const colours = hasTints && (await this.squareOf(backend, program, state, side, kColours));
+      const colours = hasTints && (await this.squareOf(program, state, side, kColours));
       if (!values || colours === undefined) return;
       const heights = new Float32Array(values.buffer);
       this.surface = { key, ...surfaceOf(heights, side, rangeOf(state), paletteOf(state), reliefHeight(state), colours) };
@@ -272,31 +262,29 @@ export class Picture {
     const canvas = byId("picture-terrain");
     Object.assign(canvas, { width, height });
     canvas.getContext("2d").putImageData(new ImageData(bytes, width, height), 0, 0);
-    await this.wasDrawn(backend, wanted, sharp ? 1 : 2);
+    await this.wasDrawn(wanted, sharp ? 1 : 2);
   }
 
   // Four bytes a pixel from the lower left corner on, of a picture of this size: of colours, or of the bits of values.
   async pixels(width, height, mode = kColours) {
     const state = { ...this.state };
-    const backend = await this.backend();
-    const program = await this.program(backend, state);
-    this.usePalette(backend, state);
-    return backend.read(program, frameOf(state, width, height, mode), width, height);
+    const program = await this.program(state);
+    this.usePalette(state);
+    return this.gpu.read(program, frameOf(state, width, height, mode), width, height);
   }
 
   async file(tell) {
     const state = fileState(this.state);
-    const backend = await this.backend();
-    const program = await this.program(backend, isLoop(state) ? framesOf(state)[0] : state);
-    this.usePalette(backend, state);
+    const program = await this.program(isLoop(state) ? framesOf(state)[0] : state);
+    this.usePalette(state);
     const { width, height } = state;
     const read = (mode, first, rows, shown, border) => {
-      if (!border) return backend.read(program, frameOf(shown, width, height, mode, { first, rows }), width, rows);
+      if (!border) return this.gpu.read(program, frameOf(shown, width, height, mode, { first, rows }), width, rows);
       const step = BigInt(stepOf(shown, width, height));
       const [x, y] = originOf(shown, width, height);
       const corner = [wrapped(x - step), wrapped(y + step * BigInt(first - 1)), partsOf(shown.z), partsOf(shown.w)];
       const frame = frameOf(shown, width, height, mode, { position: corner, rows: rows + 2 });
-      return backend.read(program, frame, width + 2, rows + 2);
+      return this.gpu.read(program, frame, width + 2, rows + 2);
     };
     return fileOf(state, read, tell);
   }
@@ -304,11 +292,10 @@ export class Picture {
   // The values at these points, each [x, y, z, w] in parts of a cell.
   async values(points) {
     const state = planeOf(this.state);
-    const backend = await this.backend();
-    const program = await this.program(backend, state);
+    const program = await this.program(state);
     const values = new Float32Array(points.length);
     for (const [i, point] of points.entries()) {
-      const bytes = await backend.read(program, frameOf(state, 1, 1, kBits, { position: point }), 1, 1);
+      const bytes = await this.gpu.read(program, frameOf(state, 1, 1, kBits, { position: point }), 1, 1);
       values[i] = new DataView(bytes.buffer).getFloat32(0, true);
     }
     return values;

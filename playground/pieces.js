@@ -1,6 +1,5 @@
 // The functions that pictures call, as tools/pick writes them in each language: as pieces, from which a picture takes those
 // that it needs (tools/lib/ship/playground/picks.py).
-import { unpackedLzma } from "./lzma.js";
 
 const kShading = ["glsl", "hlsl", "metal", "godot", "wgsl"];
 // The languages that have their functions by other names than C.
@@ -14,25 +13,10 @@ const kNamed = {
 const camel = (name) => name.replace(/_(\w)/g, (_, letter) => letter.toUpperCase());
 const pascal = (name) => camel(`_${name}`);
 
-const kDigitsOf85 = new Map(
-  [..."0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%,()*+-;.=>?@^_:{|}~"].map((digit, at) => [digit, at]),
-);
-// Five digits are four bytes, and the last ones so many bytes fewer as there are digits fewer.
-export function bytesOf(digits) {
-  const count = Math.floor((digits.length * 4) / 5);
-  const view = new DataView(new ArrayBuffer(count + 4));
-  for (let from = 0, to = 0; from < digits.length; from += 5, to += 4) {
-    let word = 0;
-    for (let at = from; at < from + 5; ++at) word = word * 85 + (kDigitsOf85.get(digits[at]) ?? 84);
-    view.setUint32(to, word);
-  }
-  return new Uint8Array(view.buffer, 0, count);
-}
-
-// The content of a text in the page: JSON, as the number of its bytes, a blank, and LZMA in digits to the base of 85.
+// The content of a text in the page: JSON, packed by zlib, in base 64.
 export async function unpacked(text) {
-  const [size, digits] = text.trim().split(" ");
-  return JSON.parse(new TextDecoder().decode(await unpackedLzma(bytesOf(digits), Number(size))));
+  const bytes = Uint8Array.from(atob(text), (character) => character.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).json();
 }
 
 export class Pieces {

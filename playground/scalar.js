@@ -1,6 +1,7 @@
 // The picture as a function of numbers, for languages without vectors: C, Rust, C#, Java, Go, JavaScript and OSL. It calls
 // what tools/pick writes, so that here are calls and sums alone.
 import { decimal, kStepBeside, partOf, shapes } from "./code.js";
+import { combined } from "./combine.js";
 import { remapOf } from "./model.js";
 import { named } from "./pieces.js";
 import { kMetrics, kNoises, kSums } from "./tables.js";
@@ -40,7 +41,7 @@ const kSyntax = {
   go: {
     float: decimal, uint: String, o: "&o", s: "&s", place: "o.Place", seed: "o.Seed", types: typesByName("float32", "uint32"),
     head: (name, parameters) => `func ${name}(${parameters.map(([type, one]) => `${one} ${type}`).join(", ")}) float32 {`,
-    let: (name, value) => `${name} := ${value}`, struct: (_, name, value) => `${name} := ${value}`, end: "",
+    let: (name, value) => `var ${name} float32 = ${value}`, struct: (_, name, value) => `${name} := ${value}`, end: "",
     loop: (lines, next) => ["for {", ...lines.map((line) => `\t${line}`), `\tif !${next} {`, "\t\tbreak", "\t}", "}"],
   },
   javascript: {
@@ -166,28 +167,7 @@ class ScalarWriter {
     return { lines, value: `${name}(${this.call(`hn_octaves_of${this.n}_place`, this.placeOf(layer), ...settings, seed)})` };
   }
 
-  // How a value is combined with those before it, as Mixer has it. `v` is what those are called.
-  combined(shape, value, v) {
-    const { fixed } = this;
-    if (v && ["mix", "height", "slope"].includes(shape.blend)) return this.mixed(v, this.partOf(shape, value, v), value);
-    const part = (number) => this.float(partOf(this.state, number));
-    const weighted = shape.weighted ? this.product(part(shape.weight), this.steps(value)) : this.steps(value);
-    const moved = shape.moved ? `${weighted} + ${part(shape.offset)}` : weighted;
-    if (!v || shape.blend === "mask") return moved;
-    if (shape.blend === "add") return `${v} + ${moved}`;
-    if (shape.blend === "multiply") return this.product(v, shape.moved || shape.weighted ? (fixed ? this.steps(moved) : `(${moved})`) : moved);
-    return this.call(`hn_play_${shape.blend === "min" ? "lower" : "higher"}1`, v, moved);
-  }
-
-  // How much a layer counts, as Mixer has it.
-  partOf(shape, value, v) {
-    const [weight, offset] = [shape.weight, shape.offset].map((number) => this.float(partOf(this.state, number)));
-    if (shape.blend === "mix") return weight;
-    const below = shape.blend === "slope" ? v.replace("v", "s") : v;
-    return this.part(shape.blend === "mask" ? this.combined(shape, value, v) : `${this.product(weight, below)} + ${offset}`);
-  }
-
-  // How steep it is below a layer, as Mixer has it: names and their values, up to the slope of the value v.
+  // How steep it is below a layer, as the shaders have it: names and their values, up to the slope of the value v.
   slopeBelow(number, v) {
     const made = this.axes.flatMap((axis, at) => {
       const places = this.axes.map((other) => (other === axis ? `${axis} + ${this.float(kStepBeside)}` : other));
@@ -201,68 +181,56 @@ class ScalarWriter {
     const length = this.axes.map((_, at) => `d${number}${at}`).reduce((sum, d) => {
       const half = `${this.float(0.5)} * ${this.call("hn_play_lower1", sum, d)}`;
       const name = `${sum}${d}`;
-      made.push([name, this.steps(`${this.call("hn_play_higher1", sum, d)} + ${half}`)]);
+      made.push([name, this.stepped(`${this.call("hn_play_higher1", sum, d)} + ${half}`)]);
       return name;
     });
     return [...made, [v.replace("v", "s"), length]];
   }
 
-  get fixed() {
-    return this.state.arithmetic === "fixed";
+  stepped(text) {
+    return this.state.arithmetic === "fixed" ? this.call("hn_play_steps1", text) : text;
   }
 
-  steps(text) {
-    return this.fixed ? this.call("hn_play_steps1", text) : text;
+  words(shown) {
+    const isExact = this.state.arithmetic === "fixed";
+    const stepped = (text) => this.stepped(text);
+    const [lower, higher] = ["lower", "higher"].map((name) => (...values) => this.call(`hn_play_${name}1`, ...values));
+    return {
+      name: (kind, at) => `${kind}${at + 1}`,
+      numbers: (at) => [shown[at].weight, shown[at].offset].map((number) => this.float(partOf(this.state, number))),
+      product: (one, other) => (isExact ? this.call("hn_play_product1", one, other) : `${one} * ${other}`),
+      stepped, result: stepped, isExact, hasTints: true, lower, higher,
+      part: (value) => stepped(lower(higher(value, this.float(0)), this.float(1))),
+      slope: (v, at, steps) => {
+        steps.push(...this.slopeBelow(at + 1, v));
+        return steps.at(-1)[0];
+      },
+    };
   }
 
-  product(one, other) {
-    return this.fixed ? this.call("hn_play_product1", one, other) : `${one} * ${other}`;
-  }
-
-  // A part from 0 to 1 of a value, and so much of the way from v to a value.
-  part(value) {
-    const [low, high] = [this.float(0), this.float(1)];
-    return this.steps(this.call("hn_play_lower1", this.call("hn_play_higher1", value, low), high));
-  }
-
-  mixed(v, part, value) {
-    return `${v} + ${this.product(part, this.fixed ? `${this.steps(value)} - ${v}` : `(${value} - ${v})`)}`;
-  }
-
-  // The lines that combine the layers; and by the names of other functions those that make how much the layers with
-  // colours of their own count.
+  // The lines that combine the layers; and by the names of other functions those that make what is below a layer, and how
+  // much the layers with colours of their own count.
   combining(shown, layers) {
-    let [v, mask] = [];
-    const made = []; // each a name and its value
-    const returning = (value) => {
+    const calls = layers.map(({ value }) => value);
+    const words = this.words(shown);
+    const { steps, v, masks } = combined(shown, calls, words);
+    // The value, behind the steps that it needs.
+    const returning = (value, made) => {
       const needed = [`return ${value}${this.end}`];
       for (const [name, other] of made.toReversed())
         if (needed.some((line) => new RegExp(`\\b${name}\\b`).test(line))) needed.unshift(this.syntax.let(name, other));
       return needed;
     };
-    const [below, masks] = [{}, {}];
-    layers.forEach(({ value }, at) => {
-      const shape = shown[at];
-      const isMask = v && shape.blend === "mask";
-      if (v && shape.blend === "slope") {
-        below[`below_${at + 1}`] = returning(v);
-        made.push(...this.slopeBelow(at + 1, v));
-      }
-      if (shape.tinted) {
-        const part = shape.blend === "mix" ? this.part(this.partOf(shape, value, v)) : this.partOf(shape, value, v);
-        masks[`mask_${at + 1}`] = returning(mask && !isMask ? this.product(mask, part) : part);
-      }
-      const name = `${isMask ? "m" : "v"}${at + 1}`;
-      if (isMask) {
-        made.push([name, this.partOf(shape, value, v)]);
-        mask = name;
-        return;
-      }
-      const next = this.combined(shape, value, v);
-      made.push([name, this.steps(mask ? this.mixed(v, mask, next) : next)]);
-      [v, mask] = [name];
-    });
-    return { below, lines: returning(v), masks };
+    const functions = {};
+    for (const [at, { blend }] of shown.entries()) {
+      if (at === 0 || blend !== "slope") continue;
+      const below = combined(shown.slice(0, at), calls, words);
+      functions[`below_${at + 1}`] = returning(below.v, below.steps);
+    }
+    functions.pattern = returning(v, steps);
+    const tinted = shown.flatMap((shape, at) => (shape.tinted ? [at] : []));
+    tinted.forEach((at, k) => (functions[`mask_${at + 1}`] = returning(masks[k], steps)));
+    return functions;
   }
 
   write() {
@@ -270,10 +238,10 @@ class ScalarWriter {
     const { weight, offset } = remapOf(this.state, this.state.layers.findIndex(({ on }) => on));
     const alone = shown.length === 1 && weight === 1 && offset === 0;
     const layers = shown.map((layer, at) => this.layer(layer, at));
-    const { below, lines, masks } = alone ? { lines: [`return ${layers[0].value}${this.end}`] } : this.combining(shown, layers);
+    const functions = alone ? { pattern: [`return ${layers[0].value}${this.end}`] } : this.combining(shown, layers);
     const parameters = this.axes.map((axis) => [this.syntax.types.float, axis]);
-    const defined = Object.entries({ ...below, pattern: lines, ...masks }).flatMap(([name, body]) => this.define(this.ours(name), parameters, body, true));
-    return [...layers.flatMap(({ lines: functions }) => functions), ...defined];
+    const defined = Object.entries(functions).flatMap(([name, body]) => this.define(this.ours(name), parameters, body, true));
+    return [...layers.flatMap(({ lines }) => lines), ...defined];
   }
 }
 
@@ -283,7 +251,7 @@ const kShader = (n) => [
   "}",
 ];
 
-// {head, library, code} as copied() has them.
+// {head, library, code} as exported() has them.
 export function scalarCode(library, language, state) {
   const writer = new ScalarWriter(language, state);
   const code = writer.write();

@@ -1,11 +1,9 @@
-// The shaders of the page, and the numbers that they read. Each exists in GLSL for WebGL2 and in WGSL for WebGPU; with
-// HN_FIXED both draw the same bytes, since everything from the position to the colour is whole numbers.
+// The shaders of the page, and the numbers that they read. With HN_FIXED they draw the same bytes on every GPU, since
+// everything from the position to the colour is whole numbers.
 import { functions, knobs, numbers, partOf } from "./code.js";
-import { kWgslVertex } from "./copied.js";
 import { isLeaning, isSolid, kMostLayers, rangeOf, shownLayers, tintedLayers, usualLayer } from "./model.js";
 import { solidPlace, solidShader, wordsOfSolid } from "./solid.js";
 import { cellOf, leaningSteps, leant, originOf, partsOf, placeOf, stepOf, tileOf } from "./view.js";
-import { inWgsl } from "./wgsl.js";
 
 // The content of a pixel: a colour of the map, or the four bytes of the value.
 export const kColours = 0;
@@ -13,7 +11,7 @@ export const kBits = 1;
 export const kTimes = 8; // that a shader computes the noise of a pixel, when it is timed
 const kUnit = 1048576; // of a value, when it is made a whole number: 2^20
 
-// The words of a frame, as both languages lay them out: ten vectors of four, and four more for each layer.
+// The words of a frame: ten vectors of four, and four more for each layer.
 const kWordsOfFrame = 40;
 const kWordsOfLayer = 16;
 export const kFrameBytes = 4 * (kWordsOfFrame + kMostLayers * kWordsOfLayer);
@@ -28,13 +26,6 @@ layout(std140) uniform Frame {
   ivec4 u_solid[4];
   Layer u_layers[${kMostLayers}];
 };`;
-const kWgslFrame = `struct Layer { octaves: vec4i, sum: vec4f, more: vec4f, seed: vec4u }
-struct Frame {
-  cell: vec4i, place: vec4u, step: vec4u, shown: vec4i, drawn: vec4u, turn: vec4f, solid: array<vec4i, 4>,
-  layers: array<Layer, ${kMostLayers}>,
-}
-@group(0) @binding(0) var<uniform> u: Frame;
-@group(0) @binding(1) var palette: texture_2d<f32>;`;
 
 // Where the frame begins, and how long a step is from one of its places to the next.
 function placed(state, width, height) {
@@ -81,18 +72,16 @@ export function frameOf(state, width, height, mode, { position, first = 0, rows 
 }
 
 // Names of uniforms for the layers that are shown.
-function uniforms(language, state) {
+function uniforms(state) {
   const n = state.dimensions;
-  const glsl = language === "glsl";
-  const [int, float, uint] = glsl ? ["int", "float", "uint"] : ["i32", "f32", "u32"];
-  const ints = n === 1 ? int : glsl ? `ivec${n}` : `vec${n}i`;
+  const ints = n === 1 ? "int" : `ivec${n}`;
   return shownLayers(state).map((_, at) => {
-    const of = `${glsl ? "u_" : "u."}layers[${at}]`;
+    const of = `u_layers[${at}]`;
     return {
       seed: `${of}.seed.x`, otherSeed: `${of}.seed.y`, octaves: `${of}.octaves.x`, lacunarity: `${of}.sum.x`,
       gain: `${of}.sum.y`, strength: `${of}.sum.z`, amplitude: `${of}.sum.w`, jitter: `${of}.more.x`,
-      weight: `${of}.more.y`, offset: `${of}.more.z`, phase: glsl ? "u_turn.x" : "u.turn.x",
-      period: `${ints}(${of}.octaves.z)`, scale: `${float}(${of}.octaves.y)`, wholeScale: `${uint}(${of}.octaves.y)`,
+      weight: `${of}.more.y`, offset: `${of}.more.z`, phase: "u_turn.x",
+      period: `${ints}(${of}.octaves.z)`, scale: `float(${of}.octaves.y)`, wholeScale: `uint(${of}.octaves.y)`,
     };
   });
 }
@@ -118,9 +107,10 @@ const placesOf = (state, timed) => {
 // How a value is shown. A value in steps of 2^-20 is a whole number; the colour is one of 256. In one dimension the
 // picture is a graph: full colour below the value, and an eighth of it above. Colours of layers are mixed in whole numbers,
 // too.
-const shade = (tints) => `vec4 shade(float value, int row) {
+const shade = (tints) => `${tints ? `float tints[${tints}];\n` : ""}vec4 palette_at(int x, int y) { return texelFetch(u_palette, ivec2(x, y), 0); }
+vec4 shade(float value, int row) {
   if (u_shown.z == ${kBits}) {
-    uint bits = bits_of(value);
+    uint bits = floatBitsToUint(value);
     return vec4(float(bits & 255u), float((bits >> 8u) & 255u), float((bits >> 16u) & 255u), float(bits >> 24u)) / 255.0;
   }
   uint d = uint(clamp(int(floor(value * ${kUnit}.0)) - u_shown.x, 0, u_shown.y - 1));
@@ -134,12 +124,6 @@ const shade = (tints) => `vec4 shade(float value, int row) {
   if (row >= 0 && uint(row) > (d >> 6u) * u_step.w / (uint(u_shown.y) >> 6u)) color = vec4(color.rgb * 0.125, 1.0);
   return color;
 }`;
-// Functions that it calls, in the own words of each language.
-const glslOwn = (tints) => `${tints ? `float tints[${tints}];\n` : ""}vec4 palette_at(int x, int y) { return texelFetch(u_palette, ivec2(x, y), 0); }
-uint bits_of(float x) { return floatBitsToUint(x); }`;
-const wgslOwn = (tints) => `${tints ? `var<private> tints: array<f32, ${tints}>;\n` : ""}fn palette_at(x: i32, y: i32) -> vec4f { return textureLoad(palette, vec2i(x, y), 0); }
-fn bits_of(x: f32) -> u32 { return bitcast<u32>(x); }`;
-
 // How much the layers with colours count at the pixel is kept for "shade".
 const kept = (parts) => [...parts.map((part, at) => `tints[${at}] = ${part};`), "return v;"];
 
@@ -158,10 +142,10 @@ void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2
 // The fragment shader. `values` are names of uniforms, or numbers; `form` is how "pattern" is called, and `value` what is
 // shown. One that is timed computes it at several cells, so that the GPU has more to do than to write pixels. Both
 // coordinates go on, so that no compiler computes one of them before the loop.
-function glsl(library, state, values, { timed, form = "cell", value } = {}) {
+function shader(library, state, values, { timed, form = "cell", value } = {}) {
   const tints = timed ? 0 : tintedLayers(state).length;
   const { lines, files } = functions(library, "glsl", state, values, [form], false, tints ? kept : undefined);
-  const solid = isSolid(state) && !timed ? solidShader("glsl", state, kBits) : undefined;
+  const solid = isSolid(state) && !timed ? solidShader(state, kBits) : undefined;
   const n = state.dimensions;
   const shown = value ?? `pattern(${argumentsOf(n, form, solid || (!timed && isLeaning(state)))})`;
   return [
@@ -175,7 +159,6 @@ function glsl(library, state, values, { timed, form = "cell", value } = {}) {
     "uniform sampler2D u_palette;",
     "out vec4 color;",
     "const float kPart = 1.0 / 16777216.0;",
-    glslOwn(tints),
     shade(tints),
     ...lines,
     kPlace,
@@ -192,36 +175,6 @@ function glsl(library, state, values, { timed, form = "cell", value } = {}) {
   ].join("\n");
 }
 
-function wgsl(library, state, values, { timed, form = "cell", value } = {}) {
-  const tints = timed ? 0 : tintedLayers(state).length;
-  const { lines, public: called } = functions(library, "wgsl", state, values, [form], true, tints ? kept : undefined);
-  const solid = isSolid(state) && !timed ? solidShader("wgsl", state, kBits) : undefined;
-  const n = state.dimensions;
-  const shown = value ?? `${form === "cell" ? "pattern_cell" : "pattern"}(${inWgsl(argumentsOf(n, form, solid || (!timed && isLeaning(state))))})`;
-  return [
-    ...library.texts(called, "wgsl", state),
-    kWgslFrame,
-    "const kPart = 1.0f / 16777216.0f;",
-    wgslOwn(tints),
-    inWgsl(shade(tints)),
-    ...lines,
-    inWgsl(kPlace),
-    ...(solid ? [solid.point] : []),
-    ...kWgslVertex,
-    "@fragment fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {",
-    // Rows are counted from the lower end, as in OpenGL.
-    "  let at = vec2u(u32(position.x), u.drawn.y - u32(position.y)) % u.drawn.z;",
-    ...(solid ? [solid.places] : placesOf(state, timed).map(inWgsl)),
-    ...(timed
-      ? [`  var sum = 0.0f;`, `  for (var i = 0u; i < u.drawn.x; i++) { sum += ${shown}; x.x += 8u; y.x += 5u; }`]
-      : [`  let sum = ${shown};`]),
-    `  return shade(sum, ${n === 1 ? "i32(at.y)" : "-1"})${solid ? ` * ${solid.light}` : ""};`,
-    "}",
-    "",
-  ].join("\n");
-}
-
-const kWrite = { glsl, wgsl };
 // To what costs are compared: hn_perlin on the plane, as the library has it by default.
 export const plainOf = (state) => ({
   ...state,
@@ -234,16 +187,13 @@ export const plainOf = (state) => ({
 });
 
 // The shader that the page draws with: numbers are uniforms.
-export const pageShader = (library, language, state) =>
-  kWrite[language](library, state, uniforms(language, state));
+export const pageShader = (library, state) => shader(library, state, uniforms(state));
 
 // The shader that is timed: the numbers stand in the text, as in a shader of somebody who copied it.
-export const timedShader = (library, language, state, form) =>
-  kWrite[language](library, state, numbers(language, state), { timed: true, form });
+export const timedShader = (library, state, form) => shader(library, state, numbers("glsl", state), { timed: true, form });
 
 // A shader in which nothing is computed but the position.
-export function emptyShader(library, language, state) {
+export function emptyShader(library, state) {
   const plain = plainOf(state);
-  const value = language === "glsl" ? "float(x.x + x.y + y.y) * kPart" : "f32(x.x + x.y + y.y) * kPart";
-  return kWrite[language](library, plain, numbers(language, plain), { timed: true, value });
+  return shader(library, plain, numbers("glsl", plain), { timed: true, value: "float(x.x + x.y + y.y) * kPart" });
 }

@@ -2,7 +2,6 @@
 // that in whole numbers, so that every GPU shows the same points.
 import { wrapped } from "./numbers.js";
 import { kPartsOfCell, partsOf } from "./view.js";
-import { inWgsl } from "./wgsl.js";
 
 const kRadius = 16384; // of the ball in its own units, and of a ball around the cube
 const kHalfEdge = 9459; // of the cube
@@ -92,9 +91,8 @@ const kPlacesOfSolid = ["x", "y", "z"].map((axis) => `  uvec2 ${axis} = place_of
 // The parts of the shader of a solid: functions; lines of main, which is called with a pixel `at`, up to the places of its
 // point along each axis; and what its colour is multiplied by. A pixel without a point has four bytes of 255 in place
 // of a value, which is no number. `bits` is the mode of the frame in which pixels are values.
-export function solidShader(language, { view }, bits) {
-  const [written, end] = language === "wgsl" ? [inWgsl, "return $;"] : [(text) => text, "color = $; return;"];
+export function solidShader({ view }, bits) {
   const light = "solid_light(solid.w)";
-  const places = ["  vec4 solid = solid_at(ivec2(at));", `  if (solid.w < 0.0) { ${end.replace("$", light)} }`, ...kPlacesOfSolid];
-  return { point: written([kPoints[view], lightOf(bits)].join("\n")), places: written(places.join("\n")), light };
+  const places = ["  vec4 solid = solid_at(ivec2(at));", `  if (solid.w < 0.0) { color = ${light}; return; }`, ...kPlacesOfSolid];
+  return { point: `${kPoints[view]}\n${lightOf(bits)}`, places: places.join("\n"), light };
 }

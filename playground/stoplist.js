@@ -27,25 +27,6 @@ export class StopList {
     const set = (stop) => this.change(withStop(this.text, at, stop));
     const picked = element("input", { type: "color", id: `picked-${at + 1}`, ariaLabel: `Colour of ${name}` });
     picked.addEventListener("input", () => set({ colour: picked.value.slice(1) }));
-    const typed = element("input", {
-      type: "text", id: `colour-${at + 1}`, maxLength: 7, spellcheck: false,
-      ariaLabel: `Colour of ${name}, in hexadecimal`,
-    });
-    // A text that is no colour is not taken: the field has its colour again, and a sentence stays until something changes.
-    typed.addEventListener("input", () => (typed.dataset.typed = "yes"));
-    typed.addEventListener("change", () => {
-      delete typed.dataset.typed;
-      const [, colour] = /^\s*#?([\da-f]{6})\s*$/i.exec(typed.value) ?? [];
-      if (colour) return set({ colour: colour.toLowerCase() });
-      byId("wrong-stops").textContent =
-        `${typed.value} is no colour. This field takes six hexadecimal digits, such as e8695a.`;
-      byId("wrong-stops").hidden = false;
-      return this.showRows();
-    });
-    typed.addEventListener("blur", () => {
-      delete typed.dataset.typed;
-      this.showRows();
-    });
     const place = element("input", {
       type: "range", id: `place-${at + 1}`, min: 0, max: 100, step: 1, ariaLabel: `Place of ${name}`,
     });
@@ -56,7 +37,7 @@ export class StopList {
       title: label,
     });
     remove.addEventListener("click", () => this.remove(at));
-    return { row: element("li", { hidden: true }, picked, typed, place, remove), picked, typed, place, remove };
+    return { row: element("li", { hidden: true }, picked, place, remove), picked, place, remove };
   }
 
   remove(at) {
@@ -68,25 +49,18 @@ export class StopList {
   }
 
   show({ map, stops }) {
-    if (map !== this.map || stops !== this.text) byId("wrong-stops").hidden = true;
     this.map = map;
     this.text = stops;
     byId("edit-map").hidden = map === "own" || map === "none";
-    this.showRows();
-  }
-
-  showRows() {
-    const { text } = this;
-    const stops = stopsOf(text);
-    byId("add-stop").ariaDisabled = String(stops.length === kMostStops);
-    for (const [at, { row, picked, typed, place, remove }] of this.rows.entries()) {
-      row.hidden = at >= stops.length;
+    const shown = stopsOf(stops);
+    byId("add-stop").ariaDisabled = String(shown.length === kMostStops);
+    for (const [at, { row, picked, place, remove }] of this.rows.entries()) {
+      row.hidden = at >= shown.length;
       if (row.hidden) continue;
-      picked.value = `#${stops[at].colour}`;
-      if (!typed.dataset.typed) typed.value = stops[at].colour;
-      place.value = stops[at].place;
-      place.setAttribute("aria-valuetext", `${stops[at].place} %`);
-      remove.ariaDisabled = String(!canLoseStop(text));
+      picked.value = `#${shown[at].colour}`;
+      place.value = shown[at].place;
+      place.setAttribute("aria-valuetext", `${shown[at].place} %`);
+      remove.ariaDisabled = String(!canLoseStop(stops));
     }
   }
 }

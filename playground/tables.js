@@ -123,7 +123,6 @@ export const kAbout = {
   lean: "How far the slice leans towards the diagonal of the cells, in turns.",
   contrast: "How steeply colours follow the values.",
 };
-export const kRenderers = { webgl2: "WebGL2", webgpu: "WebGPU" };
 
 // Colours from the lowest value to the highest, at even distances; between them they are mixed.
 export const kMaps = {

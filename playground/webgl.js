@@ -17,22 +17,13 @@ const soon = () =>
 
 export class WebGL2 {
   // Throws if the browser has no WebGL2.
-  static async create(canvas) {
+  constructor(canvas) {
     const gl = canvas.getContext("webgl2", {
-      alpha: false,
-      antialias: false,
-      depth: false,
-      powerPreference: "high-performance",
-      preserveDrawingBuffer: false,
+      alpha: false, antialias: false, depth: false, powerPreference: "high-performance", preserveDrawingBuffer: false,
     });
     if (!gl) throw new Error("This browser does not give a WebGL2 context.");
-    return new WebGL2(canvas, gl);
-  }
-
-  constructor(canvas, gl) {
     this.canvas = canvas;
     this.gl = gl;
-    this.language = "glsl";
     this.parallel = gl.getExtension("KHR_parallel_shader_compile");
     gl.bindVertexArray(gl.createVertexArray());
     this.frames = gl.createBuffer();

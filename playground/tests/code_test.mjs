@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import test, { after, before } from "node:test";
+import { kWgslVertex } from "../export.js";
 import { linkOf, stateOf } from "../links.js";
 import { changed, mapsOf, usualState } from "../model.js";
 import { hasCompiler, kCompiled, wordsOf, wordsOfJavaScript } from "./languages.mjs";
@@ -29,7 +30,7 @@ const chosen = [
   { sum: "fbm", noise: "cell_border" }, // of all loops the one with the most choices in it, each once a branch in browsers
 ];
 const placed = (settings, state = usualState()) =>
-  changed(changed(state, { arithmetic: "fixed" }), { ...settings, ...kOrigin, renderer: "webgl2" });
+  changed(changed(state, { arithmetic: "fixed" }), { ...settings, ...kOrigin });
 // All that tools/pick has written is compiled in a thorough run. (In those the tests of tools/pick hold the bits of all
 // functions to the C++ header.)
 const picked = simpleStates().map((state) => changed(state, { z: 0.75, w: 1.5, ...kOrigin }));
@@ -204,95 +205,66 @@ void main() {
   return Array.isArray(found) ? found.filter((_, at) => at % 4 === 0) : found;
 }
 
-// The picture of a whole shader in WGSL, as the bytes of colours from the lower row on.
-const drawnByWgsl = (text) =>
+// The picture of a whole shader in WGSL, from the lower row on: bytes of colours, or words of a target of words; or the
+// messages of the compiler.
+const drawnByWgsl = (text, words) =>
   page.evaluate(
-    async (code, width, height) => {
+    async (code, width, height, whole) => {
       const device = await (await navigator.gpu.requestAdapter()).requestDevice();
       const module = device.createShaderModule({ code });
       const { messages } = await module.getCompilationInfo();
       if (messages.length) return messages.map(({ message }) => message).join("\n");
       const { RENDER_ATTACHMENT, COPY_SRC } = GPUTextureUsage;
       const { UNIFORM, COPY_DST, MAP_READ } = GPUBufferUsage;
-      const format = "rgba8unorm";
+      const format = whole ? "rgba32uint" : "rgba8unorm";
       const target = device.createTexture({ size: [width, height], format, usage: RENDER_ATTACHMENT | COPY_SRC });
-      const pipeline = device.createRenderPipeline({
-        layout: "auto",
-        vertex: { module },
-        fragment: { module, targets: [{ format }] },
-      });
-      const buffer = device.createBuffer({ size: 8, usage: UNIFORM | COPY_DST });
-      device.queue.writeBuffer(buffer, 0, new Float32Array([width, height]));
-      const layout = pipeline.getBindGroupLayout(0);
+      const fragment = { module, targets: [{ format }] };
+      const pipeline = await device.createRenderPipelineAsync({ layout: "auto", vertex: { module }, fragment });
       const encoder = device.createCommandEncoder();
       const view = target.createView();
       const pass = encoder.beginRenderPass({ colorAttachments: [{ view, loadOp: "clear", storeOp: "store" }] });
       pass.setPipeline(pipeline);
-      pass.setBindGroup(0, device.createBindGroup({ layout, entries: [{ binding: 0, resource: { buffer } }] }));
+      if (!whole) {
+        const buffer = device.createBuffer({ size: 8, usage: UNIFORM | COPY_DST });
+        device.queue.writeBuffer(buffer, 0, new Float32Array([width, height]));
+        const entries = [{ binding: 0, resource: { buffer } }];
+        pass.setBindGroup(0, device.createBindGroup({ layout: pipeline.getBindGroupLayout(0), entries }));
+      }
       pass.draw(3);
       pass.end();
-      const copy = device.createBuffer({ size: 256 * height, usage: COPY_DST | MAP_READ });
-      encoder.copyTextureToBuffer({ texture: target }, { buffer: copy, bytesPerRow: 256 }, [width, height]);
+      const bytesPerRow = whole ? 16 * width : 256; // a multiple of 256
+      const copy = device.createBuffer({ size: bytesPerRow * height, usage: COPY_DST | MAP_READ });
+      encoder.copyTextureToBuffer({ texture: target }, { buffer: copy, bytesPerRow }, [width, height]);
       device.queue.submit([encoder.finish()]);
       await copy.mapAsync(GPUMapMode.READ);
-      const bytes = new Uint8Array(copy.getMappedRange());
-      const rows = [...Array(height).keys()].map((row) => (height - 1 - row) * 256);
-      const found = rows.flatMap((start) => Array.from(bytes.subarray(start, start + width * 4)));
+      const bytes = copy.getMappedRange();
+      const rowOf = (row) => new (whole ? Uint32Array : Uint8Array)(bytes, (height - 1 - row) * bytesPerRow, width * 4);
+      const found = Array.from({ length: height }, (_, row) => Array.from(rowOf(row))).flat();
       device.destroy();
       return found;
     },
     text,
     kWidth,
     kHeight,
+    words,
   );
 
-// Draws the WGSL by WebGPU. Its colours are compiled with it.
-const drawnWgsl = (code, state, cell) =>
-  page.evaluate(
-    async (text, count) => {
-      const device = await (await navigator.gpu.requestAdapter()).requestDevice();
-      const module = device.createShaderModule({ code: text });
-      const { messages } = await module.getCompilationInfo();
-      if (messages.length) return messages.map(({ message }) => message).join("\n");
-      const pipeline = await device.createComputePipelineAsync({
-        layout: "auto",
-        compute: { module, entryPoint: "main" },
-      });
-      const { STORAGE, COPY_SRC, COPY_DST, MAP_READ } = GPUBufferUsage;
-      const [target, copy] = [STORAGE | COPY_SRC, COPY_DST | MAP_READ].map((usage) =>
-        device.createBuffer({ size: count * 4, usage }),
-      );
-      const encoder = device.createCommandEncoder();
-      const pass = encoder.beginComputePass();
-      pass.setPipeline(pipeline);
-      pass.setBindGroup(
-        0,
-        device.createBindGroup({
-          layout: pipeline.getBindGroupLayout(0),
-          entries: [{ binding: 0, resource: { buffer: target } }],
-        }),
-      );
-      pass.dispatchWorkgroups(count / 64);
-      pass.end();
-      encoder.copyBufferToBuffer(target, 0, copy, 0, count * 4);
-      device.queue.submit([encoder.finish()]);
-      await copy.mapAsync(GPUMapMode.READ);
-      const words = Array.from(new Uint32Array(copy.getMappedRange()));
-      device.destroy();
-      return words;
-    },
+// The bits of a function of the copied WGSL. Its colours are compiled with it.
+async function drawnWgsl(code, state, cell) {
+  const colour = mapsOf(state).length > 1 ? call("wgsl", state, cell).replace("pattern", "colour") : "colour(0.0)";
+  const found = await drawnByWgsl(
     `${code}
-@group(0) @binding(0) var<storage, read_write> bits: array<u32>;
-@compute @workgroup_size(64)
-fn main(@builtin(global_invocation_id) id: vec3u) {
-  let column = id.x % ${kWidth}u;
-  let row = id.x / ${kWidth}u;
-  bits[id.x] = bitcast<u32>(${call("wgsl", state, cell)});
-  if (${mapsOf(state).length > 1 ? call("wgsl", state, cell).replace("pattern", "colour") : "colour(0.0)"}.x > 2.0) { bits[id.x] = 0u; }
+${kWgslVertex.join("\n")}
+@fragment fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4u {
+  let column = u32(position.x);
+  let row = ${kHeight - 1}u - u32(position.y);
+  return vec4u(select(bitcast<u32>(${call("wgsl", state, cell)}), 0u, ${colour}.x > 2.0));
 }
 `,
-    kWidth * kHeight,
+    true,
   );
+  return Array.isArray(found) ? found.filter((_, at) => at % 4 === 0) : found;
+}
 
 // As what a text is copied, how glslang takes it, and what is put around it.
 const kGlslForms = [
@@ -350,6 +322,7 @@ test("a whole shader draws the picture", async () => {
     { ...states[0], arithmetic: "fast", x: 1000000000n << 24n, y: -(1n << 55n) },
     { ...states[0], arithmetic: "fast" },
     { ...states[5], arithmetic: "fast", map: "land" },
+    { ...states[5], map: "own", stops: "20-102030_60-506070_60-ff0000_80-00ff00" }, // with an edge
     { ...states[6], x: 7n - (1n << 55n), z: 5000.5 },
     states[7],
     states[8],
@@ -426,14 +399,6 @@ test("copied code of other languages computes the picture", async () => {
   const code = await copiedCode(page, "javascript", true);
   const words = (text) => wordsOfJavaScript(text, whole[0], kWidth, kHeight);
   assert.notDeepEqual(await words(code.replace(", 7)", ", 8)")), await words(code));
-});
-
-test("copied functions are short", async () => {
-  for (const settings of [{}, { period: 8 }, { warp: "warp" }, { noise: "simplex" }]) {
-    await setState(page, changed(usualState(), settings));
-    const { length } = await copiedCode(page, "glsl", true);
-    assert.ok(length > 4000 && length < 8050, `${linkOf(changed(usualState(), settings))}: ${length} characters`);
-  }
 });
 
 test("copied C++ has pattern(p), too", async () => {

@@ -3,9 +3,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { inflateSync } from "node:zlib";
 import { fileOf, framesOf, heightsOf, linkInFile, nameOfFile, normalsOf } from "../files.js";
-import { Gif } from "../gif.js";
 import { linkOf, stateOf } from "../links.js";
-import { paletteOf } from "../palette.js";
 import { changed, possible, rangeOf, settingsOf, usualState } from "../model.js";
 
 // The parts of a PNG, and its pixels as it has them, without the filter; throws for a checksum that is wrong.
@@ -105,78 +103,6 @@ test("heights are the whole numbers of the page's description", async () => {
   assert.deepEqual([...heightsOf([-9, 9], state)], [0, 65535]);
 });
 
-// The frames of a GIF, as numbers of colours, by a decoder of LZW as the specification has it.
-function readGif(bytes) {
-  assert.equal(Buffer.from(bytes.subarray(0, 6)).toString(), "GIF89a");
-  const word = (at) => bytes[at] | (bytes[at + 1] << 8);
-  const found = { width: word(6), height: word(8), colours: bytes.slice(13, 13 + 768), frames: [], delays: [] };
-  let at = 13 + 768;
-  const blocks = () => {
-    const parts = [];
-    for (; bytes[at]; at += bytes[at] + 1) parts.push(bytes.subarray(at + 1, at + 1 + bytes[at]));
-    ++at;
-    return Buffer.concat(parts);
-  };
-  while (bytes[at] !== 0x3b) {
-    const kind = bytes[at++];
-    if (kind === 0x21) {
-      const label = bytes[at++];
-      const content = blocks();
-      if (label === 0xf9) found.delays.push(content[1]);
-      else found.loops = content.toString("latin1", 0, 11) === "NETSCAPE2.0" && content.readUInt16LE(12) === 0;
-      continue;
-    }
-    assert.deepEqual([kind, word(at), word(at + 2), word(at + 4), word(at + 6), bytes[at + 8], bytes[at + 9]],
-                     [0x2c, 0, 0, found.width, found.height, 0, 8]);
-    at += 10;
-    found.frames.push(uncompressed(blocks()));
-  }
-  assert.equal(at, bytes.length - 1);
-  return found;
-}
-function uncompressed(bytes) {
-  const pixels = [];
-  let [table, last, length, bit] = [[], undefined, 9, 0];
-  for (;;) {
-    let code = 0;
-    for (let i = 0; i < length; ++i, ++bit) code |= ((bytes[bit >> 3] >> (bit & 7)) & 1) << i;
-    if (code === 257) return pixels;
-    if (code === 256) {
-      table = [...Array.from({ length: 256 }, (_, colour) => [colour]), undefined, undefined];
-      [last, length] = [undefined, 9];
-      continue;
-    }
-    assert.ok(table[code] || (last && code === table.length), `code ${code} of ${table.length}`);
-    const string = table[code] ?? [...last, last[0]];
-    if (last && table.length < 4096) table.push([...last, string[0]]);
-    if (table.length === 1 << length && length < 12) ++length;
-    pixels.push(...string);
-    last = string;
-  }
-}
-
-test("a GIF has the numbers of the colours, frame after frame", async () => {
-  let word = 7;
-  const noise = Array.from({ length: 90 * 70 }, () => (word = (Math.imul(word, 1664525) + 1013904223) >>> 0) >>> 24);
-  // Long strings, and so many that the table is full more than once.
-  const frames = [noise, noise.map(() => 5), noise.map((_, at) => at % 256), noise.map((colour) => colour & 1)];
-  const made = new Gif(90, 70, paletteOf({ map: "land" }));
-  for (const frame of frames) made.add(Uint8Array.from(frame));
-  const bytes = Buffer.concat(made.done());
-  const found = readGif(bytes);
-  assert.deepEqual([found.width, found.height, found.loops, found.delays], [90, 70, true, [4, 4, 4, 4]]);
-  assert.deepEqual(found.frames, frames);
-  assert.deepEqual([...found.colours], [...paletteOf({ map: "land" })].filter((_, at) => at % 4 < 3));
-  bytes[bytes.length - 40] ^= 1;
-  let wrong;
-  try {
-    wrong = readGif(bytes).frames;
-  } catch {
-    // what is no GIF
-  }
-  assert.notDeepEqual(wrong, frames);
-});
-
 test("a loop comes back to where it was", async () => {
   const loop = (settings) => framesOf(stateFor({ file: "gif", frames: 4, ...settings }));
   assert.deepEqual(loop({ sum: "none" }).map(({ phase }) => phase), [0.25, 0.5, 0.75, 1]);
@@ -189,20 +115,8 @@ test("a loop comes back to where it was", async () => {
   const file = await fileOf(state, (mode, first, rows, { phase }) => frame.push(phase) && read(mode, first, rows));
   assert.deepEqual([frame, file.name, file.type],
                    [[1, 1, 2, 2, 3, 3].map((part) => part / 3), "hashnoise-perlin-seed7-loop-600x450.gif", "image/gif"]);
-  const { frames } = readGif(new Uint8Array(await file.arrayBuffer()));
-  const expected = heightsOf([valueOf(3, 449), valueOf(599, 0)], state).map((height) => height >> 8);
   const large = { ...state, frames: 200, width: 8192, height: 8192 };
   await assert.rejects(fileOf(large, read), /at most 400 million pixels/);
-  assert.deepEqual([frames.length, frames[0][3], frames[2].at(-1)], [3, ...expected]);
-});
-
-test("a loop with colours of layers has the nearest of its most frequent colours", async () => {
-  const state = { ...stateOf("#sum=none&blend2=mask&sum2=none&tint2=moss&file=gif&frames=2"), width: 64, height: 40 };
-  const file = await fileOf(state, reader(64));
-  const { frames, colours } = readGif(new Uint8Array(await file.arrayBuffer()));
-  // The pixels of this picture are (x, y from below, 7), in cubes of eight, fewer than 256.
-  const shown = (x, y) => [...colours.subarray(3 * frames[1][(39 - y) * 64 + x]).subarray(0, 3)];
-  for (const [x, y] of [[0, 0], [63, 39], [17, 8]]) assert.deepEqual(shown(x, y), [x, y, 7].map((part) => (part & 248) + 4));
 });
 
 test("a slope becomes a colour of a normal map", () => {

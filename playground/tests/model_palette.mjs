@@ -1,19 +1,10 @@
 // Maps of colours, those of one's own among them. model_test.mjs runs it.
 import assert from "node:assert/strict";
 import test from "node:test";
-import { copied } from "../copied.js";
 import { linkOf, stateOf } from "../links.js";
 import { changed, chosen, usualState } from "../model.js";
 import {
-  canLoseStop,
-  gradientOf,
-  kMostStops,
-  paletteOf,
-  stopsOf,
-  stopsOfMap,
-  withAnotherStop,
-  withoutStop,
-  withStop,
+  canLoseStop, gradientOf, kMostStops, paletteOf, stopsOf, stopsOfMap, withAnotherStop, withoutStop, withStop,
 } from "../palette.js";
 import { kMaps } from "../tables.js";
 
@@ -75,50 +66,4 @@ test("stops are moved between their neighbours, added and removed", () => {
   assert.equal(withoutStop(text, 1), "0-000000_100-ffffff");
   assert.equal(withoutStop("0-000000_100-ffffff", 1), "0-000000_100-ffffff");
   assert.deepEqual([canLoseStop(text), canLoseStop("0-000000_100-ffffff")], [true, false]);
-});
-
-// colour(value) of a copied text, as JavaScript computes it.
-function colourOf(state, language) {
-  const shells = { glsl: ["", ""], hlsl: ["", ""], wgsl: ["", ""] };
-  const library = { pieces: { shading: { shells } }, texts: () => [], version: "" };
-  const code = copied(library, language, state).code.map((line) => line.replaceAll("highp ", ""));
-  const start = code.findIndex((line) => /^(fn|vec3|float3) colour\(/.test(line));
-  const vector = { glsl: "vec3", hlsl: "float3", wgsl: "vec3f" }[language];
-  const body = code
-    .slice(start + 1, code.indexOf("}", start))
-    .join("\n")
-    .replace(/^ *(let|var|float3?|vec3) (\w) =/gm, "var $2 =");
-  const make = (...parts) => (parts.length === 1 ? Array(3).fill(parts[0]) : parts);
-  const names = {
-    [vector]: make,
-    clamp: (x, low, high) => Math.min(Math.max(x, low), high),
-    step: (edge, x) => (x < edge ? 0 : 1),
-    [language === "hlsl" ? "lerp" : "mix"]: (one, other, part) =>
-      one.map((value, at) => value + (other[at] - value) * (part[at] ?? part)),
-  };
-  return (value) => new Function(...Object.keys(names), "value", body)(...Object.values(names), value);
-}
-
-test("the copied code has the colours of the picture in each language", () => {
-  const differs = (state, shown, language) => {
-    const colourAt = colourOf(state, language);
-    const bytes = paletteOf(shown);
-    // The colours of usual values go from -0.4 to 0.4.
-    return [...Array(256).keys()].filter((i) =>
-      colourAt(-0.4 + (0.8 * i) / 255 + 1e-6).some((part, at) => Math.abs(part * 255 - bytes[4 * i + at]) > 1.5),
-    ).length;
-  };
-  for (const settings of [
-    own("20-102030_60-506070_60-ff0000_80-00ff00"),
-    own("0-000000_1-ffffff"),
-    own("100-0000ff_100-ffffff"),
-    { map: "land" },
-  ]) {
-    const state = changed(usualState(), settings);
-    for (const language of ["glsl", "hlsl", "wgsl"])
-      assert.equal(differs(state, state, language), 0, `${language}: ${settings.stops}`);
-  }
-  // Another place of a stop is noticed.
-  const state = changed(usualState(), own("20-102030_60-506070"));
-  assert.ok(differs(state, own("20-102030_66-506070"), "glsl") > 20);
 });

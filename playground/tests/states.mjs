@@ -46,6 +46,6 @@ export function anyStates(count, seed = 5) {
   const from = chance(seed);
   const any = settingsBy(() => from.next().value);
   return Array.from({ length: count }, (_, at) =>
-    possible({ ...any(false), view: "plane", arithmetic: "fixed", renderer: "webgl2", layers: Array.from({ length: 1 + (at % 3) }, () => any(true)) }),
+    possible({ ...any(false), view: "plane", arithmetic: "fixed", layers: Array.from({ length: 1 + (at % 3) }, () => any(true)) }),
   );
 }

@@ -7,9 +7,6 @@ import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { promisify } from "node:util";
-import { bitsOf, read } from "../../tools/lib/base/golden_values.mjs";
-
-export { bitsOf };
 
 export const kRoot = resolve(dirname(fileURLToPath(import.meta.url)), "..", "..");
 export const kPage = pathToFileURL(resolve(process.argv[2] ?? "playground.html")).href;
@@ -101,15 +98,6 @@ export const copiedCode = (page, language, whole, kind = "function") =>
     whole,
     kind,
   );
-
-// The rows of a golden file with HN_FIXED: the columns by name, as words, and the bits of the first result.
-export function golden(id) {
-  const { inputs, rows } = read(join(kRoot, "conformance", "expected", "golden"), id);
-  return rows.map((row) => ({
-    words: Object.fromEntries(inputs.map(([name], at) => [name, row.inputs[at]])),
-    bits: row.expected[0],
-  }));
-}
 
 export const floatOf = (word) => new Float32Array(new Uint32Array([word]).buffer)[0];
 

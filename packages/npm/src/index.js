@@ -80,7 +80,6 @@ const NOISES_ELSEWHERE = {
   worley: "cellular", voronoi: "cellular",
 };
 const FRACTALS_ELSEWHERE = { ...NOISES_THERE, none: "leave it out" };
-const LONGEST_WORD = 48; // the module has room for the numbers of one
 const MOST_VALUES = 2 ** 31 - 1; // of an array, in every browser
 const MOST_POINTS = 2 ** 29 - 1; // along an axis of a grid, as in field.hpp
 const BATCH = 1024; // points, as in twin.cpp
@@ -97,7 +96,7 @@ let twin;
 let current; // the field whose settings are in it
 
 function started(instance) {
-  const { memory, settings, batch, split, run, at: valueAt, slips } = instance.exports;
+  const { memory, settings, batch, split, run, at: valueAt } = instance.exports;
   const floats = (first, count = BATCH) => new Float32Array(memory.buffer, first, count);
   const at = batch();
   const plane = (number) => at + 4 * BATCH * number;
@@ -105,7 +104,6 @@ function started(instance) {
     split,
     run,
     valueAt,
-    slips,
     settings: new Uint32Array(memory.buffer, settings(), SETTINGS),
     cells: [0, 1, 2].map((axis) => new Int32Array(memory.buffer, plane(axis), BATCH)),
     places: [3, 4, 5].map((number) => floats(plane(number))),
@@ -134,7 +132,7 @@ function start() {
 }
 
 function isOurs(module) {
-  return typeof WebAssembly !== "undefined" && module instanceof WebAssembly.Module && WebAssembly.Module.exports(module).some(({ name }) => name === "slips");
+  return typeof WebAssembly !== "undefined" && module instanceof WebAssembly.Module && WebAssembly.Module.exports(module).some(({ name }) => name === "split");
 }
 
 /**
@@ -192,7 +190,7 @@ const wholeInTile = (name, value) => whole(`${name} with a period`, value, 1, MO
 
 function oneOf(name, value, names, elsewhere = {}) {
   if (!names.includes(value)) {
-    const hint = typeof value === "string" ? hintOf(value.toLowerCase(), names, elsewhere) : "";
+    const hint = typeof value === "string" ? hintOf(bareName(value), names, elsewhere) : "";
     throw new (errorOf(value, "string"))(`${name} has to be one of ${names.join(", ")}, not ${shown(value)}${hint}`);
   }
   return value;
@@ -202,35 +200,12 @@ function bareName(name) {
   return name.toLowerCase().replaceAll("_", "");
 }
 
-function hintOf(text, names, elsewhere) {
-  const bare = bareName(text);
+/** For a name of another library or of another setting: what takes its place here. */
+function hintOf(bare, names, elsewhere) {
   const known = [bare, bare.replace(/[1-4d]+$/, "")].find((one) => Object.hasOwn(elsewhere, one));
-  if (known === undefined) return suggestion(text.replace(/^hn_/, ""), names);
-  const meant = elsewhere[known];
+  const meant = elsewhere[known] ?? "";
   if (names.includes(meant)) return ` (here it is "${meant}")`;
   return meant.includes(" ") ? ` (${meant})` : ""; // a noise that these dimensions do not have
-}
-
-/** The name that a few typing errors turn into the word: at most a third of its letters. */
-function suggestion(word, names) {
-  if (word.length > LONGEST_WORD || /[^ -~]/.test(word)) return "";
-  try {
-    start();
-  } catch {
-    return ""; // it is in the way of what was wrong
-  }
-  let meant;
-  let fewest = Math.max(Math.floor(word.length / 3), 1) + 1;
-  for (const name of names) {
-    // Where the points of the next batch will be.
-    const letters = new Uint8Array(twin.cells[0].buffer, twin.cells[0].byteOffset, word.length + name.length);
-    letters.set(new TextEncoder().encode(word + name));
-    const slips = twin.slips(word.length, name.length);
-    if (slips >= fewest) continue;
-    fewest = slips;
-    meant = name;
-  }
-  return meant === undefined ? "" : ` (did you mean "${meant}"?)`;
 }
 
 function shown(value, depth = 2) {

@@ -78,42 +78,6 @@ test("three.js with WebGLRenderer has golden values, with the text from everywhe
   assert.deepEqual(opened.complaints, []);
 });
 
-// Functions at points of our own, in GLSL and of the twin.
-const heights = {
-  "hn_perlin(p.xy, seed)": (p, seed) => new Field(2, { seed }).at(p[0], p[1]),
-  "hn_fbm(p.xy, 7, 1.875, 0.625, seed)": (p, seed) =>
-    new Field(2, { fractal: "fbm", octaves: 7, lacunarity: 1.875, gain: 0.625, seed }).at(p[0], p[1]),
-  "hn_ridged(p, 5, 2.0, 0.5, seed)": (p, seed) => new Field(3, { fractal: "ridged", octaves: 5, seed }).at(...p),
-  "hn_simplex(hn_tile(p, ivec3(9, 16, 5)), seed)": (p, seed) =>
-    new Field(3, { noise: "simplex", period: [9, 16, 5], seed }).at(...p),
-  "hn_eroded(p.xy, 4, 2.0, 0.5, 1.5, seed)": (p, seed) =>
-    new Field(2, { fractal: "eroded", octaves: 4, strength: 1.5, seed }).at(p[0], p[1]),
-  "hn_cellular(p.xy, 0.75, HN_METRIC_MANHATTAN, seed).y": (p, seed) =>
-    new Field(2, { noise: "cellular", jitter: 0.75, metric: "manhattan", seed }).all(p[0], p[1])[1],
-};
-
-test("the shader draws the heights that Field computes, at any points", async () => {
-  const opened = await page("webgl.html");
-  let state = 1;
-  const next = () => (state = (Math.imul(state, 1664525) + 1013904223) >>> 0);
-  const points = Array.from({ length: 500 }, (_, i) => {
-    const span = 2 ** (i % 16); // cells, from near the origin to far out
-    const p = [0, 0, 0].map(() => Math.fround((next() / 2 ** 31 - 1) * span));
-    return { p, seed: next() };
-  });
-  const inputs = points.map(({ p, seed }) => [...p.map(bitsOf), seed]);
-  for (const [call, height] of Object.entries(heights)) {
-    const body = `vec3 p = vec3(float_of(a.x), float_of(a.y), float_of(a.z)); uint seed = a.w;
-      return uvec4(bits_of(${call}), 0u, 0u, 0u);`;
-    const drawn = await opened.evaluate((...given) => hashnoise.evaluate(...given), "raw", body, inputs);
-    const expected = points.map(({ p, seed }) => bitsOf(height(p, seed)));
-    assert.deepEqual(drawn.map(([bits]) => bits), expected, call);
-    const others = points.map(({ p, seed }) => bitsOf(height(p, (seed ^ 1) >>> 0)));
-    assert.notDeepEqual(others, expected, `another seed of ${call}`);
-  }
-  console.log(`${inputs.length} points of ${Object.keys(heights).length} functions`);
-});
-
 test("the documentation's materials for WebGLRenderer draw what Field computes", async () => {
   const opened = await page("webgl.html");
   const found = await opened.evaluate(() => hashnoise.materials());

@@ -12,6 +12,8 @@ import { join } from "node:path";
 import test, { after, before } from "node:test";
 import { build, preview } from "vite";
 import { launch, open } from "../chromium.mjs";
+import { bitsOf } from "./golden_values.mjs";
+import { evaluate } from "./vertices.mjs";
 
 const packages = join(import.meta.dirname, "node_modules");
 const versionOf = (name) => JSON.parse(readFileSync(join(packages, name, "package.json"))).version;
@@ -50,8 +52,16 @@ after(async () => {
   await server?.close();
 });
 
-const drawn = (...names) => page.evaluate((...given) => hashnoise.drawn(...given), names, points);
 const computed = (name) => page.evaluate((...given) => hashnoise.computed(...given), name, points);
+const calls = { now: "hn_fbm", before: "hn_fbm", renamed: "hnbefore_fbm" };
+
+/** The heights by a shader that has these texts: a list for each. */
+async function drawn(...names) {
+  const texts = await page.evaluate(() => hashnoise.texts);
+  const rows = points.map((p) => [...p.map(bitsOf), 7]);
+  const text = names.map((name) => texts[name]).join("\n");
+  return Promise.all(names.map((name) => page.evaluate(evaluate, text, `${calls[name]}(p, 6, 2.0, 0.5, row.z)`, rows)));
+}
 
 test("the two are of different versions, with the same values from 1.0 on", async () => {
   assert.notEqual(versionOf("hashnoise"), versionOf("hashnoise-before"));

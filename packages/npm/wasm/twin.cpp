@@ -9,7 +9,6 @@
 #include <hashnoise/glsl.hpp>
 #undef HN_I_INLINE
 #define HN_I_INLINE inline
-#include <hashnoise/detail/closest.hpp>
 #include <hashnoise/lanes.hpp>
 
 namespace hashnoise {
@@ -285,12 +284,6 @@ TWIN_EXPORT(split) void split(int axis, int count) {
     whole.x.store(batch.cell[axis] + i);
     (Float(whole.y) * (1.0f / 16777216.0f)).store(batch.place[axis] + i);
   }
-}
-
-// How many typing errors lie between a word and a name, whose letters are where the cells are, one behind the other.
-TWIN_EXPORT(slips) int slips(int word, int name) {
-  const char* const letters = reinterpret_cast<const char*>(batch.cell);
-  return hashnoise::detail::slips_between(letters, word, letters + word, name, reinterpret_cast<int*>(batch.value));
 }
 
 TWIN_EXPORT(run) void run(int count) {

@@ -1,6 +1,6 @@
 """Measures what noise costs on a driver by a clock, compares it with an earlier record, and makes a page of it.
 
-clock.sh describes the options; all but these two are those of hn-conform bench."""
+clock.sh describes the options; all but --baseline are those of hn-conform bench."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ both. Another renderer has other numbers."""
 ALL = """A ratio is that to Perlin/Float of as many dimensions: the median over the rounds, after the time of an empty
 shader is taken off both. The spread is half the distance between the quartiles. Instructions are those of a whole fragment
 shader that evaluates the function once per pixel and writes it as grey; empty2 and empty3 are the shader without it.
-SPIR-V after spirv-opt -O, AMD's from Mesa's RADV, NVIDIA's from the program binary."""
+SPIR-V after spirv-opt -O, NVIDIA's from the program binary."""
 
 
 def read(path: Path) -> Record:
@@ -90,14 +90,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = Parser("tools/measure clock", __doc__)
     parser.add_argument("--baseline", type=Path)
     parser.add_argument("--out", type=Path, default=Path("out"))
-    parser.add_argument("--dump", action="store_true")
     options, others = argparse.ArgumentParser.parse_known_args(parser, arguments)
     try:
         # Before the run rather than after it; it may be the file that the run replaces.
         before = read(options.baseline) if options.baseline else None
     except ValueError as error:
         parser.error(str(error))
-    status = conform.bench(str(HN_CONFORM), options.out, others, options.dump)
+    status = conform.bench(str(HN_CONFORM), options.out, others)
     if status not in (0, 1) or not (options.out / conform.BENCH).is_file():
         return status
     now = read(options.out / conform.BENCH)

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import contextlib
-import io
-import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
 
+from base.testing import Case, called
 from measure import clock
 
 HEAD = "id,dimensions,call,ratio,spread,evaluations_per_second,compile_ms,spirv,problem"
@@ -23,14 +21,12 @@ def costing(id: str, axes: int, cost: float, call: str = "") -> str:
 FAILED = 'broken<2>,2,x,failed,failed,failed,failed,failed,"a.glsl:1: <no>\nmore"'
 
 
-class Case(unittest.TestCase):
+class Clock(Case):
     def setUp(self) -> None:
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.out = Path(folder.name) / "out"
+        self.out = self.folder / "out"
         self.passed: list[str] = []
 
-    def measure(self, *arguments: str, rows: tuple[str, ...] = (), status: int = 0) -> tuple[int, str, str]:
+    def measure(self, *arguments: str, rows: tuple[str, ...] = (), status: int = 0) -> tuple[int, str]:
         def run(command: list[str]) -> int:
             self.passed = command[1:]
             if status in (0, 1):
@@ -38,15 +34,8 @@ class Case(unittest.TestCase):
                 self.write(self.out / "bench.csv", *rows)
             return status
 
-        out, err = io.StringIO(), io.StringIO()
-        with (mock.patch.object(clock.conform, "run", run),
-              mock.patch.object(clock.conform.amd, "add_counts"), contextlib.redirect_stdout(out),
-              contextlib.redirect_stderr(err)):
-            try:
-                given = clock.main(["--out", str(self.out), *arguments])
-            except SystemExit as stop:
-                given = stop.code
-        return given, out.getvalue(), err.getvalue()
+        with mock.patch.object(clock.conform, "run", run):
+            return called(clock.main, "--out", self.out, *arguments)
 
     def write(self, path: Path, *rows: str) -> Path:
         path.write_text(FACTS + "\n".join([HEAD, *rows]) + "\n", encoding="utf-8")
@@ -57,7 +46,7 @@ class Case(unittest.TestCase):
         return (self.out / "index.html").read_text(encoding="utf-8")
 
 
-class Page(Case):
+class Page(Clock):
     def test_begins_with_what_people_use_the_cheapest_first(self) -> None:
         unknown = "noise2d.value.lattice,2,call_of_value,cannot be told,cannot be told,too fast to tell,1.0,9,"
         page = self.page(costing("empty2", 2, 0.5), costing("table.float2", 2, 4), costing("fbm.fbm2.lattice", 2, 8),
@@ -84,22 +73,22 @@ class Page(Case):
         self.assertNotIn("A frame of", self.page(costing("hash.word.fnv1", 2, 2)))
 
 
-class Baseline(Case):
+class Baseline(Clock):
     def test_slower_is_status_1_and_no_slower_is_0(self) -> None:
         earlier = self.write(self.out.parent / "earlier.csv", costing("a", 2, 2), costing("b", 2, 2),
                              costing("gone", 2, 1), FAILED)
         earlier.write_text(earlier.read_text().replace("Voodoo", "Rage"))
-        status, out, _ = self.measure("--baseline", str(earlier), "--driver", "x",
+        status, out = self.measure("--baseline", str(earlier), "--driver", "x",
                                       rows=(costing("a", 2, 2), costing("b", 2, 8), costing("new", 2, 1), FAILED))
         self.assertEqual(status, 1)
-        self.assertEqual(self.passed, ["bench", "--out", str(self.out), "--driver", "x", "--dump"])
+        self.assertEqual(self.passed, ["bench", "--out", str(self.out), "--driver", "x"])
         self.assertIn("another renderer: Rage <2>, not Voodoo <2>", out)
         self.assertIn("2 subjects compared; 1 of the baseline were not measured now", out)
         self.assertEqual([line for line in out.splitlines() if line.startswith("SLOWER")],
                          ["SLOWER b: 2.000 +- 0.125, was 0.500 +- 0.031"])
         self.assertEqual((self.out / "index.html").read_text().count('<td class="number">slower</td>'), 1)
         # The record of a run may be the baseline of the one that replaces it.
-        status, out, _ = self.measure("--baseline", str(self.out / "bench.csv"), rows=(costing("b", 2, 8),))
+        status, out = self.measure("--baseline", str(self.out / "bench.csv"), rows=(costing("b", 2, 8),))
         self.assertEqual((status, "SLOWER" in out), (0, False))
 
     def test_that_is_none_is_refused_before_anything_is_measured(self) -> None:
@@ -111,13 +100,13 @@ class Baseline(Case):
                            ("text.csv", "text.csv is not a bench.csv of this program: "),
                            ("bytes.csv", "bytes.csv is not a bench.csv of this program: ")):
             with self.subTest(name):
-                status, _, err = self.measure("--baseline", str(folder / name))
+                status, err = self.measure("--baseline", str(folder / name))
                 self.assertEqual((status, self.passed), (2, []))
                 self.assertRegex(err, part)
 
     def test_a_status_of_the_program_stays(self) -> None:
         for given in (1, 2, 3, 130):
-            status, out, _ = self.measure(rows=(FAILED,), status=given)
+            status, out = self.measure(rows=(FAILED,), status=given)
             self.assertEqual((status, "index.html" in out), (given, given == 1))
 
 

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import argparse
-import shutil
 import signal
 import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 
 from base.tree import GLSL
-from measure import amd, stamps
+from measure import stamps
 
 BENCH = "bench.csv"
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
@@ -37,12 +36,9 @@ def library(options: Sequence[str]) -> Path:
     return parser.parse_known_args(options)[0].glsl
 
 
-def bench(program: str, out: Path, options: Sequence[str], dump: bool = False) -> int:
-    """Leaves bench.csv, with AMD's counts; with dump also the SPIR-V that was counted. The status of hn-conform bench."""
-    status = run([program, "bench", "--out", str(out), *options, "--dump"])
+def bench(program: str, out: Path, options: Sequence[str]) -> int:
+    """Leaves bench.csv. The status of hn-conform bench."""
+    status = run([program, "bench", "--out", str(out), *options])
     if status in (0, 1) and (out / BENCH).is_file():
-        amd.add_counts(out / BENCH, out / "spirv", program)
         stamps.stamp(out / BENCH, library=library(options))
-    if not dump:
-        shutil.rmtree(out / "spirv", ignore_errors=True)
     return status

@@ -3,16 +3,14 @@ Cpu FOLDER, where it is built, or Neon FOLDER, where it is built for ARM."""
 
 from __future__ import annotations
 
-import contextlib
-import io
 import json
 import os
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
 
+from base.testing import Case, called
 from base.tree import ROOT
 from measure import cpu, fills, neon, stamps
 from measure.elsewhere import NEON, Build, Failed, Place, output_of
@@ -44,17 +42,9 @@ echo $((70 + each * times)) >number
 """
 
 
-class Case(unittest.TestCase):
-    def setUp(self) -> None:
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
-
-    def main(self, command, *arguments: str) -> tuple[int, str]:
-        with contextlib.redirect_stdout(io.StringIO()) as printed, contextlib.redirect_stderr(printed):
-            try:
-                status = command.main([*map(str, arguments), "--out", str(self.folder)])
-            except SystemExit as stop:
-                status = stop.code
-        return status, printed.getvalue()
+class Fills(Case):
+    def main(self, command, *arguments: object) -> tuple[int, str]:
+        return called(command.main, *arguments, "--out", self.folder)
 
     def rows(self, name: str) -> list[dict[str, str]]:
         self.assertEqual(stamps.stale(self.folder / name), [])
@@ -73,7 +63,7 @@ class Case(unittest.TestCase):
         return f"fastnoise2={self.folder / 'none.so'}"
 
 
-class OfReports(Case):
+class OfReports(Fills):
     def test_quotients_are_of_speeds(self) -> None:
         times = {"avx512/fast": (1, 2, 3), "avx512/FastNoise2": (2, 4, 6), "sse4.1/fast": (4, 4, 4), "sse4.1/fixed": (8, 8, 8)}
         report = json.dumps({"benchmarks": [
@@ -97,7 +87,7 @@ class OfReports(Case):
 
 
 @unittest.skipIf(NEON.missing(), f"there is no {' and no '.join(NEON.missing())}")
-class ByQemu(Case):
+class ByQemu(Fills):
     """The plugin's count for a program whose instructions are known."""
 
     def program(self, status: int) -> Path:
@@ -113,14 +103,12 @@ class ByQemu(Case):
             counter.instructions(self.program(7))
 
 
-class ByAStandIn(Case):
+class ByAStandIn(Fills):
     """QEMU and the compiler are scripts."""
 
     def setUp(self) -> None:
-        super().setUp()
         for name, text in (("qemu-aarch64", QEMU), ("aarch64-linux-gnu-g++", "echo g++ 12.9.0")):
-            (self.folder / name).write_text(f"#!/bin/sh\n{text}\n", encoding="ascii")
-            (self.folder / name).chmod(0o755)
+            self.script(name, text)
         self.enterContext(mock.patch.dict(os.environ, PATH=f"{self.folder}:{os.environ['PATH']}"))
         self.enterContext(mock.patch.object(fills, "built", return_value=self.folder / "filler"))
 
@@ -148,9 +136,8 @@ class ByAStandIn(Case):
 
 
 @unittest.skipUnless(__name__ == "__main__", "the test bench.grid has the library")
-class Cpu(Case):
+class Cpu(Fills):
     def setUp(self) -> None:
-        super().setUp()
         (self.folder / "src").symlink_to(FOLDER / "src")
         with mock.patch.object(Build, "library"):
             self.program = fills.built(Place("g++", (), linked=("-pthread", "-lbenchmark")), self.folder, "bench.cpp")
@@ -191,7 +178,7 @@ class Cpu(Case):
 
 
 @unittest.skipUnless(__name__ == "__main__", "the test neon.whole compiles the library")
-class Neon(Case):
+class Neon(Fills):
     def test_a_library_whose_cost_is_known(self) -> None:
         self.enterContext(mock.patch.object(neon, "FOLDER", FOLDER))
         theirs = self.fake(NEON.compiler, FOLDER / "src/grid/libhashnoise-grid.a")

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import contextlib
-import io
-import tempfile
 import unittest
-from pathlib import Path
 from unittest import mock
 
+from base.testing import Case, called
 from measure import languages, stamps
 from translate.pick.runners import RUNNERS, CRunner
 
@@ -21,21 +18,15 @@ class Wrong(CRunner):
         return super().build(texts, [wrong, *calls[1:]], folder)
 
 
-class Languages(unittest.TestCase):
+class Languages(Case):
     def setUp(self) -> None:
-        self.out = Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.enterContext(mock.patch.object(languages, "FUNCTIONS", ("hn_perlin2", "hn_random2")))
 
     def call(self, *arguments: str) -> tuple[int, str]:
-        """The status, and what is printed of errors."""
-        with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()) as errors:
-            try:
-                return languages.main(["--out", str(self.out), *arguments]), errors.getvalue()
-            except SystemExit as ended:
-                return ended.code, errors.getvalue()
+        return called(languages.main, "--out", self.folder, *arguments)
 
     def rows(self) -> list[list[str]]:
-        path = self.out / "languages.csv"
+        path = self.folder / "languages.csv"
         self.assertEqual(stamps.stale(path), [])
         return [list(row.values())[:4] for row in stamps.read(path).rows]
 

@@ -2,32 +2,21 @@
 
 from __future__ import annotations
 
-import contextlib
 import functools
-import io
 import subprocess
-import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
 
+from base.testing import Case, called
 from measure import likeness
 
 PORTS = Path(likeness.__file__).with_name("ports.glsl")
 
 
-class Likeness(unittest.TestCase):
+class Likeness(Case):
     def setUp(self) -> None:
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.enterContext(mock.patch.object(likeness, "Renderer", functools.partial(likeness.Renderer, side=256)))
-
-    def measure(self, file: Path, *arguments: str) -> tuple[int, str]:
-        with contextlib.redirect_stdout(io.StringIO()) as out, contextlib.redirect_stderr(out):
-            try:
-                status = likeness.main([str(file), *arguments])
-            except SystemExit as ended:
-                status = ended.code
-        return status, out.getvalue()
 
     def test_a_known_scale_and_factor_are_found(self) -> None:
         """By a file that includes another; the library's own call with other numbers."""
@@ -35,23 +24,23 @@ class Likeness(unittest.TestCase):
         file = self.folder / "known.glsl"
         file.write_text('#version 120\n#include "library.glsl"\n'
                         "float known(vec2 p) { return 0.3 + 0.7 * hn_simplex(0.6 * p + 17.0, 3u); }\n")
-        status, printed = self.measure(file, "known(p)", "hn_simplex(p, 7u)")
+        status, printed = called(likeness.main, file, "known(p)", "hn_simplex(p, 7u)")
         self.assertEqual(status, 0, printed)
         self.assertRegex(printed, r"\n0\.(29|30|31) \+ 0\.(69|7[01]) \* hn_simplex\(\(0\.(59|6[01]) \* p\), 7u\): mean 0\.")
 
     def test_the_row_of_a_page_is_found(self) -> None:
-        status, printed = self.measure(PORTS, "gradient_noise(p)", "hn_perlin(p, 7u)")
+        status, printed = called(likeness.main, PORTS, "gradient_noise(p)", "hn_perlin(p, 7u)")
         self.assertEqual(status, 0, printed)
         self.assertRegex(printed, r"\n0\.50 \+ 0\.7[012] \* hn_perlin\(\((0\.9[89]|1\.00) \* p\), 7u\): mean 0\.50")
 
     def test_what_no_scale_makes_alike_is_status_1(self) -> None:
-        status, printed = self.measure(PORTS, "value_noise(p)", "hn_value(0.01 * p * p, 7u)")
+        status, printed = called(likeness.main, PORTS, "value_noise(p)", "hn_value(0.01 * p * p, 7u)")
         self.assertEqual(status, 1, printed)
 
     def test_bad_usage(self) -> None:
         for arguments, part in (((PORTS, "stand_out(p)", "hn_perlin(p, 7u)"), "stand_out"),
                                 ((self.folder / "none.glsl", "p.x", "hn_perlin(p, 7u)"), "none.glsl")):
-            status, printed = self.measure(*arguments)
+            status, printed = called(likeness.main, *arguments)
             self.assertEqual(status, 2)
             self.assertIn(part, printed)
 

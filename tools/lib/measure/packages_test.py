@@ -6,38 +6,26 @@ from __future__ import annotations
 import contextlib
 import io
 import os
-import tempfile
 import types
 import unittest
-from pathlib import Path
 from unittest import mock
 
+from base.testing import Case, called
 from base.tree import version
 from measure import calls, packages, python, rust, stamps
 
 LINES = "Perlin 2D,hashnoise,2.0,1.0,2.0\\nPerlin 2D,hashnoise fixed,4.0,3.0,4.0\\nPerlin 2D,noiz,6.0,6.0,6.0\\n"
 
 
-class Commands(unittest.TestCase):
+class Commands(Case):
     def setUp(self) -> None:
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.enterContext(mock.patch.multiple(rust, TOOLS=self.folder, FOLDER=self.folder))
         self.enterContext(mock.patch.dict(os.environ, PATH=f"{self.folder}:{os.environ['PATH']}"))
         for name, script in (("pack", "echo build/crate"), ("rustc", "echo rustc 1.63")):
             self.script(name, script)
 
-    def script(self, name: str, text: str) -> str:
-        (self.folder / name).write_text(f"#!/bin/sh\n{text}\n", encoding="utf-8")
-        (self.folder / name).chmod(0o755)
-        return str(self.folder / name)
-
-    def call(self, command, *arguments: str) -> tuple[int, str]:
-        with contextlib.redirect_stdout(io.StringIO()) as output, contextlib.redirect_stderr(output):
-            try:
-                status = command.main(["--out", str(self.folder), *arguments])
-            except SystemExit as end:
-                status = end.code
-        return status, output.getvalue()
+    def call(self, command, *arguments: object) -> tuple[int, str]:
+        return called(command.main, "--out", self.folder, *arguments)
 
     def rows(self, name: str) -> list[str]:
         self.assertEqual(stamps.stale(self.folder / name), [])

@@ -1,6 +1,7 @@
 """Records of what was measured: CSV files. A row is what was measured and its setting, a column a quantity, whose name
-has the unit. Facts of all rows, such as the date and the driver, stands above them as comments: "# date:
-2026-11-26"."""
+has the unit. Facts of all rows, such as the date and the driver, stand above them as comments: "# date: 2026-11-26".
+Rows that differ in one column alone, such as the chip, may stand in one row: "navi31 cost" is the cost where the chip is
+navi31."""
 
 from __future__ import annotations
 
@@ -42,8 +43,9 @@ class Change(NamedTuple):
         return self.now.value - self.before.value > self.now.spread + self.before.spread
 
 
-def read(path: Path, columns: Sequence[str] = (), by: str = "tools/measure") -> Record:
-    """ValueError if the table is not one of these columns, as a command writes it."""
+def read(path: Path, columns: Sequence[str] = (), by: str = "tools/measure", across: str = "") -> Record:
+    """ValueError if the table is not one of these columns, as a command writes it. With the name of a column the rows
+    are as they were before beside() put them into one, and a table that has this column is read as it is."""
     facts, table = {}, []
     with open(path, newline="", encoding="utf-8") as file:
         for line in file:
@@ -53,10 +55,12 @@ def read(path: Path, columns: Sequence[str] = (), by: str = "tools/measure") -> 
                 name, _, value = line[2:].rstrip("\n").partition(": ")
                 facts[name] = value
     reader = csv.DictReader(table)
-    heads = list(reader.fieldnames or ())
+    rows, heads = list(reader), list(reader.fieldnames or ())
+    if across and across not in heads:
+        rows, heads = apart(rows, heads, across)
     if columns and [head for head in heads if head in columns] != list(columns):
         raise ValueError(f"{path}: the first line must be {','.join(columns)}, as {by} writes it")
-    return Record(facts, list(reader))
+    return Record(facts, rows)
 
 
 def write(path: Path, rows: Iterable[Mapping[str, object]], columns: Sequence[str] = (),
@@ -69,6 +73,29 @@ def write(path: Path, rows: Iterable[Mapping[str, object]], columns: Sequence[st
         writer = csv.DictWriter(file, columns or list(rows[0]), lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
+
+
+def beside(rows: Iterable[Mapping[str, str]], key: Sequence[str], across: str) -> list[dict[str, str]]:
+    """One row for each key. Columns that would be empty in all of them are left out."""
+    rows = list(rows)
+    values = dict.fromkeys(row[across] for row in rows)
+    names = [name for name in (rows[0] if rows else ()) if name not in (*key, across)]
+    found: dict[tuple[str, ...], dict[str, str]] = {}
+    for row in rows:
+        cells = found.setdefault(tuple(row[name] for name in key), {name: row[name] for name in key})
+        cells |= {f"{row[across]} {name}": row[name] for name in names if row[name]}
+    used = {name for cells in found.values() for name in cells}
+    heads = [*key, *(head for value in values for name in names if (head := f"{value} {name}") in used)]
+    return [{head: cells.get(head, "") for head in heads} for cells in found.values()]
+
+
+def apart(rows: Iterable[Mapping[str, str]], heads: Sequence[str], across: str) -> tuple[list[dict[str, str]], list[str]]:
+    """The rows and columns that beside() had."""
+    common = [head for head in heads if " " not in head]
+    values, names = (list(dict.fromkeys(head.split(" ", 1)[i] for head in heads if " " in head)) for i in (0, 1))
+    return ([{**{name: row[name] for name in common}, across: value, **cells} for row in rows for value in values
+             if any((cells := {name: row.get(f"{value} {name}", "") for name in names}).values())],
+            [*common, across, *names])
 
 
 def number(text: str | None) -> float | None:

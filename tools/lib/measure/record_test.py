@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 import math
-import tempfile
 import unittest
-from pathlib import Path
 
+from base.testing import Case
 from measure import record
 from measure.record import Change, Quantity
 
 
-class Files(unittest.TestCase):
+class Files(Case):
     def setUp(self) -> None:
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.path = Path(folder.name) / "new" / "a.csv"
+        self.path = self.folder / "new" / "a.csv"
 
     def test_what_is_written_is_read(self) -> None:
         rows = [{"id": "a,b", "ms": "1.5"}, {"id": "# c\nd", "ms": "failed"}]
@@ -24,6 +21,19 @@ class Files(unittest.TestCase):
         self.assertTrue(self.path.read_text().startswith("# date: today\n# why: x: y, z\nid,ms\n"))
         record.write(self.path, [], ("id",))
         self.assertEqual(record.read(self.path), ({}, []))
+
+    def test_rows_that_stand_beside_each_other_are_read_apart(self) -> None:
+        rows = [{"id": "perlin", "chip": "m1", "cost": "5", "problem": ""},
+                {"id": "perlin", "chip": "acm", "cost": "", "problem": "too hard"},
+                {"id": "value", "chip": "acm", "cost": "3", "problem": ""}]
+        record.write(self.path, record.beside(rows, ("id",), "chip"))
+        self.assertEqual(self.path.read_text(),
+                         "id,m1 cost,acm cost,acm problem\nperlin,5,,too hard\nvalue,,3,\n")
+        self.assertEqual(record.read(self.path, ("id", "chip", "cost"), across="chip").rows, rows)
+        with self.assertRaisesRegex(ValueError, "the first line must be id,chip,price"):
+            record.read(self.path, ("id", "chip", "price"), across="chip")
+        record.write(self.path, rows)
+        self.assertEqual(record.read(self.path, across="chip").rows, rows)
 
     def test_another_table_is_refused(self) -> None:
         for text in ("", "a,b\n", "ms,id\n", "{}\n"):

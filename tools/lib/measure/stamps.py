@@ -233,7 +233,7 @@ KINDS = {"bench.csv": Kind("clock", of_subject), "peers.csv": Kind("peers", of_s
          "quality.csv": Kind("hashes", of_hash), "directions.csv": Kind("hashes", of_names),
          "likeness.csv": Kind("likeness", None), "python.csv": Kind("python", of_package),
          "rust.csv": Kind("rust", of_crate),
-         "silicon.csv": Kind("silicon", of_integers), "languages.csv": Kind("languages", of_integers),
+         "languages.csv": Kind("languages", of_integers),
          **{f"{name}.csv": Kind("cpu", of_grid) for name in ("gcc", "clang")}, "neon.csv": Kind("neon", of_grid)}
 
 

@@ -6,12 +6,12 @@ from __future__ import annotations
 import contextlib
 import io
 import shutil
-import tempfile
 import unittest
 from collections.abc import Callable
 from pathlib import Path
 from unittest import mock
 
+from base.testing import Case
 from base.tree import ROOT
 from measure import record, stamps
 
@@ -20,23 +20,21 @@ SUBJECTS = ("noise2d.value.lattice", "noise2d.value.lattice+fixed", "noise2d.per
             "table.float2", "mine2")
 
 
-class Texts(unittest.TestCase):
+class Texts(Case):
     def setUp(self) -> None:
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.root, self.copies = Path(scratch.name), 0
+        self.copies = 0
         self.file = self.put("bench.csv", *SUBJECTS)
         stamps.stamp(self.file, "a chip")
 
     def put(self, name: str, *ids: str) -> Path:
-        path = self.root / "results" / name
+        path = self.folder / "results" / name
         record.write(path, [{"id": id_, "ratio": "1.5"} for id_ in ids], ("id", "ratio"))
         return path
 
     def edited(self, name: str, edit: Callable[[str], str]) -> Path:
         """Another tree, with a file that is edited."""
         self.copies += 1
-        tree = self.root / f"tree{self.copies}"
+        tree = self.folder / f"tree{self.copies}"
         for folder in stamps.SOURCES:
             shutil.copytree(ROOT / folder, tree / folder)
         before = (tree / name).read_text()
@@ -79,10 +77,10 @@ class Texts(unittest.TestCase):
             self.file.write_text(text.replace(old, new))
             with self.subTest(new), self.assertRaisesRegex(ValueError, said):
                 stamps.stale(self.file)
-        self.assertEqual(stamps.paths(self.root / "results"), [self.file])
+        self.assertEqual(stamps.paths(self.folder / "results"), [self.file])
         self.put("costs.txt", "empty2")
         with self.assertRaisesRegex(ValueError, "costs.txt: no command writes"):
-            stamps.paths(self.root / "results")
+            stamps.paths(self.folder / "results")
 
     def test_what_has_no_text_is_an_error(self) -> None:
         for id_ in ("noise2d.perlin.lattce", "noise2d.prelin.lattice", "noise2d.perlin.own_noise", "noise2d.perlin"):

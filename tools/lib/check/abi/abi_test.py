@@ -6,8 +6,6 @@
 
 from __future__ import annotations
 
-import contextlib
-import io
 import re
 import shutil
 import sys
@@ -16,6 +14,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+from base.testing import Case, called
 from base.tree import ROOT, version
 from check.abi import command
 from check.abi.command import INTERFACE
@@ -52,12 +51,7 @@ class Committed(unittest.TestCase):
         self.assertEqual([name for name in names if space not in name or "::grid::" in name], [])
 
 
-class Promise(unittest.TestCase):
-    def setUp(self) -> None:
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
-
+class Promise(Case):
     def test_programs_name_the_major_version(self) -> None:
         self.assertEqual(command.promised("1.2.3"), "libhashnoise-grid.so.1")
         self.assertEqual(command.promised("10.0.0"), "libhashnoise-grid.so.10")
@@ -69,10 +63,9 @@ class Promise(unittest.TestCase):
         self.assertEqual(command.broken(before, INTERFACE, version()), "")
 
     def test_without_the_programs_it_is_skipped(self) -> None:
-        out = io.StringIO()
-        with mock.patch.object(command, "NEEDED", ("no-such-abidw",)), contextlib.redirect_stdout(out):
-            self.assertEqual(command.main(["--check", str(self.folder)]), 77)
-        self.assertIn("there is no no-such-abidw", out.getvalue())
+        with mock.patch.object(command, "NEEDED", ("no-such-abidw",)):
+            status, printed = called(command.main, "--check", self.folder)
+        self.assertEqual((status, printed), (77, "skipped: there is no no-such-abidw\n"))
 
 
 @unittest.skipUnless(__name__ == "__main__", "the test abi.whole compiles the library")

@@ -6,45 +6,27 @@ themselves, and that they find a planted fault.
 
 from __future__ import annotations
 
-import contextlib
-import io
-import tempfile
 import unittest
-from pathlib import Path
 from unittest import mock
 
+from base.testing import Case, called
 from check.fuzz import command as fuzz
 
-SOUND = """#!/bin/sh
-echo "$@" > "$(dirname "$0")/called"
+SOUND = """echo "$@" > "$(dirname "$0")/called"
 echo stat::number_of_executed_units: 1234
 """
-BROKEN = """#!/bin/sh
-echo ERROR: AddressSanitizer: heap-buffer-overflow
+BROKEN = """echo ERROR: AddressSanitizer: heap-buffer-overflow
 exit 77
 """
 
 
-class Fuzzing(unittest.TestCase):
-    def setUp(self) -> None:
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name).resolve()
-        (self.folder / "conformance").mkdir()
-
+class Fuzzing(Case):
     def program(self, target: str, text: str) -> None:
-        path = self.folder / "conformance" / f"fuzz-{target}"
-        path.write_text(text, encoding="utf-8")
-        path.chmod(0o755)
+        self.script(f"conformance/fuzz-{target}", text)
 
     def call(self, *arguments: str) -> tuple[int, str]:
-        text = io.StringIO()
-        with contextlib.redirect_stdout(text), contextlib.redirect_stderr(text), mock.patch.object(fuzz, "build"):
-            try:
-                status = fuzz.main(["--build", str(self.folder), *arguments])
-            except SystemExit as end:
-                status = end.code
-        return status, text.getvalue()
+        with mock.patch.object(fuzz, "build"):
+            return called(fuzz.main, "--build", self.folder, *arguments)
 
     def test_nothing_found_is_0(self) -> None:
         self.program("golden", SOUND)
@@ -69,11 +51,10 @@ class Fuzzing(unittest.TestCase):
             self.assertEqual(self.call(*arguments)[0], 2, arguments)
 
     def test_what_cannot_be_built_is_4(self) -> None:
-        text = io.StringIO()
-        with contextlib.redirect_stderr(text), mock.patch.dict("os.environ", {"PATH": "/nowhere"}):
-            status = fuzz.main(["--build", str(self.folder), "golden"])
+        with mock.patch.dict("os.environ", {"PATH": "/nowhere"}):
+            status, text = called(fuzz.main, "--build", self.folder, "golden")
         self.assertEqual(status, 4)
-        self.assertIn("cmake", text.getvalue())
+        self.assertIn("cmake", text)
 
 
 class Corpus(unittest.TestCase):

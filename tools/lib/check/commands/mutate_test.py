@@ -5,15 +5,12 @@ A script stands in for hn-conform, so that this takes no driver and no time.
 
 from __future__ import annotations
 
-import contextlib
-import io
 import os
 import re
 import sys
-import tempfile
 import unittest
-from pathlib import Path
 
+from base.testing import Case, called
 from base.tree import ROOT
 from check.mutation import command as mutate
 from check.mutation.equivalent import EQUIVALENT, Equivalence, is_equivalent
@@ -166,47 +163,36 @@ class Statuses(unittest.TestCase):
         self.assertEqual(set(mutate.KILLING), bad - {"error"})
 
 
-class Sweep(unittest.TestCase):
+class Sweep(Case):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.program = Path(scratch.name, "fake")
-        self.log = Path(scratch.name, "log")
+        self.log = self.folder / "log"
 
     def sweep(self, *arguments: str, unchanged=0, with_filter=1, without=1, results=FAILURE) -> tuple[int, str]:
         """Exit status and output with a program that ends so."""
-        self.program.write_text(FAKE.format(
+        program = self.script("fake", FAKE.format(
             python=sys.executable, log=str(self.log), library=str(mutate.LIBRARY), unchanged=unchanged,
-            with_filter=with_filter, without=without, results=results), encoding="utf-8")
-        self.program.chmod(0o755)
-        return self.main("--program", str(self.program), "--file", "perlin2d.glsl", "--sample", "2", *arguments)
+            with_filter=with_filter, without=without, results=results))
+        return called(mutate.main, "--program", program, "--file", "perlin2d.glsl", "--sample", "2", *arguments)
 
-    def main(self, *arguments: str) -> tuple[int, str]:
-        output = io.StringIO()
-        with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
-            try:
-                status = mutate.main(arguments)
-            except SystemExit as stop:
-                status = stop.code
-        return status, output.getvalue()
-
-    def test_all_killed(self):
-        status, output = self.sweep()
-        self.assertEqual(status, 0, output)
-        self.assertEqual(output.count("killed by c.d\n"), 2)
-        self.assertIn("2 mutants: 2 killed (0 of them did not compile), 0 survived (0 of them not "
-                      "--thorough), 0 equivalent, 0 errors", output)
-
-    def test_a_crash_and_a_timeout_kill_but_a_warning_does_not(self):
-        for results in (CRASH, TIMEOUT):
-            self.assertEqual(self.sweep(results=results)[0], 0)
-        self.assertEqual(self.sweep(results=WARNING)[0], 3)
-
-    def test_what_does_not_compile_is_counted_apart(self):
-        status, output = self.sweep(results=UNCOMPILED)
-        self.assertEqual(status, 0, output)
-        self.assertIn("2 killed (2 of them did not compile)", output)
-        self.assertIn("2 killed (0 of them did not compile)", self.sweep(results=REFUSED)[1])
+    def test_the_verdicts(self):
+        """How hn-conform ends, and then the status of the command, and a text that it prints so often."""
+        thorough, uncounted = ("--thorough", "--jobs", "1"), "the unchanged library does not pass, so a mutant proves nothing: "
+        only_thorough = {"with_filter": "int('--thorough' in arguments)", "without": 0}
+        for arguments, ends, expected, text, count in (
+                ((), {}, 0, "killed by c.d\n", 2),
+                ((), {}, 0, "2 mutants: 2 killed (0 of them did not compile), 0 survived (0 of them not --thorough), "
+                 "0 equivalent, 0 errors", 1),
+                *(((), {"results": kills}, 0, "killed by c.d\n", 2) for kills in (CRASH, TIMEOUT)),
+                *(((), {"results": kills_not}, 3, "  ERROR: ", 2) for kills_not in (WARNING, ERROR, "{")),
+                ((), {"results": UNCOMPILED}, 0, "2 killed (2 of them did not compile)", 1),
+                ((), {"results": REFUSED}, 0, "2 killed (0 of them did not compile)", 1),
+                (thorough, only_thorough, 1, "SURVIVED, and killed with --thorough by c.d\n", 2),
+                (thorough, only_thorough, 1, "2 survived (2 of them not --thorough)", 1),
+                ((), {"with_filter": 3}, 3, "ERROR: exit status 3: no driver\n", 2),
+                ((), {"unchanged": "int('c.d' in arguments)"}, 3, f"{uncounted}killed by c.d", 1)):
+            with self.subTest(text, ends=ends):
+                status, output = self.sweep(*arguments, **ends)
+                self.assertEqual((status, output.count(text)), (expected, count), output)
 
     def test_the_sums_by_rule_and_by_file(self):
         output = self.sweep("--file", "perlin3d.glsl", "--sample", "3")[1]
@@ -247,26 +233,11 @@ class Sweep(unittest.TestCase):
             self.assertGreater(len(stages), 1, file)
             self.assertEqual(stages[-1], (), file)
 
-    def test_survivors_go_on_to_what_thorough_has(self):
-        status, output = self.sweep("--thorough", "--jobs", "1", with_filter="int('--thorough' in arguments)", without=0)
-        self.assertEqual(status, 1, output)
-        self.assertEqual(output.count("SURVIVED, and killed with --thorough by c.d\n"), 2)
-        self.assertIn("2 survived (2 of them not --thorough)", output)
-
     def test_survivors(self):
         status, output = self.sweep(with_filter=0, without=0)
         self.assertEqual(status, 1, output)
         self.assertEqual(output.count("SURVIVED\n"), 2)
         self.assertEqual(len(output.partition("Survivors:\n")[2].splitlines()), 3)  # two, and the sum
-
-    def test_a_program_that_cannot_judge_is_an_error(self):
-        status, output = self.sweep(with_filter=3)
-        self.assertEqual(status, 3, output)
-        self.assertEqual(output.count("ERROR: exit status 3: no driver\n"), 2)
-
-    def test_a_case_with_an_error_does_not_kill(self):
-        self.assertEqual(self.sweep(results=ERROR)[0], 3)
-        self.assertEqual(self.sweep(results="{")[0], 3)
 
     def test_the_unchanged_library_must_pass(self):
         status, output = self.sweep(unchanged=1)
@@ -274,27 +245,22 @@ class Sweep(unittest.TestCase):
         self.assertIn("the unchanged library does not pass", output)
         self.assertEqual(len(self.log.read_text().splitlines()), 1)
 
-    def test_the_unchanged_library_must_pass_what_kills(self):
-        status, output = self.sweep(unchanged="int('c.d' in arguments)")
-        self.assertEqual(status, 3)
-        self.assertIn("the unchanged library does not pass, so a mutant proves nothing: killed by c.d", output)
-
     def test_listing_runs_nothing(self):
-        status, output = self.main("--list", "--program", "/nowhere", "--file", "perlin3d.glsl", "--file", "fbm2d.glsl")
+        status, output = called(mutate.main, "--list", "--program", "/nowhere", "--file", "perlin3d.glsl", "--file", "fbm2d.glsl")
         self.assertEqual(status, 0)
         self.assertEqual([int(line.split()[0]) for line in output.splitlines()],
                          [m.number for m in MUTANTS if m.file in ("perlin3d.glsl", "fbm2d.glsl")])
 
     def test_only_one_rule(self):
-        status, output = self.main("--list", "--program", "/nowhere", "--rule", "shift")
+        status, output = called(mutate.main, "--list", "--program", "/nowhere", "--rule", "shift")
         self.assertEqual((status, len(output.splitlines())), (0, sum(m.rule == "shift" for m in MUTANTS)))
 
     def test_a_sample_has_no_equivalent_mutants(self):
-        output = self.main("--list", "--program", "/nowhere", "--sample", "1000000")[1]
+        output = called(mutate.main, "--list", "--program", "/nowhere", "--sample", "1000000")[1]
         numbers = {int(line.split()[0]) for line in output.splitlines()}
         self.assertEqual(numbers, {m.number for m in MUTANTS if not is_equivalent(m)})
 
     def test_bad_usage(self):
         for arguments in (["--sample", "0"], ["--jobs", "x"], ["--file", "nothing.glsl"], ["--program", os.devnull],
                           ["--list", "--file", "config.glsl", "--rule", "shift"], ["--rule", "x"], ["--unknown"]):
-            self.assertEqual(self.main(*arguments)[0], 2, arguments)
+            self.assertEqual(called(mutate.main, *arguments)[0], 2, arguments)

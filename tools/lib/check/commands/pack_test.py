@@ -5,10 +5,9 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
-import tempfile
 import unittest
-from pathlib import Path
 
+from base.testing import Case
 from base.tree import TOOLS
 
 # Of both packages, and of the wheel. Where these are tried there is a file named file, and old-python fails.
@@ -22,19 +21,16 @@ OF_WHEEL = ((("--library",), "argument --library: expected one argument"),
             (("--python", "old-python"), "old-python is no Python 3.10 or later"))
 
 
-class Pack(unittest.TestCase):
+class Pack(Case):
     """On a machine where whoever installs something is noticed."""
 
     def setUp(self) -> None:
-        self.root = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        self.root = self.folder
         shutil.copytree(TOOLS / "lib", self.root / "tools" / "lib", ignore=shutil.ignore_patterns("*_test.py"))
         shutil.copy(TOOLS / "pack", self.root / "tools")
-        (self.root / "programs").mkdir()
         for name, command in (("apt-get", f"touch {self.root}/installed; exit 1"), ("old-python", "exit 1"),
                               ("dpkg-query", 'shift 3; for package; do echo "$package installed"; done')):
-            path = self.root / "programs" / name
-            path.write_text(f"#!/bin/sh\n{command}\n", encoding="ascii")
-            path.chmod(0o755)
+            self.script(f"programs/{name}", command)
 
     def call(self, *arguments: str) -> subprocess.CompletedProcess[str]:
         done = subprocess.run([self.root / "tools" / "pack", *arguments], cwd=self.root, capture_output=True, text=True,

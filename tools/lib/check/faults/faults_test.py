@@ -5,13 +5,9 @@ A script stands in for hn-conform, so that this takes no driver and no time.
 
 from __future__ import annotations
 
-import contextlib
-import io
 import sys
-import tempfile
-import unittest
-from pathlib import Path
 
+from base.testing import Case, called
 from check.faults import command as faults
 
 STAND_IN = '''#!{python}
@@ -34,20 +30,14 @@ NOT_COMPILED = (1, [("hash.word.x", "fail", 0), ("hash.vec2.x", "fail", 1)])
 UNNOTICED = (1, [("hash.word.x", "pass", 0)])
 
 
-class Faults(unittest.TestCase):
+class Faults(Case):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
         self.table = self.folder / "faults.md"
 
     def call(self, *arguments, healthy=PASS, one=RED, two=RED):
-        program = self.folder / "hn-conform"
-        program.write_text(STAND_IN.format(python=sys.executable, healthy=healthy, one=one, two=two))
-        program.chmod(0o755)
-        self.shown = io.StringIO()
-        with contextlib.redirect_stdout(self.shown), contextlib.redirect_stderr(self.shown):
-            return faults.main(["--program", str(program), "--out", str(self.table), *arguments])
+        program = self.script("hn-conform", STAND_IN.format(python=sys.executable, healthy=healthy, one=one, two=two))
+        status, self.shown = called(faults.main, "--program", program, "--out", self.table, *arguments)
+        return status
 
     def test_a_sample_takes_the_other_rows_from_the_file(self):
         self.assertEqual(self.call(), 0)
@@ -90,9 +80,7 @@ class Faults(unittest.TestCase):
 
     def test_a_sample_is_for_checking(self):
         for arguments in (("--sample", "1"), ("--check", "--sample", "0"), ("--check", "--sample", "1", "one")):
-            with self.subTest(arguments=arguments), self.assertRaises(SystemExit) as stop:
-                self.call(*arguments)
-            self.assertEqual(stop.exception.code, 2)
+            self.assertEqual(self.call(*arguments), 2, arguments)
 
     def test_the_table_tells_what_failed_and_what_else_warned(self):
         self.assertEqual(self.call(), 0)
@@ -112,7 +100,7 @@ class Faults(unittest.TestCase):
         more, less = ((0, [*PASS[1], ("bugs.c.x", status, 1)]) for status in ("warning", "pass"))
         self.assertEqual(self.call(healthy=less), 0)
         self.assertEqual(self.call("--check", healthy=more), 1)
-        self.assertIn("faults.md is not what tools/make faults writes now", self.shown.getvalue())
+        self.assertIn("faults.md is not what tools/make faults writes now", self.shown)
         self.assertEqual(self.call(healthy=more), 0)
         for arguments in (), ("--check", "--sample", "2"), ("--check",):
             self.assertEqual(self.call(*arguments, healthy=less), 0, arguments)
@@ -124,12 +112,12 @@ class Faults(unittest.TestCase):
     def test_a_fault_that_nothing_notices(self):
         for two in (UNNOTICED, PASS):
             self.assertEqual(self.call(two=two), 1)
-            self.assertIn("two: NOT NOTICED", self.shown.getvalue())
+            self.assertIn("two: NOT NOTICED", self.shown)
         self.assertFalse(self.table.exists())
 
     def test_a_shader_that_does_not_compile_notices_nothing(self):
         self.assertEqual(self.call(one=NOT_COMPILED), 1)
-        self.assertIn("one: NOT JUDGED: hash.word.x: why", self.shown.getvalue())
+        self.assertIn("one: NOT JUDGED: hash.word.x: why", self.shown)
 
     def test_the_healthy_driver_must_pass(self):
         self.assertEqual(self.call(healthy=RED), 3)
@@ -138,6 +126,4 @@ class Faults(unittest.TestCase):
     def test_some_faults_leave_the_table(self):
         self.assertEqual(self.call("two", one=UNNOTICED), 0)
         self.assertFalse(self.table.exists())
-        with self.assertRaises(SystemExit) as wrong:
-            self.call("three")
-        self.assertEqual(wrong.exception.code, 2)
+        self.assertEqual(self.call("three"), 2)

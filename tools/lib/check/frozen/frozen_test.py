@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import contextlib
-import io
 import re
-import tempfile
 import unittest
 from collections import defaultdict
 from collections.abc import Collection
-from pathlib import Path
 from unittest import mock
 
+from base.testing import Case, called
 from base.tree import FROZEN, ROOT
 from catalog.tables.functions import read_functions
 from catalog.tables.glsl import declarations
@@ -24,14 +21,11 @@ WORD = ("hash.word", "pcg:exact")
 VALUES = {PERLIN: ("11111111", "aaaa0001"), HASHED: ("11111111", "aaaa0002"), WORD: ("22222222", "aaaa0003")}
 
 
-class Command(unittest.TestCase):
+class Command(Case):
     """With a program that prints a library's values."""
     experimental: Collection[str] = ()
 
     def setUp(self) -> None:
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
         self.program, self.table = self.folder / "hn-frozen", self.folder / "frozen.csv"
         self.library = {key: list(sums) for key, sums in VALUES.items()}
         self.interface, self.names = self.folder / "interface.csv", {("default", "octaves"): "6"}
@@ -39,38 +33,29 @@ class Command(unittest.TestCase):
     def write_program(self) -> None:
         """The checksums of all points differ from those of the first."""
         lines = "\n".join(",".join((*key, *sums)) for key, sums in sorted(self.library.items()))
-        self.program.write_text(f"""#!/bin/sh
+        self.script(self.program, f"""
 count=$1; shift
 print() {{ if [ "$count" = {ALL} ]; then sed s,aaaa,bbbb,; else cat; fi; }}
 if [ $# = 0 ]; then print; else grep "^$1," | print; fi <<end
 {lines}
-end
-""")
-        self.program.chmod(0o755)
+end""")
 
-    def call(self, *arguments: str, version: str = "1.0.0") -> tuple[int, str, str]:
+    def call(self, *arguments: str, version: str = "1.0.0") -> tuple[int, str]:
         self.write_program()
-        out, error = io.StringIO(), io.StringIO()
-        with mock.patch.object(command, "version", lambda: version), contextlib.redirect_stdout(out), \
-                mock.patch.object(command, "experimental", lambda: frozenset(self.experimental)), \
-                mock.patch.object(command, "INTERFACE", self.interface), \
-                mock.patch.object(interface, "library", lambda: self.names), \
-                contextlib.redirect_stderr(error):
-            try:
-                status = command.main([*arguments, "--program", str(self.program), "--table", str(self.table)])
-            except SystemExit as ended:
-                status = ended.code
-        return status, out.getvalue(), error.getvalue()
+        with mock.patch.object(interface, "library", lambda: self.names), mock.patch.multiple(
+                command, version=lambda: version, experimental=lambda: frozenset(self.experimental),
+                INTERFACE=self.interface):
+            return called(command.main, *arguments, "--program", self.program, "--table", self.table)
 
     def assert_told(self, pattern: str, *arguments: str, version: str = "1.0.0", status: int = 1) -> None:
         before = self.table.read_text() if self.table.exists() else None
-        found, out, error = self.call(*arguments, version=version)
-        self.assertEqual((found, out), (status, ""), error)
+        found, error = self.call(*arguments, version=version)
+        self.assertEqual(found, status, error)
         self.assertRegex(error, pattern)
         self.assertEqual(self.table.read_text() if self.table.exists() else None, before, "it was written all the same")
 
     def assert_right(self, *arguments: str, version: str = "1.0.0") -> None:
-        status, _, error = self.call(*arguments, version=version)
+        status, error = self.call(*arguments, version=version)
         self.assertEqual(status, 0, error)
 
     def change_table(self, before: str, after: str) -> None:
@@ -201,11 +186,10 @@ class Unreadable(Command):
 
     def test_a_program_that_is_missing_or_fails_is_told(self) -> None:
         for body, said in ((None, "does not run: No such file.*tools/test -N builds it"),
-                           ("#!/bin/sh\necho no >&2\nexit 3\n", "ended with status 3: no")):
+                           ("echo no >&2; exit 3", "ended with status 3: no")):
             with self.subTest(said), mock.patch.object(self, "write_program", lambda: None):
                 if body is not None:
-                    self.program.write_text(body)
-                    self.program.chmod(0o755)
+                    self.script(self.program, body)
                 self.assert_told(f"tools/make freeze: .*{said}", status=2)
 
     def test_options_that_do_not_go_together_are_told(self) -> None:

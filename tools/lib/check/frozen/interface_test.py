@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import tempfile
 import unittest
 from functools import cache
 from pathlib import Path
 from unittest import mock
 
+from base.testing import Case
 from base.tree import INTERFACE, ROOT
 from catalog import parameters
 from check.frozen import interface
@@ -71,7 +71,7 @@ CHANGES = (  # of a file; the report
 )
 
 
-class Interface(unittest.TestCase):
+class Interface(Case):
     def setUp(self) -> None:
         self.table = interface.read(INTERFACE)
 
@@ -134,12 +134,11 @@ class Interface(unittest.TestCase):
         self.assertLess({"hn_phasor 2, none", "hn_gullies", "hn_distribution_fbm"}, new)
 
     def test_a_table_that_is_none_is_reported(self) -> None:
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder, "interface.csv")
-            for text in ("", "kind,name\n", "kind,name,what\nform,hn_perlin2\n"):
-                path.write_text(text, encoding="utf-8")
-                with self.assertRaisesRegex(ValueError, "line 1 has to be kind,name,what"):
-                    interface.read(path)
+        path = self.folder / "interface.csv"
+        for text in ("", "kind,name\n", "kind,name,what\nform,hn_perlin2\n"):
+            path.write_text(text, encoding="utf-8")
+            with self.assertRaisesRegex(ValueError, "line 1 has to be kind,name,what"):
+                interface.read(path)
 
 
 if __name__ == "__main__":

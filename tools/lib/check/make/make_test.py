@@ -11,6 +11,7 @@ import unittest
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+from base.testing import Case
 from base.tree import ROOT
 from check.make import command, graph
 from check.make.parts import PARTS, Part
@@ -150,13 +151,11 @@ def main(arguments):
 '''
 
 
-class Toy(unittest.TestCase):
+class Toy(Case):
     """A repository in which out/one is in/*.txt in capitals, and out/two is the first line of that."""
 
     def setUp(self) -> None:
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.root = Path(scratch.name)
+        self.root = self.folder
         for file in ("tools/make", *(f"tools/lib/{name}" for name in (
                 "base/ending.py", "base/needs.py", "base/modules.py", "base/tree.py", "base/usage.py",
                 "check/make/command.py", "check/make/graph.py", "check/make/parts.py",

@@ -33,8 +33,8 @@ SUITE = (*(f"{room}/*.[ch]pp" for room in ("src/base", "conformance/library", "c
 PAGES = ("README.md", "docs/guide/gallery/README.md",
          *(f"docs/{page}.md" for page in (
              "guide/cellular", "guide/engines", "guide/languages", "guide/uniform",
-             "measured/default-hash", "measured/gpu-operations", "measured/hashes", "measured/judge",
-             "measured/measuring", "measured/quality", "measured/results/README", "measured/silicon",
+             "measured/default-hash", "measured/hashes", "measured/judge",
+             "measured/measuring", "measured/quality", "measured/results/README",
              "reference/fractals", "reference/knobs", "reference/noises")))
 RECORDS = ("docs/measured/results/**/*.csv", "src/grid/*.*")
 

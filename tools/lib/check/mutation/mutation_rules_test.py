@@ -70,113 +70,88 @@ int g() { return 14; }
             list(rules.functions("f() { {"))
 
 
-class Constants(unittest.TestCase):
-    def changed(self, body: str) -> list[str]:
-        return changed(rules.change_constants, body)
-
-    def test_small_integers_get_their_neighbours(self):
-        self.assertEqual(self.changed("a + 1u"), ["a + 2u", "a + 0u"])
-        self.assertEqual(self.changed("a + 0"), ["a + 1"])
-        self.assertEqual(self.changed("a & 0xFFu"), ["a & 0x100u", "a & 0xFEu"])
-        self.assertEqual(self.changed("a & 0xF"), ["a & 0x10", "a & 0xE"])
-
-    def test_shifts_stay_below_the_word(self):
-        self.assertEqual(self.changed("a << 31"), ["a << 30"])
-        self.assertEqual(self.changed("a >>= 0x1F"), ["a >>= 0x1E"])
-
-    def test_words_get_their_lowest_and_their_highest_bit_flipped(self):
-        self.assertEqual(self.changed("k *= 0xFFFFFFFFu"), ["k *= 0xFFFFFFFEu", "k *= 0x7FFFFFFFu"])
-        self.assertEqual(self.changed("k & 0x007FFF80u"), ["k & 0x007FFF81u", "k & 0x003FFF80u"])
-        self.assertEqual(self.changed("k * 16777619u"), ["k * 16777618u", "k * 403u"])
-
-    def test_floats_move_by_a_sixty_fourth(self):
-        self.assertEqual(self.changed("0.0f"), ["0.015625f"])
-        self.assertEqual(self.changed("f * 128.0f"), ["f * 130.0f"])
-        self.assertEqual(self.changed("-1e2"), ["-101.5625"])
-
-    def test_terms_of_quotients_move_by_one_unless_that_could_be_rounded_away(self):
-        self.assertEqual(self.changed("1913.0f / 1024.0f"), ["1914.0f / 1024.0f", "1913.0f / 1025.0f"])
-        self.assertEqual(self.changed("x / 65536.0f"), ["x / 66560.0f"])
-
-    def test_digits_in_names_are_no_constants(self):
-        self.assertEqual(self.changed("k1 = vec2(h00, d.x3).x_4"), [])
-
-    def test_truth(self):
-        self.assertEqual(self.changed("f(true, false)"), ["f(false, false)", "f(true, true)"])
-
-
-class Operators(unittest.TestCase):
-    def test_binary_operators(self):
-        self.assertEqual(changed(rules.change_operators, "a + b"), ["a - b"])
-        self.assertEqual(changed(rules.change_operators, "(a) - b[0] * -c"), ["(a) + b[0] * -c", "(a) - b[0] + -c"])
-        self.assertEqual(changed(rules.change_operators, "a / b % c"), ["a * b % c", "a / b / c"])
-        self.assertEqual(changed(rules.change_operators, "a & b | c ^ 1"),
-                         ["a | b | c ^ 1", "a & b & c ^ 1", "a & b | c | 1", "a & b | c + 1"])
-        self.assertEqual(changed(rules.change_operators, "a && b || !c"), ["a || b || !c", "a && b && !c"])
-
-    def test_compound_assignments(self):
-        self.assertEqual(changed(rules.change_operators, "a ^= b;"), ["a |= b;", "a += b;", "a = b;"])
-        self.assertEqual(changed(rules.change_operators, "a += b; c *= d"),
-                         ["a -= b; c *= d", "a = b; c *= d", "a += b; c += d", "a += b; c = d"])
-        self.assertEqual(changed(rules.change_operators, "++i"), ["--i"])
-
-    def test_a_sign_is_no_operator(self):
-        self.assertEqual(changed(rules.change_operators, "return -a;"), [])
-        self.assertEqual(changed(rules.change_operators, "a = -b, (-c)"), [])
-
-    def test_shifts(self):
-        self.assertEqual(changed(rules.change_shifts, "a << 3 + b >> 4"), ["a >> 3 + b >> 4", "a << 3 + b << 4"])
-        self.assertEqual(changed(rules.change_shifts, "a >>= 3"), ["a <<= 3", "a = 3"])
-
-    def test_comparisons(self):
-        self.assertEqual(changed(rules.change_comparisons, "a < b"), ["a <= b", "a >= b"])
-        self.assertEqual(changed(rules.change_comparisons, "a >= b == c"), ["a > b == c", "a < b == c", "a >= b != c"])
-        self.assertEqual(changed(rules.change_comparisons, "a <<= b << c"), [])
-
-
-class Signs(unittest.TestCase):
-    HEAD = "float f(float m, uint w, bool b, ivec2 c)"
-
-    def test_a_minus_is_dropped(self):
-        self.assertEqual(changed(rules.change_signs, "a * -b - c"), ["a * b - c"])
-        self.assertEqual(changed(rules.change_signs, "!a"), ["a"])
-
-    def test_what_stands_first_is_negated(self):
-        self.assertEqual(changed(rules.change_signs, "return m + 1.0f;", self.HEAD), ["return -m + 1.0f;"])
-        self.assertEqual(changed(rules.change_signs, "g(ivec2(c), m)", self.HEAD),
-                         ["g(ivec2(-c), m)", "g(ivec2(c), -m)"])
-        self.assertEqual(changed(rules.change_signs, "return b ? abs(m) : m;", self.HEAD),
-                         ["return !b ? abs(m) : m;", "return b ? -abs(m) : m;", "return b ? abs(-m) : m;",
-                          "return b ? abs(m) : -m;"])
-
-    def test_words_and_targets_have_no_sign(self):
-        self.assertEqual(changed(rules.change_signs, "float x = 1.0f; m = (w);", self.HEAD), [])
+FLOATS, ARGUMENTS = "float f(float m, uint w, bool b, ivec2 c)", "float f(vec2 p, float a, float b, uint w, uvec2 c)"
+# A rule, the head of a function, its body, and what the body may become.
+CHANGES = (
+    # Small integers get their neighbours, and shifts stay below the word.
+    (rules.change_constants, "", "a + 1u", ["a + 2u", "a + 0u"]),
+    (rules.change_constants, "", "a + 0", ["a + 1"]),
+    (rules.change_constants, "", "a & 0xFFu", ["a & 0x100u", "a & 0xFEu"]),
+    (rules.change_constants, "", "a & 0xF", ["a & 0x10", "a & 0xE"]),
+    (rules.change_constants, "", "a << 31", ["a << 30"]),
+    (rules.change_constants, "", "a >>= 0x1F", ["a >>= 0x1E"]),
+    # Words get their lowest and their highest bit flipped.
+    (rules.change_constants, "", "k *= 0xFFFFFFFFu", ["k *= 0xFFFFFFFEu", "k *= 0x7FFFFFFFu"]),
+    (rules.change_constants, "", "k & 0x007FFF80u", ["k & 0x007FFF81u", "k & 0x003FFF80u"]),
+    (rules.change_constants, "", "k * 16777619u", ["k * 16777618u", "k * 403u"]),
+    # Floats move by a sixty-fourth, and terms of quotients by one, unless that could be rounded away.
+    (rules.change_constants, "", "0.0f", ["0.015625f"]),
+    (rules.change_constants, "", "f * 128.0f", ["f * 130.0f"]),
+    (rules.change_constants, "", "-1e2", ["-101.5625"]),
+    (rules.change_constants, "", "1913.0f / 1024.0f", ["1914.0f / 1024.0f", "1913.0f / 1025.0f"]),
+    (rules.change_constants, "", "x / 65536.0f", ["x / 66560.0f"]),
+    # Digits in names are no constants.
+    (rules.change_constants, "", "k1 = vec2(h00, d.x3).x_4", []),
+    (rules.change_constants, "", "f(true, false)", ["f(false, false)", "f(true, true)"]),
+    (rules.change_operators, "", "a + b", ["a - b"]),
+    (rules.change_operators, "", "(a) - b[0] * -c", ["(a) + b[0] * -c", "(a) - b[0] + -c"]),
+    (rules.change_operators, "", "a / b % c", ["a * b % c", "a / b / c"]),
+    (rules.change_operators, "", "a & b | c ^ 1", ["a | b | c ^ 1", "a & b & c ^ 1", "a & b | c | 1", "a & b | c + 1"]),
+    (rules.change_operators, "", "a && b || !c", ["a || b || !c", "a && b && !c"]),
+    (rules.change_operators, "", "a ^= b;", ["a |= b;", "a += b;", "a = b;"]),
+    (rules.change_operators, "", "a += b; c *= d", ["a -= b; c *= d", "a = b; c *= d", "a += b; c += d", "a += b; c = d"]),
+    (rules.change_operators, "", "++i", ["--i"]),
+    # A sign is no operator.
+    (rules.change_operators, "", "return -a;", []),
+    (rules.change_operators, "", "a = -b, (-c)", []),
+    (rules.change_shifts, "", "a << 3 + b >> 4", ["a >> 3 + b >> 4", "a << 3 + b << 4"]),
+    (rules.change_shifts, "", "a >>= 3", ["a <<= 3", "a = 3"]),
+    (rules.change_comparisons, "", "a < b", ["a <= b", "a >= b"]),
+    (rules.change_comparisons, "", "a >= b == c", ["a > b == c", "a < b == c", "a >= b != c"]),
+    (rules.change_comparisons, "", "a <<= b << c", []),
+    # A minus is dropped, and what stands first is negated, unless it is a word or a target.
+    (rules.change_signs, "", "a * -b - c", ["a * b - c"]),
+    (rules.change_signs, "", "!a", ["a"]),
+    (rules.change_signs, FLOATS, "return m + 1.0f;", ["return -m + 1.0f;"]),
+    (rules.change_signs, FLOATS, "g(ivec2(c), m)", ["g(ivec2(-c), m)", "g(ivec2(c), -m)"]),
+    (rules.change_signs, FLOATS, "return b ? abs(m) : m;", [
+        "return !b ? abs(m) : m;", "return b ? -abs(m) : m;", "return b ? abs(-m) : m;", "return b ? abs(m) : -m;"]),
+    (rules.change_signs, FLOATS, "float x = 1.0f; m = (w);", []),
+    # Adjacent arguments of a type are swapped.
+    (rules.swap_arguments, ARGUMENTS, "g(a, b, p)", ["g(b, a, p)"]),
+    (rules.swap_arguments, ARGUMENTS, "g((w >> 1) & 1u, w)", ["g(w, (w >> 1) & 1u)"]),
+    (rules.swap_arguments, ARGUMENTS, "g(p.x + 1.0f,\n  b)", ["g(b,\n  p.x + 1.0f)"]),
+    (rules.swap_arguments, ARGUMENTS, "g(h(1u, c.x), h(w, 2u))", [
+        "g(h(w, 2u), h(1u, c.x))", "g(h(c.x, 1u), h(w, 2u))", "g(h(1u, c.x), h(2u, w))"]),
+    # A constructor takes what is not known as well; what would not compile or not matter is left.
+    (rules.swap_arguments, ARGUMENTS, "vec2(a, h(w))", ["vec2(h(w), a)"]),
+    (rules.swap_arguments, ARGUMENTS, "g(a < b, b, a)", ["g(a < b, a, b)"]),
+    (rules.swap_arguments, ARGUMENTS, "hn_i_times_plus(a, b, 1.0f)", ["hn_i_times_plus(a, 1.0f, b)"]),
+    *((rules.swap_arguments, ARGUMENTS, text, []) for text in (
+        "g(p, a)", "g(p.x, w)", "g(h(p), a)", "g(a, a)", "min(a, b)", "if (a, b)", "g()", "g(2, w)")),
+    # Another function, or none.
+    (rules.change_calls, "", "min(floor(x), max)", [
+        "max(floor(x), max)", "min(ceil(x), max)", "min(trunc(x), max)", "min((x), max)"]),
+    (rules.change_calls, "", "hn_hash_pcg(k)", ["hn_hash_xxhash32(k)"]),
+    (rules.change_calls, "", "abs(x) + hn_i_high(k, next)", ["(x) + hn_i_high(k, next)"]),
+    # Components, and variables of the type that are declared before or next.
+    (rules.change_components, "", "x * v.x + v.w", ["x * v.y + v.w", "x * v.x + v.x"]),
+    (rules.change_variables, "float f(float a, vec2 b, vec2 c, float d)", "return a * c.x;", [
+        "return d * c.x;", "return a * b.x;"]),
+    (rules.change_variables, "uint f(uint k)", "uint m = k; m = m ^ 1u;", ["uint m = k; m = k ^ 1u;"]),
+    (rules.change_variables, "float f(vec2 a, uint b)", "return a.x;", []),
+    # Assignments are dropped.
+    (rules.drop_statements, "", "float a = 1; a += 2; for (int i = 0; i < a; ++i) { a = i; }", [
+        "float a = 1;  for (int i = 0; i < a; ++i) { a = i; }", "float a = 1; a += 2; for (int i = 0; i < a; ++i) {  }"]),
+    (rules.drop_statements, "", "s.a += 2; v.x = s.a; return v.x;", [
+        " v.x = s.a; return v.x;", "s.a += 2;  return v.x;"]))
 
 
-class Calls(unittest.TestCase):
-    HEAD = "float f(vec2 p, float a, float b, uint w, uvec2 c)"
-
-    def test_adjacent_arguments_of_a_type_are_swapped(self):
-        self.assertEqual(changed(rules.swap_arguments, "g(a, b, p)", self.HEAD), ["g(b, a, p)"])
-        self.assertEqual(changed(rules.swap_arguments, "g((w >> 1) & 1u, w)", self.HEAD), ["g(w, (w >> 1) & 1u)"])
-        self.assertEqual(changed(rules.swap_arguments, "g(p.x + 1.0f,\n  b)", self.HEAD), ["g(b,\n  p.x + 1.0f)"])
-        self.assertEqual(changed(rules.swap_arguments, "g(h(1u, c.x), h(w, 2u))", self.HEAD),
-                         ["g(h(w, 2u), h(1u, c.x))", "g(h(c.x, 1u), h(w, 2u))", "g(h(1u, c.x), h(2u, w))"])
-
-    def test_what_would_not_compile_or_not_matter_is_left(self):
-        self.assertEqual(changed(rules.swap_arguments, "g(a < b, b, a)", self.HEAD), ["g(a < b, a, b)"])
-        self.assertEqual(changed(rules.swap_arguments, "hn_i_times_plus(a, b, 1.0f)", self.HEAD),
-                         ["hn_i_times_plus(a, 1.0f, b)"])
-        for text in ("g(p, a)", "g(p.x, w)", "g(h(p), a)", "g(a, a)", "min(a, b)", "if (a, b)", "g()", "g(2, w)"):
-            self.assertEqual(changed(rules.swap_arguments, text, self.HEAD), [], text)
-
-    def test_a_constructor_takes_what_is_not_known_as_well(self):
-        self.assertEqual(changed(rules.swap_arguments, "vec2(a, h(w))", self.HEAD), ["vec2(h(w), a)"])
-
-    def test_other_functions(self):
-        self.assertEqual(changed(rules.change_calls, "min(floor(x), max)"),
-                         ["max(floor(x), max)", "min(ceil(x), max)", "min(trunc(x), max)", "min((x), max)"])
-        self.assertEqual(changed(rules.change_calls, "hn_hash_pcg(k)"), ["hn_hash_xxhash32(k)"])
+class Changes(unittest.TestCase):
+    def test_of_each_rule(self):
+        for rule, head, text, results in CHANGES:
+            with self.subTest(rule.__name__, text=text):
+                self.assertEqual(changed(rule, text, head), results)
 
     def test_functions_that_rules_name_exist(self):
         text = "".join(path.read_text(encoding="ascii") for path in glsl_files().values())
@@ -184,33 +159,6 @@ class Calls(unittest.TestCase):
         named = {name for name in (*rules.STEPS, *rules.OTHER_FUNCTIONS) if name.startswith("hn_")}
         self.assertGreater(len(named), 20)
         self.assertEqual(named - defined, set())
-
-    def test_no_function(self):
-        self.assertEqual(changed(rules.change_calls, "abs(x) + hn_i_high(k, next)"), ["(x) + hn_i_high(k, next)"])
-
-
-class Names(unittest.TestCase):
-    def test_components(self):
-        self.assertEqual(changed(rules.change_components, "x * v.x + v.w"), ["x * v.y + v.w", "x * v.x + v.x"])
-
-    def test_variables_of_the_type_declared_before_or_next(self):
-        head = "float f(float a, vec2 b, vec2 c, float d)"
-        self.assertEqual(changed(rules.change_variables, "return a * c.x;", head),
-                         ["return d * c.x;", "return a * b.x;"])
-        self.assertEqual(changed(rules.change_variables, "uint m = k; m = m ^ 1u;", "uint f(uint k)"),
-                         ["uint m = k; m = k ^ 1u;"])
-
-    def test_a_variable_without_another_stays(self):
-        self.assertEqual(changed(rules.change_variables, "return a.x;", "float f(vec2 a, uint b)"), [])
-
-
-class Statements(unittest.TestCase):
-    def test_assignments_are_dropped(self):
-        self.assertEqual(changed(rules.drop_statements, "float a = 1; a += 2; for (int i = 0; i < a; ++i) { a = i; }"),
-                         ["float a = 1;  for (int i = 0; i < a; ++i) { a = i; }",
-                          "float a = 1; a += 2; for (int i = 0; i < a; ++i) {  }"])
-        self.assertEqual(changed(rules.drop_statements, "s.a += 2; v.x = s.a; return v.x;"),
-                         [" v.x = s.a; return v.x;", "s.a += 2;  return v.x;"])
 
 
 class Directives(unittest.TestCase):

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import contextlib
-import io
-import tempfile
 import unittest
-from pathlib import Path
 from unittest import mock
 
+from base.testing import Case, called
 from check.tests import command
 
 TESTS = """add_test(quick "sh" "-c" "echo quick >> {ran}")
@@ -22,23 +19,21 @@ endif()
 """
 
 
-class Tests(unittest.TestCase):
+class Tests(Case):
     def setUp(self) -> None:
-        self.build = Path(self.enterContext(tempfile.TemporaryDirectory()))
-        self.ran, self.well = self.build / "ran", self.build / "well"
+        self.ran, self.well = self.folder / "ran", self.folder / "well"
         self.well.touch()
         self.write(TESTS)
         self.tree = self.enterContext(mock.patch.object(command, "digest_of_tree", return_value="a tree"))
 
     def write(self, tests: str) -> None:
-        (self.build / "CTestTestfile.cmake").write_text(tests.format(ran=self.ran, well=self.well, build=self.build))
+        (self.folder / "CTestTestfile.cmake").write_text(tests.format(ran=self.ran, well=self.well, build=self.folder))
 
     def call(self, *arguments: str) -> tuple[int, str, list[str]]:
         """The status, what is printed, and which tests ran."""
         self.ran.write_text("")
-        with contextlib.redirect_stdout(io.StringIO()) as text:
-            status = command.main([str(self.build), *arguments])
-        return status, text.getvalue(), sorted(self.ran.read_text().split())
+        status, text = called(command.main, self.folder, *arguments)
+        return status, text, sorted(self.ran.read_text().split())
 
     def test_what_is_skipped_and_left_out_is_named(self) -> None:
         status, text, ran = self.call()
@@ -49,7 +44,7 @@ class Tests(unittest.TestCase):
 
     def test_cases_that_a_test_skips_are_named_too(self) -> None:
         """As unittest and GoogleTest print them; not those that take long, or that another test runs."""
-        (self.build / "parts.py").write_text("""import unittest
+        (self.folder / "parts.py").write_text("""import unittest
 class Parts(unittest.TestCase):
     def test_one(self):
         "It has a sentence."
@@ -120,7 +115,7 @@ add_test(google "printf" "/a/b.cpp:20: Skipped\\nno device is here\\n[  SKIPPED 
         self.assertRegex(text, r"(?m)^ +\(0:00 of about \d:\d\d: slow\)$")
 
 
-class Estimate(unittest.TestCase):
+class Estimate(Case):
     def test_it_follows_what_is_seen(self) -> None:
         """A run that takes 600 seconds in place of 200: it is within a sixth of the truth from the middle on."""
         with mock.patch.object(command, "AT_A_TIME", 4):
@@ -130,24 +125,22 @@ class Estimate(unittest.TestCase):
                     self.assertTrue(least <= command.estimate(600 * part, 800 * part, 800 * (1 - part)) <= most)
 
     def test_times_of_earlier_runs_count(self) -> None:
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder, "Testing/Temporary/CTestCostData.txt")
-            path.parent.mkdir(parents=True)
-            path.write_text("quick 3 0.25\na name/0  # with blanks 1 7.5\n---\nsometimes\n")
-            known = command.times(Path(folder))
+        path = self.folder / "Testing/Temporary/CTestCostData.txt"
+        path.parent.mkdir(parents=True)
+        path.write_text("quick 3 0.25\na name/0  # with blanks 1 7.5\n---\nsometimes\n")
+        known = command.times(self.folder)
         self.assertEqual(known, {"quick": 0.25, "a name/0  # with blanks": 7.5})
         tests = [{"name": "quick"}, {"name": "new"}, {"name": "unit", "command": ["a-test", "--gtest_filter=A.*"]}]
         self.assertEqual([command.seconds_of(test, known) for test in tests], [0.25, 10, 0.1])
 
     def test_a_change_of_the_tree_is_another_digest(self) -> None:
-        with tempfile.TemporaryDirectory() as folder, mock.patch.object(command, "ROOT", Path(folder)):
-            path = Path(folder, "source.cpp")
-            with mock.patch.object(command, "files", return_value=["source.cpp"]):
-                path.write_text("one")
-                before = command.digest_of_tree()
-                self.assertEqual(command.digest_of_tree(), before)
-                path.write_text("two")
-                self.assertNotEqual(command.digest_of_tree(), before)
+        path = self.folder / "source.cpp"
+        with mock.patch.multiple(command, ROOT=self.folder, files=lambda: ["source.cpp"]):
+            path.write_text("one")
+            before = command.digest_of_tree()
+            self.assertEqual(command.digest_of_tree(), before)
+            path.write_text("two")
+            self.assertNotEqual(command.digest_of_tree(), before)
 
 
 if __name__ == "__main__":

@@ -79,7 +79,7 @@ def _number(milliseconds: str) -> str:
 
 
 def record() -> list[dict[str, str]]:
-    return records.read(RECORD, COLUMNS, "tools/measure compile").rows
+    return records.read(RECORD, COLUMNS, "tools/measure compile", across="compiler").rows
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -112,6 +112,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             if sum(not job.is_foreign for job in times) < 2 * len(WAYS) * len(SUBJECTS):
                 status = 1
         if rows:
+            rows = records.beside(rows, ("noise", "way"), "compiler")
             stamps.keep(options.out, rows, "; ".join(dict.fromkeys(used)), {"rounds": options.rounds}, kind=RECORD.name)
     except Failed as error:
         print(f"{parser.prog}: {error}", file=sys.stderr)

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import contextlib
-import io
 import shutil
-import tempfile
 import unittest
-from pathlib import Path
 from unittest import mock
 
+from base.testing import Case, called
 from base.thorough import THOROUGH
 from measure.compile import command, compilers, texts
 from measure.compile.compilers import COMPILERS, DESKTOP, ES, Place
@@ -19,30 +16,17 @@ from measure.gpu.command import DRIVERS
 ALL_WAYS = [way + suffix for suffix in ("", FIXED) for way in WAYS]
 
 
-class CompileTimes(unittest.TestCase):
+class CompileTimes(Case):
     def setUp(self):
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.place = Place(self.folder, {}, DRIVERS)
         for module in (texts, command):  # fewer shaders are faster
             self.enterContext(mock.patch.object(module, "SUBJECTS", SUBJECTS[:1]))
 
-    def main(self, *arguments: str) -> tuple[int, str]:
-        said = io.StringIO()
-        with contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
-            try:
-                status = command.main(arguments)
-            except SystemExit as stop:
-                status = stop.code
-        return status, said.getvalue()
-
     def measured(self, *arguments: str) -> tuple[int, str]:
-        return self.main("--rounds", "1", "--out", str(self.folder / "compile.csv"), *arguments)
+        return called(command.main, "--rounds", "1", "--out", self.folder / "compile.csv", *arguments)
 
     def program(self, text: str) -> str:
-        path = self.folder / "program"
-        path.write_text(f"#!/bin/sh\n{text}\n")
-        path.chmod(0o755)
-        return str(path)
+        return str(self.script("program", text))
 
     def test_what_is_timed_compiles(self):
         for number, job in enumerate(jobs("glsl", {})):
@@ -118,7 +102,7 @@ class CompileTimes(unittest.TestCase):
     def test_bad_usage(self):
         for arguments, message in ((["--compiler", "fxd"], "invalid choice: 'fxd'"), (["--rounds", "0"], "not a whole number from 1 on"),
                                    (["--wombat", "nowhere"], "--wombat: there is no nowhere")):
-            status, said = self.main(*arguments)
+            status, said = called(command.main, *arguments)
             self.assertEqual(status, 2)
             self.assertIn(message, said)
 

@@ -3,17 +3,14 @@
     tools/measure gpu --get-drivers [--drivers DIR]      downloads them, some 410 MB of Debian's and PyPI's, into DIR
     tools/measure gpu [--chip NAME]... [--filter GLOB]... [--against NAME=FILE:EXPRESSION]... [--out DIR]
     tools/measure gpu --wombat Wombat/ --filter '*.perlin.*' --baseline docs/measured/results/gpu/costs.csv
-    tools/measure gpu --compare BEFORE/costs.csv docs/measured/results/gpu/costs.csv
     tools/measure gpu --list-chips
 
 Mesa's drivers for NVIDIA, AMD, Adreno and Apple compile shaders without a GPU, for a stand-in of the kernel. NVIDIA's
 ptxas and Intel's IGC need none; they get the same shaders by way of LLVM. Of each shader, which is one call in a
 fragment shader, less the empty shader, the record has cycles or instructions, registers and spills. The default is
-every function with each arithmetic, on every chip, and what an operation costs; with --filter the operations are left
-out. It needs hn-conform on the PATH or built (tools/measure clock builds it), and spirv-dis. DIR gets costs.csv,
-operations.csv and chips.csv; docs/measured/results/gpu has such files, and tools/make readme makes tables of them.
-docs/measured/measuring.md explains them. --compare measures nothing: it prints a table of how many times each noise
-costs in the second record what it did in the first, on a chip of each compiler.
+every function with each arithmetic, on every chip. It needs hn-conform on the PATH or built (tools/measure clock builds
+it), and spirv-dis. DIR gets costs.csv and chips.csv; docs/measured/results/gpu has such files, and tools/make readme
+makes tables of them. docs/measured/measuring.md explains them.
 
 Exit status: 0 done, 1 something costs more than in the baseline, 2 bad usage, 3 there are no drivers for a chip, and
 why; 4 the drivers could not be had; 130 it was interrupted.
@@ -38,7 +35,7 @@ from base.tree import GLSL, ROOT, hn_conform
 from base.usage import Parser
 from measure import record as records
 from measure import stamps
-from measure.gpu import comparing, drivers, operations, record, stripes
+from measure.gpu import drivers, record, stripes
 from measure.gpu.chips import CHIPS, Chip
 from measure.gpu.compiling import Compiled, Device, compile_all
 from measure.gpu.drivers import Drivers
@@ -137,21 +134,16 @@ def run(options: argparse.Namespace) -> int:
                    *stripes.against(given(options, stripes.PEERS), Path(scratch)))
         arguments += [word for one in foreign for word in ("--against", one)]
         arguments += ["--glsl", str(options.glsl)]  # the program may be older than the text here
-        if not options.filter:
-            arguments += operations.write_shaders(Path(scratch))
         dimensions = compile_spirv(hn_conform, Path(scratch), arguments)
         files = {id: Path(scratch) / "spirv" / f"{id}.spv" for id in dimensions}
         devices, shaders, skipped = measure(chips, found, hn_conform, files)
     chips = [chip for chip in chips if chip.name in devices]
     rows = [record.row(id, chip, shaders[chip.name][id], shaders[chip.name][f"empty{axes}"])
-            for id, axes in dimensions.items() if not operations.is_operation(id) and not id.startswith("empty")
-            for chip in chips]
-    for name, content in ((record.COSTS, [found._asdict() for found in rows]),
+            for id, axes in dimensions.items() if not id.startswith("empty") for chip in chips]
+    for name, content in ((record.COSTS, records.beside([found._asdict() for found in rows], ("id",), record.CHIP)),
                           (record.DEVICES, [{"chip": chip.name, "title": chip.title, "device": devices[chip.name].name,
                                              "driver": devices[chip.name].driver, "cost": chip.vendor.cost}
-                                            for chip in chips]),
-                          (record.OPERATION_COSTS, [] if options.filter else
-                           [price for chip in chips for price in record.prices(chip, shaders[chip.name])])):
+                                            for chip in chips])):
         if content:
             records.write(options.out / name, content)
             stamps.stamp(options.out / name, "; ".join(dict.fromkeys(device.driver for device in devices.values())),
@@ -192,8 +184,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     add_options(parser, (*PEERS, *stripes.PEERS))
     parser.add_argument("--out", type=Path, metavar="DIR", default=Path("out"))
     parser.add_argument("--baseline", type=Path, metavar="FILE", help="an earlier costs.csv, to compare with")
-    parser.add_argument("--compare", type=Path, nargs=2, metavar=("BEFORE", "NOW"),
-                        help="print the table of two costs.csv, and do nothing else")
     parser.add_argument("--drivers", type=Path, metavar="DIR", default=DRIVERS,
                         help="where they are (build/gpu-drivers)")
     parser.add_argument("--get-drivers", action="store_true", help="download them, and do nothing else")
@@ -204,9 +194,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         if options.list_chips:
             return list_chips(options.drivers)
-        if options.compare:
-            print(comparing.page_table(*map(record.read_costs, options.compare)), end="")
-            return 0
         if options.get_drivers:
             drivers.get(options.drivers.absolute(), options.mirror, options.suite)
             print(f"{options.drivers} has {drivers.find(options.drivers).versions()}")

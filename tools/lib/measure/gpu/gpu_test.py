@@ -6,7 +6,6 @@ from __future__ import annotations
 import contextlib
 import io
 import os
-import re
 import subprocess
 import tempfile
 import unittest
@@ -15,9 +14,10 @@ from unittest import mock
 
 from base import debian, glslang
 from base.debian import Missing
+from base.testing import Case, called
 from base.thorough import in_thorough_runs
 from measure import record as records
-from measure.gpu import chips, command, comparing, drivers, operations, pages, record, stripes
+from measure.gpu import chips, command, drivers, pages, record, stripes
 from measure.gpu.chips import CHIPS, chip_named
 from measure.gpu.compiling import Compiled, compile_all
 from measure.peers import CALLS, dimensions, subject
@@ -51,11 +51,8 @@ esac
 AMPERE = chip_named("ampere")
 
 
-class WithStandIn(unittest.TestCase):
+class WithStandIn(Case):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
         self.program = self.make_program()
         self.drivers = self.folder / "drivers"
         libraries = self.drivers / "usr/lib/any"
@@ -64,16 +61,10 @@ class WithStandIn(unittest.TestCase):
             file.parent.mkdir(parents=True, exist_ok=True)
             file.touch()
         # It starts the program behind --library-path X --preload Y.
-        self.script(libraries / "ld-linux-any.so.2", '#!/bin/sh\nshift 4\nexec "$@"\n')
-
-    def script(self, path: Path, text: str) -> Path:
-        path.write_text(text)
-        path.chmod(0o755)
-        return path
+        self.script(libraries / "ld-linux-any.so.2", 'shift 4\nexec "$@"')
 
     def make_program(self, *ids: str) -> Path:
-        return self.script(self.folder / "hn-conform",
-                           STAND_IN.format(ids=" ".join(ids or ("perlin",))))
+        return self.script("hn-conform", STAND_IN.format(ids=" ".join(ids or ("perlin",))))
 
     def files(self, *texts: str) -> list[Path]:
         paths = [self.folder / str(number) for number in range(len(texts))]
@@ -81,15 +72,9 @@ class WithStandIn(unittest.TestCase):
             path.write_text(text)
         return paths
 
-    def call(self, *arguments: str) -> tuple[int, str, str]:
-        out, err = io.StringIO(), io.StringIO()
-        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), \
-                mock.patch("measure.gpu.command.program", return_value=str(self.program)):
-            try:
-                status = command.main(["--drivers", str(self.drivers), "--out", str(self.folder / "out"), *arguments])
-            except SystemExit as end:
-                status = end.code
-        return status, out.getvalue(), err.getvalue()
+    def call(self, *arguments: object) -> tuple[int, str]:
+        with mock.patch("measure.gpu.command.program", return_value=str(self.program)):
+            return called(command.main, "--drivers", self.drivers, "--out", self.folder / "out", *arguments)
 
     def compile(self, *texts: str, limit: float = 30.0) -> list[Compiled]:
         command = [str(self.program), "shader-statistics"]
@@ -123,11 +108,11 @@ class Compiling(WithStandIn):
         for text, why in (("echo '{\"error\": \"no GPU\"}'", "no GPU"), ("echo text; exit 7", "ended with status 7"),
                           ("echo oh >&2; kill -ABRT $$", "ended by SIGABRT \\(oh\\)")):
             with self.subTest(why=why), self.assertRaisesRegex(Missing, why):
-                program = self.script(self.folder / "broken", f"#!/bin/sh\n{text}\n")
+                program = self.script("broken", text)
                 compile_all([str(program)], os.environ, self.files("one"))
 
 
-class Records(unittest.TestCase):
+class Records(Case):
     def shader(self, cycles: float, **more: float) -> Compiled:
         statistics = {"Static cycle count": cycles, "Instruction count": cycles / 2, "Number of GPRs": 24}
         return Compiled({**statistics, **more}, 0.0042)
@@ -148,20 +133,6 @@ class Records(unittest.TestCase):
         row = record.row("perlin", AMPERE, self.shader(327), Compiled({}, 0.0, "crashed"))
         self.assertEqual((row.cost, row.problem), ("", "crashed"))
 
-    def test_prices_are_slopes(self):
-        self.assertEqual(operations.price(100, 100 + 32 * 4 * 8, 8), 4)
-        shaders = {operations.subject(operation, chains, length): self.shader(50 + 3 * chains * length)
-                   for operation in operations.OPERATIONS
-                   for chains in operations.CHAINS for length in operations.LENGTHS}
-        name = operations.OPERATIONS[0].name
-        shaders[f"operation-{name}-8-16-2"] = Compiled({}, 0.0, "crashed")
-        rows = record.prices(AMPERE, shaders)
-        self.assertEqual(rows[0], {"operation": name, "chip": "ampere", "alone": "3.00", "beside": ""})
-        self.assertEqual({(row["alone"], row["beside"]) for row in rows[1:]}, {("3.00", "3.00")})
-        slots = {id: Compiled({"Issue slots": 50 + int(id.split("-")[3]), "Registers": 9}, 0.0) for id in shaders}
-        self.assertEqual(record.prices(chip_named("sm90"), slots)[0],
-                         {"operation": name, "chip": "sm90", "alone": "1.00", "beside": "1.00"})
-
     def test_what_became_dearer_is_told(self):
         def rows(**costs: str) -> list[record.Row]:
             empty = record.Row("", "m1", *[""] * 7)
@@ -175,19 +146,20 @@ class Records(unittest.TestCase):
         self.assertEqual(record.dearer(before, rows(same="5", less="4")), [])
 
     def test_what_is_read_is_what_was_written(self):
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "costs.csv"
-            rows = [record.Row("perlin", "m1", "5", "4", "FSCIB 3, IC 2", "24", "0", "1.0", ""),
-                    record.Row("simplex", "m1", "", "", "", "", "", "", "too, hard")]
-            records.write(path, [row._asdict() for row in rows])
+        path = self.folder / "costs.csv"
+        rows = [record.Row("perlin", "m1", "5", "4", "FSCIB 3, IC 2", "24", "0", "1.0", ""),
+                record.Row("simplex", "m1", "", "", "", "", "", "", "too, hard")]
+        chips_apart = [row._asdict() for row in rows]  # as records of before have them
+        for table in (records.beside(chips_apart, ("id",), record.CHIP), chips_apart):
+            records.write(path, table)
             self.assertEqual(list(record.read_costs(path).values()), rows)
             path.write_text(path.read_text().replace(",5,", ",five,"))
-            with self.assertRaisesRegex(ValueError, f"{path}:2: the cost is 'five'"):
+            with self.assertRaisesRegex(ValueError, f"{path}: the cost of perlin on m1 is 'five'"):
                 record.read_costs(path)
-            for text in ("", "id,ratio\nperlin,1\n"):
-                path.write_text(text)
-                with self.assertRaisesRegex(ValueError, "the first line must be id,chip,cost"):
-                    record.read_costs(path)
+        for text in ("", "id,ratio\nperlin,1\n"):
+            path.write_text(text)
+            with self.assertRaisesRegex(ValueError, "the first line must be id,chip,cost"):
+                record.read_costs(path)
 
 
 class Pages(unittest.TestCase):
@@ -208,49 +180,6 @@ class Pages(unittest.TestCase):
         self.assertEqual(line.count("F 9*,"), 3)
         self.assertEqual(line.count("F 9+,"), 1)
         self.assertEqual(line.count("F fails"), 1)
-
-    def test_prices_that_are_alike_are_one(self):
-        rows = [{"operation": operation.name, "chip": chip, "alone": "4.00",
-                 "beside": "1.50" if chip == "m1" else "4.02"}
-                for operation in operations.OPERATIONS for chip in pages.OF_OPERATIONS]
-        rows[0]["alone"] = rows[1]["alone"] = ""
-        self.assertEqual([row["chip"] for row in rows[:2]], ["ampere", "sm90"])
-        table = pages.operation_table(rows).splitlines()
-        self.assertTrue("| 4 / 1.5 |" in table[2] and "`x * y` | fails | none | 4 |" in table[2], table[2])
-        self.assertEqual({line.count(" | ") for line in table}, {len(pages.OF_OPERATIONS)})
-        # A record of before has fewer chips.
-        table = pages.operation_table([row for row in rows if row["chip"] in ("ampere", "m1")]).splitlines()
-        self.assertTrue(table[2].endswith("`x * y` | fails | 4 / 1.5 |"), table[2])
-
-
-class Comparing(unittest.TestCase):
-    def records(self, *noises: str, cost: str = "8", kinds: str = "") -> comparing.Rows:
-        return {(id, chip): record.Row(id, chip, cost, "2", kinds, "9", "0", "1", "") for noise in noises
-                for id in (noise + comparing.FLOATS, noise + comparing.FIXED) for chip in chips.SHOWN}
-
-    def test_what_a_shader_takes(self):
-        rows = self.records("noise2d.perlin", kinds="FSCIB 3, IC 12")
-        self.assertEqual([comparing.weight(rows["noise2d.perlin.lattice", chip]) for chip in chips.SHOWN],
-                         [4, 8, 8, 8, 12, 8])
-
-    def test_noises_of_both_records_have_a_line(self):
-        before = self.records("noise2d.perlin", "noise3d.cell_border", "noise2d.old", "noise2d.refused")
-        now = dict(self.records("noise2d.new", "noise3d.cell_border", "noise2d.refused")) | self.records(
-            "noise2d.perlin", cost="4")
-        for key, changed in ((("noise2d.refused.lattice", "m1"), {"cost": "", "problem": "too hard"}),
-                             (("noise2d.perlin.lattice+fixed", "navi31"), {"cost": "16"})):
-            now[key] = now[key]._replace(**changed)
-        lines = comparing.page_table(before, now).splitlines()
-        self.assertEqual(lines[2:], [
-            "| Perlin 2D | **0.53**: 0.71, 0.50, 0.50, 0.50, 0.50, 0.50 "
-            "| **0.78**: 0.71, 0.50, 2.00, 0.50, 0.50, 0.50 | 1.50 |",
-            f"| cell border 3D | **1.00**: {', '.join(['1.00'] * 6)} | **1.00**: {', '.join(['1.00'] * 6)} | 1.00 |"])
-        # An older record has fewer chips.
-        fewer = {key: row for key, row in before.items() if key[1] in ("navi31", "m1")}
-        self.assertIn("| Perlin 2D | **0.50**: 0.50, 0.50 |", comparing.page_table(fewer, now))
-        with self.assertRaisesRegex(ValueError, "in common"):
-            comparing.page_table({key: row for key, row in before.items() if key[1] == "m1"},
-                                 {key: row for key, row in now.items() if key[1] == "navi31"})
 
 
 # Shaped as AdvancedTerrainErosion.cs and phasor.frag are, as far as what is made of them depends on it.
@@ -337,17 +266,9 @@ class Stripes(WithStandIn):
             with self.subTest(peer=peer, part=part):
                 path = self.folder / "given"
                 path.write_text(text)
-                status, _, err = self.call("--filter", "none", f"--{peer}", str(path))
+                status, err = self.call("--filter", "none", f"--{peer}", str(path))
                 self.assertEqual(status, 2)
                 self.assertRegex(err, f"--{peer} {path}: it (has|is) .*{part}")
-
-
-class Operations(unittest.TestCase):
-    def test_a_shader_does_it_as_often_as_it_says(self):
-        for operation in operations.OPERATIONS:
-            text = operations.shader(operation, 8, 16)
-            self.assertEqual(len(re.findall(r"^x\d = ", text, re.MULTILINE)), 8 * 16, operation.name)
-            self.assertNotRegex(text, r"\nx\d = .*\bx\b", operation.name)
 
 
 class Chips(WithStandIn):
@@ -357,7 +278,7 @@ class Chips(WithStandIn):
         self.assertEqual({"NVIDIA", "AMD", "Adreno", "Apple", "Intel"}, {chip.vendor.title for chip in CHIPS})
 
     def test_the_list_tells_what_no_chip_is_of(self):
-        status, out, _ = self.call("--list-chips")
+        status, out = self.call("--list-chips")
         self.assertEqual((status, [line.split()[0] for line in out.splitlines()]), (0, [chip.name for chip in CHIPS]))
         (self.drivers / "usr/lib/any/libintel_noop_drm_shim.so").touch()
         (self.drivers / "usr/lib/any/libradeon_noop_drm_shim.so").touch()
@@ -377,15 +298,14 @@ class Command(WithStandIn):
 
     def test_another_copy_of_the_library(self):
         program = self.make_program()
-        self.program = self.script(self.folder / "keeps", f'#!/bin/sh\necho "$@" >>{self.folder}/calls\n'
-                                   f'exec {program} "$@"\n')
+        self.program = self.script("keeps", f'echo "$@" >>{self.folder}/calls\nexec {program} "$@"')
         self.assertEqual(self.call("--chip", "ampere", "--filter", "*", "--glsl", "/a/copy")[0], 0)
         self.assertRegex((self.folder / "calls").read_text(), "^spirv .* --glsl /a/copy\n")
 
     def test_measures_and_compares(self):
         self.program = self.make_program("perlin", "one-that-is-refused", "one-that-crashes")
-        status, out, err = self.call("--chip", "ampere", "--filter", "*")
-        self.assertEqual(status, 0, err)
+        status, out = self.call("--chip", "ampere", "--filter", "*")
+        self.assertEqual(status, 0, out)
         costs = self.costs()
         self.assertEqual((costs["perlin"].cost, costs["perlin"].instructions), ("14", "2"))
         self.assertEqual(costs["one-that-is-refused"].problem, "too hard")
@@ -396,39 +316,23 @@ class Command(WithStandIn):
         baseline = self.folder / "before.csv"
         baseline.write_text((self.folder / "out/costs.csv").read_text())
         again = ("--chip", "ampere", "--filter", "*", "--baseline", str(baseline))
-        status, out, _ = self.call(*again)
+        status, out = self.call(*again)
         self.assertEqual(status, 0, out)
         self.assertIn("3 costs compared, 0 cost more or fail; 0 of the baseline were not measured now", out)
-        baseline.write_text(baseline.read_text().replace("perlin,ampere,14,", "perlin,ampere,13,"))
-        status, out, _ = self.call(*again)
+        baseline.write_text(baseline.read_text().replace("perlin,14,", "perlin,13,"))
+        status, out = self.call(*again)
         self.assertEqual(status, 1)
         self.assertIn("DEARER perlin on ampere: 14, was 13", out)
 
-    def test_two_records_are_compared_without_a_driver(self):
-        now, before = str(pages.RECORD / record.COSTS), str(self.folder / "before.csv")
-        rows = {key: row._asdict() for key, row in pages.costs().items()}
-        dearer = rows["noise2d.perlin.lattice", "navi31"]
-        dearer["cost"] = str(2 * float(dearer["cost"]))
-        records.write(Path(before), list(rows.values()))
-        status, out, err = self.call("--compare", before, now, "--drivers", str(self.folder / "none"))
-        self.assertEqual(status, 0, err)
-        self.assertRegex(out, r"\| Perlin 2D \| [^|]*\b0\.50\b[^|]*\| \*\*1\.00")
-        self.assertNotRegex(out, r"\| Perlin 3D \| [^|]*\b0\.[^|]*\| \*\*1\.00")
-        empty = self.folder / "empty.csv"
-        empty.write_text(",".join(record.Row._fields) + "\n")
-        status, out, err = self.call("--compare", before, str(empty))
-        self.assertEqual((status, out), (2, ""))
-        self.assertIn("the records have no noise with floats and with HN_FIXED on ampere, sm90, navi31", err)
-
     def test_without_drivers_it_is_skipped_with_a_reason(self):
-        status, _, err = self.call("--drivers", str(self.folder / "none"))
+        status, err = self.call("--drivers", str(self.folder / "none"))
         self.assertEqual(status, 3)
         self.assertRegex(err, "skipped: there are no drivers in .*/none; tools/measure gpu --get-drivers puts them "
                               "there")
         self.assertIn("None can be measured yet", self.call("--list-chips", "--drivers", str(self.folder / "none"))[1])
 
     def test_a_chip_without_a_shim_is_skipped_and_the_others_are_not(self):
-        status, out, _ = self.call("--chip", "ampere", "--chip", "m1", "--filter", "*")
+        status, out = self.call("--chip", "ampere", "--chip", "m1", "--filter", "*")
         self.assertEqual(status, 3)
         self.assertRegex(out, "m1 is skipped: .* has no libasahi_noop_drm_shim.so, which stands in for Apple's kernel")
         self.assertEqual(self.costs()["perlin"].chip, "ampere")
@@ -437,15 +341,14 @@ class Command(WithStandIn):
         self.program = self.make_program()
         bad = self.folder / "bad.csv"
         bad.write_text("id,ratio\n")
-        refusing = self.script(self.folder / "refusing", "#!/bin/sh\nexit 2\n")
+        refusing = self.script("refusing", "#!/bin/sh\nexit 2\n")
         for arguments, part in ((["--chip", "voodoo"], "invalid choice: 'voodoo'"),
                                 (["--baseline", str(bad)], "the first line must be"),
                                 (["--baseline", str(self.folder / "none.csv")], "none.csv"),
-                                (["--compare", str(bad), str(bad)], "the first line must be"),
                                 (["--wombat", str(self.folder / "none")], "--wombat: there is no"),
                                 (["--frobnicate"], "--frobnicate")):
             with self.subTest(arguments=arguments):
-                status, _, err = self.call(*arguments)
+                status, err = self.call(*arguments)
                 self.assertEqual(status, 2)
                 self.assertIn(part, err)
         self.program = refusing
@@ -458,7 +361,7 @@ class Command(WithStandIn):
                             (mock.patch("base.debian.KEYS", self.folder / "none"), "Debian's packages are checked"),
                             (contextlib.nullcontext(), "is not empty")):
             with self.subTest(part=part), patch, mock.patch("subprocess.Popen", side_effect=AssertionError):
-                status, _, err = self.call("--get-drivers")
+                status, err = self.call("--get-drivers")
                 self.assertEqual(status, 4)
                 self.assertIn(part, err)
 
@@ -469,7 +372,7 @@ class Command(WithStandIn):
         self.script(programs / "dpkg-deb", "#!/bin/sh\n")
         with mock.patch.dict(os.environ, {"PATH": f"{programs}:{os.environ['PATH']}"}), \
                 mock.patch("base.debian.KEYS", self.program):
-            status, _, err = self.call("--get-drivers", "--drivers", str(self.folder / "new"), "--suite", "nonesuch")
+            status, err = self.call("--get-drivers", "--drivers", str(self.folder / "new"), "--suite", "nonesuch")
         self.assertEqual(status, 4)
         self.assertIn("downloading: 20 %", err)
         self.assertRegex(err, "cannot read the list of nonesuch at .*:\nE: no such suite")

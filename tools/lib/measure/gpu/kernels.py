@@ -19,7 +19,6 @@ from typing import TYPE_CHECKING
 from base.debian import Missing
 from measure.gpu import compiling, llvm
 from measure.gpu.compiling import Compiled, Device
-from measure.gpu.operations import is_operation
 
 if TYPE_CHECKING:
     from measure.gpu.chips import Chip
@@ -27,9 +26,7 @@ if TYPE_CHECKING:
 
 BATCH = 24  # shaders that a compiler gets at once
 LIMIT = 300.0  # seconds for them
-# LLVM's passes. A compiler of shaders makes no vectors of its own. Chains of one operation would become a shorter text.
-SHADERS = ("-O3", "-vectorize-slp=false", "-vectorize-loops=false")
-AS_WRITTEN = ("-passes=mem2reg,simplifycfg",)
+PASSES = ("-O3", "-vectorize-slp=false", "-vectorize-loops=false")  # of LLVM; a compiler of shaders makes no vectors
 
 
 class Failed(Exception):
@@ -58,15 +55,12 @@ def compile_all(found: Drivers, chip: Chip, kernels: llvm.Kernels, done: Callabl
         return compiled(ids[:half]) | compiled(ids[half:])
 
     results: dict[str, Compiled] = {}
-    for as_written in (False, True):
-        possible = [id for id, kernel in translated.items()
-                    if not isinstance(kernel, llvm.Unsupported) and is_operation(id) is as_written]
-        compiler.passes = AS_WRITTEN if as_written else SHADERS
-        for start in range(0, len(possible), BATCH):
-            batch = possible[start:start + BATCH]
-            results |= compiled(batch)
-            for _ in batch:
-                done()
+    possible = [id for id, kernel in translated.items() if not isinstance(kernel, llvm.Unsupported)]
+    for start in range(0, len(possible), BATCH):
+        batch = possible[start:start + BATCH]
+        results |= compiled(batch)
+        for _ in batch:
+            done()
     results |= {id: Compiled({}, math.nan, str(kernel)) for id, kernel in translated.items() if id not in results}
     return device, [results[id] for id in translated]
 
@@ -75,7 +69,7 @@ class Compiler:
     """A chain of programs of the folder of drivers."""
 
     def __init__(self, found: Drivers, chip: Chip):
-        self.found, self.chip, self.passes = found, chip, SHADERS
+        self.found, self.chip = found, chip
 
     def call(self, command: Sequence[str | Path], folder: Path, **variables: str) -> str:
         """Its output. Failed if it ends with another status than 0."""
@@ -96,7 +90,7 @@ class Compiler:
     def optimized(self, shaders: Mapping[str, llvm.Kernel], folder: Path) -> Path:
         text, made = folder / "shaders.ll", folder / "shaders.bc"
         text.write_text(llvm.module(shaders, self.chip.vendor.target), encoding="ascii")
-        self.call([*self.found.program("opt"), *self.passes, text, "-o", made], folder)
+        self.call([*self.found.program("opt"), *PASSES, text, "-o", made], folder)
         return made
 
     def statistics(self, shaders: Mapping[str, llvm.Kernel]) -> dict[str, dict[str, float]]:

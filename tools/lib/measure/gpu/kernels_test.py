@@ -9,13 +9,13 @@ import io
 import math
 import os
 import subprocess
-import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
 
 from base import debian, glslang
 from base.debian import Missing
+from base.testing import Case
 from base.thorough import in_thorough_runs
 from base.twin import compile_program
 from measure.gpu import command, drivers, kernels, llvm, record
@@ -227,10 +227,7 @@ OCLOC = rf'''echo "$*" >>"$HN_ASKED"
 sed -n '{NAMES}/\/\/.kernel \1\n\/\/.thread_config numGRF=128\n  add (16|M0) r1.0<1>:f/p' "$4"'''
 
 
-class Compilers(unittest.TestCase):
-    def setUp(self):
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
-
+class Compilers(Case):
     def test_a_shader_that_is_refused_costs_itself(self):
         found = stand_in(self.folder, opt=COPY, llc=COPY, ptxas=PTXAS, nvdisasm=NVDISASM)
         texts = {f"s{number}": SHADER for number in range(5)} | {"bad": SHADER.replace("FMin", "Tan"), "last": SHADER}
@@ -247,16 +244,6 @@ class Compilers(unittest.TestCase):
         self.assertEqual(len(steps), 6)
         row = record.row("s0", chip_named("sm90"), results[0], results[0])
         self.assertEqual((row.cost, row.compile_ms, row.problem), ("0", "", ""))
-
-    def test_an_operation_is_compiled_as_it_is_written(self):
-        passed = self.folder / "passed"
-        self.enterContext(mock.patch.dict(os.environ, {"HN_ASKED": str(passed)}))
-        found = stand_in(self.folder / "drivers", opt=f'echo "$1" >>"$HN_ASKED"\n{COPY}', llc=COPY, ptxas=PTXAS,
-                         nvdisasm=NVDISASM)
-        texts = {"operation-fma-1-16-2": SHADER, "noise": SHADER}
-        _, results = kernels.compile_all(found, chip_named("sm90"), llvm.Kernels(texts))
-        self.assertEqual([result.problem for result in results], ["", ""])
-        self.assertEqual(passed.read_text().split(), ["-O3", "-passes=mem2reg,simplifycfg"])
 
     def test_a_compiler_that_prints_nothing_is_no_success(self):
         found = stand_in(self.folder, opt=COPY, llc=COPY, ptxas=PTXAS, nvdisasm="true")
@@ -284,9 +271,9 @@ class Compilers(unittest.TestCase):
             kernels.translated({"s": self.folder})
 
 
-class Getting(unittest.TestCase):
+class Getting(Case):
     def test_what_one_call_could_not_get_the_next_one_does(self):
-        folder = Path(self.enterContext(tempfile.TemporaryDirectory())) / "drivers"
+        folder = self.folder / "drivers"
         stand_in(folder)
         (folder / "nvidia").rmdir()
         offline = subprocess.CompletedProcess([], 1, "no route to PyPI")
@@ -375,7 +362,7 @@ int main() {{
 
 
 @in_thorough_runs
-class Real(unittest.TestCase):
+class Real(Case):
     def setUp(self):
         folder = Path(os.environ.get("HN_GPU_DRIVERS", command.DRIVERS))
         try:
@@ -384,7 +371,6 @@ class Real(unittest.TestCase):
             self.found = drivers.find(folder)
         except Missing as why:
             self.skipTest(str(why))
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
 
     def calls(self) -> dict[str, Path]:
         filters = [word for id in CALLS for word in ("--filter", id)]

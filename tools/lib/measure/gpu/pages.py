@@ -1,18 +1,15 @@
-"""The tables of what was measured in docs/measured/measuring.md, docs/measured/default-hash.md and
-docs/measured/gpu-operations.md."""
+"""The tables of measured costs in docs/measured/measuring.md and docs/measured/default-hash.md."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 from base.tree import ROOT
 from catalog.tables.markdown import table
-from measure import record
-from measure.gpu import comparing, stripes
-from measure.gpu.chips import chip_named
-from measure.gpu.operations import OPERATIONS
-from measure.gpu.record import COSTS, OPERATION_COSTS, Row, read_costs
+from measure.gpu import stripes
+from measure.gpu.chips import SHOWN, chip_named
+from measure.gpu.record import COSTS, Row, read_costs
 from measure.peers import CALLS, dimensions, subject
 
 RECORD = ROOT / "docs" / "measured" / "results" / "gpu"
@@ -21,7 +18,6 @@ HASHED = {"hash.lattice2.lattice": "`hn_lattice` of an `ivec2`", "hash.lattice3.
           "noise2d.value.lattice": "value 2D", "noise3d.value.lattice": "value 3D", "noise2d.perlin.lattice": "Perlin 2D",
           "noise3d.perlin.lattice": "Perlin 3D", "noise2d.simplex.lattice": "simplex 2D",
           "noise3d.simplex.lattice": "simplex 3D"}
-OF_OPERATIONS = ("ampere", "sm90", "polaris10", "navi31", "adreno740", "m1", "acm")
 # The letters of the peers in cells.
 LETTERS = {"fastnoiselite": "F", "wombat": "W", "materialx": "M", "webgl-noise": "S", "psrdnoise": "P",
            "terrain-erosion": "E", "phasor-noise": "T", "clay-john": "J"}
@@ -36,14 +32,15 @@ def costs() -> dict[tuple[str, str], Row]:
     return read_costs(RECORD / COSTS)
 
 
-def operation_costs() -> list[dict[str, str]]:
-    return record.read(RECORD / OPERATION_COSTS).rows
+def shown(rows: Mapping[tuple[str, str], Row]) -> list[str]:
+    """The chips of tables that a record has."""
+    return [name for name in SHOWN if any(chip == name for _, chip in rows)]
 
 
 def chip_table(rows: Mapping[tuple[str, str], Row]) -> str:
     """Ours with floats and with integers, then each peer; with a * where the shader has a loop, and a + where a wait
     for memory is not counted."""
-    lines, chips = [], comparing.shown(rows)
+    lines, chips = [], shown(rows)
     for noise in dict.fromkeys(call.noise for call in SHOWN_CALLS):
         calls = [call for call in SHOWN_CALLS if call.noise == noise]
         cells = []
@@ -60,7 +57,7 @@ def arithmetics_quote(rows: Mapping[tuple[str, str], Row]) -> str:
     """The costs of arithmetics in that of HN_FAST, least and largest of the chips."""
     def beside_fast(id: str, arithmetic: str) -> str:
         ratios = [float(rows[f"{id}+{arithmetic}", chip].cost) / float(rows[id, chip].cost)
-                  for chip in comparing.shown(rows)]
+                  for chip in shown(rows)]
         return f"{min(ratios):.1f} to {max(ratios):.1f} times"
 
     ids = ("noise2d.perlin.lattice", "noise3d.perlin.lattice")
@@ -71,24 +68,9 @@ def arithmetics_quote(rows: Mapping[tuple[str, str], Row]) -> str:
 
 def titled_table(rows: Mapping[tuple[str, str], Row], titles: Mapping[str, str]) -> str:
     """The costs of some subjects, each with its title."""
-    chips = comparing.shown(rows)
+    chips = shown(rows)
     return table(("", *(_head(name) for name in chips)),
                  [[title, *(_cost(rows, id, chip) for chip in chips)] for id, title in titles.items()])
-
-
-def operation_table(rows: Sequence[Mapping[str, str]]) -> str:
-    prices = {(row["operation"], row["chip"]): (row["alone"], row["beside"]) for row in rows}
-    chips = [name for name in OF_OPERATIONS if any(row["chip"] == name for row in rows)]
-
-    def cell(chip: str, alone: str, beside: str) -> str:
-        if not alone or not beside:
-            return "none" if chip_named(chip).vendor.target else "fails"
-        numbers = [f"{float(price):.1f}".removesuffix(".0") for price in (alone, beside)]
-        return numbers[0] if numbers[0] == numbers[1] else " / ".join(numbers)
-
-    lines = [[f"{operation.title}: `{operation.step}`".replace("|", "\\|"),
-              *(cell(chip, *prices[operation.name, chip]) for chip in chips)] for operation in OPERATIONS]
-    return table(("operation", *(_head(name) for name in chips)), lines)
 
 
 def _head(name: str) -> str:

@@ -1,4 +1,4 @@
-"""The rows of costs.csv, operations.csv and chips.csv, and the comparison of costs with earlier ones."""
+"""The rows of costs.csv and chips.csv, and the comparison of costs with earlier ones."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from typing import NamedTuple
 from measure import record
 from measure.gpu.chips import Chip, Vendor
 from measure.gpu.compiling import Compiled
-from measure.gpu.operations import CHAINS, LENGTHS, OPERATIONS, price, subject
 
 SURPLUS = re.compile(r"^Estimated | instructions$| Count$")  # in the names of statistics
-COSTS, OPERATION_COSTS, DEVICES = "costs.csv", "operations.csv", "chips.csv"
+COSTS, DEVICES = "costs.csv", "chips.csv"
+CHIP = "chip"  # costs.csv has the chips beside each other
 
 
 class Row(NamedTuple):
@@ -52,27 +52,12 @@ def lacks(statistics: Mapping[str, float], vendor: Vendor) -> str:
     return f"the driver reports no \"{min(missing)}\"" if missing else ""
 
 
-def prices(chip: Chip, shaders: Mapping[str, Compiled]) -> list[dict[str, str]]:
-    """The rows of operations.csv: what one costs in a chain that waits for it, and beside others."""
-    rows = []
-    for operation in OPERATIONS:
-        cells = []
-        for chains in CHAINS:
-            pair = [shaders[subject(operation, chains, length)] for length in LENGTHS]
-            bad = any(one.problem or lacks(one.statistics, chip.vendor) for one in pair)
-            cells.append("" if bad else f"{price(*(one.statistics[chip.vendor.cost] for one in pair), chains):.2f}")
-        # Instructions that are counted do not wait for each other.
-        rows.append({"operation": operation.name, "chip": chip.name, "alone": cells[0],
-                     "beside": cells[0 if chip.vendor.target else 1]})
-    return rows
-
-
 def read_costs(path: Path) -> dict[tuple[str, str], Row]:
-    rows = [Row(*(found[name] for name in Row._fields))
-            for found in record.read(path, Row._fields, "tools/measure gpu").rows]
-    for number, found in enumerate(rows, 2):
+    rows = [Row(*(found.get(name, "") for name in Row._fields))
+            for found in record.read(path, ("id", CHIP, "cost"), "tools/measure gpu", across=CHIP).rows]
+    for found in rows:
         if not found.problem and record.number(found.cost) is None:
-            raise ValueError(f"{path}:{number}: the cost is {found.cost!r}, and not a number")
+            raise ValueError(f"{path}: the cost of {found.id} on {found.chip} is {found.cost!r}, and not a number")
     return {(found.id, found.chip): found for found in rows}
 
 

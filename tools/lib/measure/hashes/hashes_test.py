@@ -1,7 +1,5 @@
 """The gate accepts what is random and rejects what is not, by the test meant for it; limits are derived."""
 
-import contextlib
-import io
 import re
 import shutil
 import tempfile
@@ -13,6 +11,7 @@ from unittest import mock
 import numpy as np
 from scipy import stats
 
+from base.testing import Case, called
 from base.thorough import in_thorough_runs, some
 from base.tree import ROOT
 from measure import stamps
@@ -206,17 +205,10 @@ class Streams(unittest.TestCase):
             streams.p_values(100, 1, iter(()))
 
 
-class Command(unittest.TestCase):
-    def setUp(self):
-        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
-
+class Command(Case):
     def call(self, *arguments):
-        self.shown = io.StringIO()
-        with contextlib.redirect_stdout(self.shown), contextlib.redirect_stderr(self.shown):
-            try:
-                return command.main([str(a) for a in arguments])
-            except SystemExit as end:
-                return end.code
+        status, self.shown = called(command.main, *arguments)
+        return status
 
     def test_bad_usage(self):
         for arguments in (["--hash", "MD5"], ["--dimensions", "4"], ["--jobs", "0"], ["--nothing"],
@@ -239,7 +231,7 @@ class Command(unittest.TestCase):
                 mock.patch.object(command, "noises", return_value=shown), \
                 mock.patch.object(library, "hash_names", return_value={"LATTICE": 8}):
             self.assertEqual(self.call("--out", self.folder), 1)
-        self.assertIn("hn_perlin 2D FAILS structures, 4: 0.2500 (allowed 0.1)", self.shown.getvalue())
+        self.assertIn("hn_perlin 2D FAILS structures, 4: 0.2500 (allowed 0.1)", self.shown)
         rows = stamps.read(self.folder / "quality.csv").rows
         self.assertEqual([row["hash"] for row in rows[:2]], ["LATTICE", "LATTICE"])
         self.assertEqual({row["text"] == stamps.NONE for row in rows[:2]}, {False})
@@ -250,7 +242,7 @@ class Command(unittest.TestCase):
 
     def test_what_cannot_be_built(self):
         self.assertEqual(self.call("--quick", "--hash-fn", "k +"), 4)
-        self.assertIn("does not compile", self.shown.getvalue())
+        self.assertIn("does not compile", self.shown)
         self.assertEqual(self.call("--include", self.folder / "include"), 4)
 
 

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import contextlib
-import io
 import re
-import tempfile
 import unittest
-from pathlib import Path
 from unittest import mock
 
 import numpy as np
 
 from base.renderer import Renderer
+from base.testing import Case, called
 from base.thorough import in_thorough_runs
 from measure import stamps
 from measure.noise import command, measures, page, record
@@ -98,29 +95,17 @@ class Measures(unittest.TestCase):
         self.assertAlmostEqual(MEASURES["derivative"](self.measured(CONTROLS["derivative"])).number, 0.06, delta=0.05)
 
 
-class Command(unittest.TestCase):
-    def call(self, *arguments: str) -> tuple[int, str, str]:
-        out, err = io.StringIO(), io.StringIO()
-        with (contextlib.redirect_stdout(out), contextlib.redirect_stderr(err),
-              mock.patch.object(measures, "DRAWINGS", 1)):
-            try:
-                status = command.main(arguments)
-            except SystemExit as stop:
-                status = stop.code
-        return status, out.getvalue(), err.getvalue()
-
+class Command(Case):
     def setUp(self) -> None:
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        self.enterContext(mock.patch.object(measures, "DRAWINGS", 1))
         self.file = self.folder / "noise.glsl"
         self.file.write_text(NOISE)
 
     def test_a_page_a_record_and_a_status(self) -> None:
         out = self.folder / "new" / "out"
         with mock.patch.object(command, "by_softpipe", return_value=None):
-            shown = self.call(f"{self.file}:{CONTROLS['jumps']}", "--require", "jumps,range", "--range", "-1", "1.01",
-                              "--out", str(out), "--name", "a <control>")
+            shown = called(command.main, f"{self.file}:{CONTROLS['jumps']}", "--require", "jumps,range", "--range", "-1", "1.01",
+                              "--out", out, "--name", "a <control>")
         self.assertEqual(shown[0], 1, shown)
         self.assertRegex(shown[1], r"(?m)^FAIL jumps +It jumps by 0\.004")
         self.assertRegex(shown[1], r"(?m)^     cost +On llvmpipe a value costs [\d.]+ times")
@@ -149,21 +134,20 @@ class Command(unittest.TestCase):
                                    ((good, "--require", "jumps,range"), "comes without --range"),
                                    ((good, "--dimensions", "4"), "invalid choice")):
             with self.subTest(arguments):
-                status, _, printed = self.call(*arguments)
+                status, printed = called(command.main, *arguments)
                 self.assertEqual(status, 2)
                 self.assertIn(message, printed)
 
 
-class Record(unittest.TestCase):
+class Record(Case):
     def test_a_noise_has_its_place_in_the_table(self) -> None:
         first, second = (Subject(name, "", "", 2) for name in ("a", "b"))
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "new" / "judged.csv"
-            for subject, repeats in ((first, 289.0), (second, 0.0), (first, 71.0)):
-                record.put(path, subject, [Finding("values", False, 0.25, ""), Finding("cost", None, 1.5, ""),
-                                           Finding("repeats", repeats > 0, repeats, "")], "a renderer")
-            self.assertEqual(stamps.stale(path), [])
-            rows = record.read(path)
+        path = self.folder / "new" / "judged.csv"
+        for subject, repeats in ((first, 289.0), (second, 0.0), (first, 71.0)):
+            record.put(path, subject, [Finding("values", False, 0.25, ""), Finding("cost", None, 1.5, ""),
+                                       Finding("repeats", repeats > 0, repeats, "")], "a renderer")
+        self.assertEqual(stamps.stale(path), [])
+        rows = record.read(path)
         self.assertEqual([row["noise"] for row in rows], ["a"] * 3 + ["b"] * 3)
         shown = record.judge_table(rows).splitlines()
         self.assertEqual([re.sub(r"\|( +\|)+", "|", line) for line in shown[2:]],

@@ -17,7 +17,7 @@ from scipy import stats
 from base.png import png
 from base.tree import HN_CONFORM
 from base.usage import Parser
-from measure import amd, conform, page, record, stamps
+from measure import conform, page, record, stamps
 from measure.paper import plots
 from measure.record import Record
 
@@ -242,8 +242,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     status = conform.run([str(HN_CONFORM), "paper", "--out", str(out), "--dump", *others])
     if status not in (0, 1) or not any((out / f"{name}.csv").is_file() for name in SECTIONS):
         return status
-    if (out / "table.csv").is_file() and not amd.add_counts(out / "table.csv", out / "spirv"):
-        status = 1
     write_page(out)
     for name in ("table", "statistics", "period", "bandwidth"):
         if (out / f"{name}.csv").is_file():

@@ -6,13 +6,12 @@ import contextlib
 import html.parser
 import io
 import re
-import tempfile
 import unittest
-from pathlib import Path
 from unittest import mock
 
 import numpy as np
 
+from base.testing import Case
 from base.thorough import in_thorough_runs
 from measure import record
 from measure.paper import plots, reproduction
@@ -43,11 +42,9 @@ class Page(html.parser.HTMLParser):
         self.files += [value for name, value in attributes if name in ("href", "src") and value != "data:,"]
 
 
-class Case(unittest.TestCase):
+class Paper(Case):
     def setUp(self) -> None:
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.out = Path(folder.name)
+        self.out = self.folder
         self.drawn = self.enterContext(mock.patch.multiple(plots, histograms=mock.DEFAULT, sweep=mock.DEFAULT))
 
     def write_records(self, problem: str = "") -> None:
@@ -87,13 +84,12 @@ class Case(unittest.TestCase):
                     (self.out / f"{name}.csv").unlink()
             return status
 
-        with mock.patch.object(reproduction.conform, "run", run), mock.patch.object(
-                reproduction.amd, "add_counts", return_value=True), contextlib.redirect_stdout(io.StringIO()):
+        with mock.patch.object(reproduction.conform, "run", run), contextlib.redirect_stdout(io.StringIO()):
             given = reproduction.main(["--out", str(self.out), *arguments])
         return given, (self.out / "index.html").read_text(encoding="utf-8")
 
 
-class Whole(Case):
+class Whole(Paper):
     def test_the_page_has_every_section_and_loads_nothing_from_elsewhere(self) -> None:
         status, text = self.measure()
         self.assertEqual(status, 0)
@@ -154,15 +150,14 @@ class Numbers(Case):
 
 
 @in_thorough_runs  # which install matplotlib: it takes 44 packages
-class Drawings(unittest.TestCase):
+class Drawings(Case):
     def test_are_files(self) -> None:
-        with tempfile.TemporaryDirectory() as folder:
-            path = Path(folder) / "x.svg"
-            plots.sweep(path, {"Perlin/Float": ([0, 1], [1.0, 2.0])}, "2", "256 MiB")
-            self.assertRegex(path.read_text(), re.compile("<svg.*</svg>", re.DOTALL))
-            samples = [reproduction.sample({"algorithm": "a", "form": "b", "dimensions": "2"}, sampled(1))]
-            plots.histograms(path, samples, {samples[0][:3]: np.array([1, 5, 1])}, -1.5, 1.5)
-            self.assertRegex(path.read_text(), re.compile("<svg.*</svg>", re.DOTALL))
+        path = self.folder / "x.svg"
+        plots.sweep(path, {"Perlin/Float": ([0, 1], [1.0, 2.0])}, "2", "256 MiB")
+        self.assertRegex(path.read_text(), re.compile("<svg.*</svg>", re.DOTALL))
+        samples = [reproduction.sample({"algorithm": "a", "form": "b", "dimensions": "2"}, sampled(1))]
+        plots.histograms(path, samples, {samples[0][:3]: np.array([1, 5, 1])}, -1.5, 1.5)
+        self.assertRegex(path.read_text(), re.compile("<svg.*</svg>", re.DOTALL))
 
 
 if __name__ == "__main__":

@@ -24,7 +24,6 @@ Measures how uniform the results of hn_uniform are, for every noise and for sums
                                                        docs/guide/uniform.md
     tools/measure uniform --fit [--points N]           fits the distribution of each noise, and writes them into uniform.glsl
                                                        and the contract. The bell that sums come near to stays
-    tools/measure uniform --bell [--points N]          fits the bell together with all distributions, and prints it
 
 Each point is at a random cell and fraction, with a random seed. The error of a noise is the largest difference between
 the share of results below u and u itself, over all u (Kolmogorov's distance). Chance alone adds about 0.9 / sqrt(N).
@@ -125,9 +124,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = Parser("tools/measure uniform", DESCRIPTION)
     parser.add_argument("--points", type=int, default=10**7, metavar="N", help="of each noise and sum (10^7)")
     parser.add_argument("--out", type=Path, default=RECORD, metavar="FILE", help="where the measurement goes")
-    what = parser.add_mutually_exclusive_group()
-    what.add_argument("--fit", action="store_true", help="fit the distributions, and write them")
-    what.add_argument("--bell", action="store_true", help="fit the bell, and print it")
+    parser.add_argument("--fit", action="store_true", help="fit the distributions, and write them")
     options = parser.parse_args(arguments)
     if options.points < 1000:
         parser.error(f"--points {options.points}: a distribution takes 1000 points at least")
@@ -142,7 +139,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         bell = model.Bell.of(text)
         with TemporaryDirectory() as folder:
             sampler = model.Sampler(Path(folder))
-            if not options.fit and not options.bell:
+            if not options.fit:
                 errors = sampler.errors(options.points, model.spreads_of(text), SUMS)
                 by_name = [subject.name for subject in model.SUBJECTS]
                 rows = sorted((Row(*key, options.points, error) for key, error in errors.items()),
@@ -160,11 +157,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
     from measure.uniform import fit
 
-    if options.bell:
-        found = fit.bell_of(densities, bell)
-        for name, numbers in (("bell", found.end), ("way", found.way)):
-            print(name, *(f"{model.PARTS * number:.1f}" for number in numbers), f"(in 1/{model.PARTS})")
-        return 0
     spreads = {name: tuple(round(number * model.UNITS) for number in spread)
                for name, spread in fit.spreads(densities, bell).items()}
     (GLSL / "uniform.glsl").write_text(with_spreads(text, spreads), encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Fits the spreads of noises, and the bell that sums come near to.
+"""Fits the spreads of noises.
 
 The distribution of a sum is that of independent octaves: the product of their characteristic functions. Of each noise
 and a few sums of it the fit makes the largest difference small; the ends of a spread are ordered, so that its tail
@@ -92,18 +92,3 @@ def spreads(densities: Mapping[int, np.ndarray], bell: Bell) -> dict[str, tuple[
         spread[0] *= deviation(density)
         found[subject.name] = tuple(np.round(spread * UNITS) / UNITS)
     return found
-
-
-def bell_of(densities: Mapping[int, np.ndarray], bell: Bell) -> Bell:
-    """Fitted to all noises at once, beginning from a bell."""
-    wanted = [distributions(densities[subject.number]) for subject in SUBJECTS]
-    numbers = np.concatenate([bell.end, bell.way, *([fitted(one, bell, START) for one in wanted])])
-
-    def all_differences(numbers: np.ndarray, power: float) -> np.ndarray:
-        tried = Bell(numbers[:6].reshape(2, 3))
-        return np.concatenate([differences(spread, tried, one, power)
-                               for spread, one in zip(numbers[6:].reshape(-1, 4), wanted, strict=True)])
-
-    for power in STEPS:
-        numbers = least_squares(all_differences, numbers, x_scale=0.1, max_nfev=60, args=(power,)).x
-    return Bell(numbers[:6].reshape(2, 3))

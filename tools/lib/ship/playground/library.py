@@ -7,7 +7,6 @@ import re
 from base.tree import GLSL, glsl_files, included_from, version
 from catalog.javascript import drawn, may_draw
 from catalog.model import read
-from ship.playground.counts import counts
 from translate.single_file.files import INCLUDE, lines_of, stripped, with_numbers
 
 # The files of sums, and of what moves positions. A sum that is added has none of its own.
@@ -45,4 +44,4 @@ def named_include(name: str, line: str) -> str:
 
 
 def library() -> dict:
-    return {"version": version(), "glsl": glsl(), "counts": counts()}
+    return {"version": version(), "glsl": glsl()}

@@ -1,16 +1,17 @@
 """Every function that a picture may call, as tools/pick writes it in each language: pieces that the page composes.
 
 A program of tools/pick has all functions of one dimension at once, so that they share their helpers. The page takes
-the pieces that a picture needs. The pieces are LZMA, since gzip looks back too short a way to find how much languages
-and dimensions have in common. All of it takes 20 seconds, so build/picks keeps it until one of its sources changes."""
+the pieces that a picture needs. Pieces of one name stand beside each other, whatever their dimension and language: zlib
+looks back 32 kB for what they have in common. All of it takes 20 seconds, so build/picks keeps it until one of its
+sources changes."""
 
 from __future__ import annotations
 
 import base64
 import gc
 import json
-import lzma
 import re
+import zlib
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from functools import partial
@@ -39,14 +40,9 @@ DIMENSIONS = (1, 2, 3, 4)
 # The page has the other hashes for shading languages. They differ in one function, which is the same in a small program
 # of any dimension and arithmetic.
 OTHER_HASHES = ("fnv1", "partial_fnv1", "jenkins", "partial_jenkins", "murmur", "pcg", "xxhash32")
-# HTML has no room for three of the digits to the base of 85.
-DIGITS = bytes.maketrans(b"<&`", b".,:")
 WORD = "hn_i_word uint uint"  # the function in which hashes differ, and its helpers
 COMMENT = re.compile(r"^\s*//.*\n", re.MULTILINE)
 BLOCK = re.compile(r"^/\*\*\n(?: \*.*\n)+", re.MULTILINE)
-# Raw LZMA: playground/lzma.js knows its properties.
-FILTERS = [{"id": lzma.FILTER_LZMA1, "preset": 9 | lzma.PRESET_EXTREME, "dict_size": 1 << 23, "lc": 3, "lp": 0,
-            "pb": 0}]
 
 
 class Piece(NamedTuple):
@@ -188,7 +184,7 @@ def data(modules_: dict[str, list[Piece]]) -> dict:
     languages = {piece: order[key.split()[0]] for key, pieces in modules_.items() for piece in pieces}
 
     def place(piece: Piece) -> tuple:
-        return languages[piece], re.sub(r"\d", "", piece.name), piece.name, piece.text
+        return re.sub(r"\d", "", piece.name), piece.name, languages[piece], piece.text
 
     numbers = {piece: at for at, piece in enumerate(sorted(every, key=place))}
     return {"pieces": [part for piece in numbers for part in piece], "shells": shells(),
@@ -200,8 +196,7 @@ def steps(numbers: Sequence[int]) -> list[int]:
 
 
 def compressed(text: str) -> str:
-    made = lzma.compress(text.encode(), format=lzma.FORMAT_RAW, filters=FILTERS)
-    return f"{len(text.encode())} {base64.b85encode(made).translate(DIGITS).decode('ascii')}"
+    return base64.b64encode(zlib.compress(text.encode(), 9)).decode("ascii")
 
 
 def texts(tell: Callable[[str], None] = lambda _: None) -> dict[str, str]:

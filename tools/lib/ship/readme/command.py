@@ -10,7 +10,7 @@ docs/measured/results/llvmpipe/bench.csv, which hn-conform bench writes, and of 
 peers writes. Costs on GPUs by their compilers are of docs/measured/results/gpu, by tools/measure gpu, and compile.csv
 is by tools/measure compile. How random hashes are is in docs/measured/results/quality.csv, directions.csv and
 hashes.csv, by tools/measure hashes, how noises are in judged.csv beside them, by tools/measure noise, and how uniform
-values are in uniform.csv, by tools/measure uniform. Circuits are in silicon.csv, by tools/measure silicon.
+values are in uniform.csv, by tools/measure uniform.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
 compile, or a page cannot be read.
@@ -30,7 +30,6 @@ from measure.compile import command as of_compilers
 from measure.gpu import pages as of_gpus
 from measure.noise import record as of_noises
 from measure.rust import TARGETS
-from measure.silicon import command as of_circuits
 from measure.uniform import command as of_uniform
 from ship.blender import files as blender
 from ship.isf import files as isf
@@ -43,7 +42,6 @@ README = "README.md"
 KNOBS = "docs/reference/knobs.md"
 MEASURING = "docs/measured/measuring.md"
 DEFAULT_HASH = "docs/measured/default-hash.md"
-OPERATIONS = "docs/measured/gpu-operations.md"
 NOISES = "docs/reference/noises.md"
 SUMS = "docs/reference/fractals.md"
 LANGUAGES = "docs/guide/languages.md"
@@ -52,14 +50,13 @@ HASHES = "docs/measured/hashes.md"
 QUALITY = "docs/measured/quality.md"
 JUDGE = "docs/measured/judge.md"
 UNIFORM = "docs/guide/uniform.md"
-SILICON = "docs/measured/silicon.md"
 RECORDS = "docs/measured/results/README.md"
 SIZE = re.compile(r"(--strip --out noise\.glsl`, )\d+ kB")  # of the whole library, in the README
 
 
 def tables() -> list[tuple[str, str, str]]:
     """Made parts of pages: the page, the name of the marks, and the table."""
-    typical, costs, circuits = numbers.typical(), numbers.costs(numbers.CPU), of_circuits.read()
+    typical, costs = numbers.typical(), numbers.costs(numbers.CPU)
     return [(NOISES, "tools/make readme: values", numbers.typical_table(typical, numbers.COMMON)),
             (SUMS, "tools/make readme: typical values of sums", numbers.typical_table(typical, numbers.SUMS)),
             (SUMS, "tools/make readme: typical values of sums in 1D and 4D",
@@ -72,14 +69,13 @@ def tables() -> list[tuple[str, str, str]]:
              numbers.peer_table(numbers.peer_costs(numbers.CPU), numbers.peer_costs(numbers.GPU))
              + "".join(stamps.note(f"{machine}/peers.csv") for machine in (numbers.CPU, numbers.GPU))),
             *((page, f"tools/make readme: {name}", made + stamps.note(of)) for page, name, made, of in (
-                (MEASURING, "costs", numbers.cost_table(costs, "navi21", "on AMD's NAVI21"), "llvmpipe/bench.csv"),
+                (MEASURING, "costs", numbers.cost_table(costs, "spirv", "of SPIR-V"), "llvmpipe/bench.csv"),
                 (MEASURING, "costs on a GPU",
                  numbers.cost_table(numbers.costs(numbers.GPU), "nvidia", "of NVIDIA's assembly"), "h100/bench.csv"),
                 (MEASURING, "costs by compilers", of_gpus.chip_table(of_gpus.costs()), "gpu/costs.csv"),
                 (KNOBS, "costs of arithmetics", of_gpus.arithmetics_quote(of_gpus.costs()), "gpu/costs.csv"),
                 (DEFAULT_HASH, "costs of the hash", of_gpus.titled_table(of_gpus.costs(), of_gpus.HASHED),
                  "gpu/costs.csv"),
-                (OPERATIONS, "operations", of_gpus.operation_table(of_gpus.operation_costs()), "gpu/operations.csv"),
                 (UNIFORM, "uniform", of_uniform.page_table(of_uniform.read()), "uniform.csv"),
                 (MEASURING, "noises", numbers.form_table(costs), "llvmpipe/bench.csv"),
                 (MEASURING, "compile times", of_compilers.page_table(of_compilers.record()), "llvmpipe/compile.csv"),
@@ -97,8 +93,7 @@ def tables() -> list[tuple[str, str, str]]:
                     ("controls", hashes.control_table, "quality.csv"),
                     ("looks", hashes.look_table, "directions.csv"),
                     ("traces", hashes.trace_table, "directions.csv"))),
-                (JUDGE, "judged", of_noises.judge_table(of_noises.read()), "judged.csv"),
-                (SILICON, "circuits", of_circuits.table(circuits), "silicon.csv"))),
+                (JUDGE, "judged", of_noises.judge_table(of_noises.read()), "judged.csv"))),
             (RECORDS, "tools/make readme: records", stamps.records_table()),
             (ENGINES, "tools/make readme: nodes", files.nodes_table()),
             ("packages/blender/README.md", "tools/make readme: nodes", blender.node_table()),

@@ -57,9 +57,9 @@ export function listen(page, canvas) {
     page.zoom(0.5, page.fromMiddle({ x: event.clientX, y: event.clientY })),
   );
   canvas.addEventListener("keydown", (event) => press(page, event));
-  // A lost context is taken again when the browser gives it back; a lost device at once.
+  // A lost context is taken again when the browser gives it back.
   canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
-  for (const type of ["webglcontextrestored", "lost"]) canvas.addEventListener(type, () => page.restored(canvas));
+  canvas.addEventListener("webglcontextrestored", () => page.restored());
 }
 
 // Anywhere on the page. A text that nobody has entered yet is the browser's.
@@ -67,7 +67,7 @@ export function undoing(page, event) {
   const { target } = event;
   const key = event.key.toLowerCase();
   if (!(event.ctrlKey || event.metaKey) || event.altKey || (key !== "z" && key !== "y")) return;
-  if (target.dataset.typed || (target.id && target.id === page.controls.typed)) return;
+  if (target.id && target.id === page.controls.typed) return;
   event.preventDefault();
   if (key === "y" || event.shiftKey) page.redo();
   else page.undo();
@@ -95,8 +95,8 @@ export const listKeys = (table) =>
 // Keys that work wherever nobody types.
 export function anywhere(page, event) {
   if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
-  if (event.target.closest("input[type=text], select, textarea, dialog")) return;
-  const actions = { s: () => page.surprise(), h: () => page.fold(), "?": () => byId("keys-list").showModal() };
+  if (event.target.closest("input[type=number], select, textarea, dialog")) return;
+  const actions = { s: () => page.randomize(), h: () => page.fold(), "?": () => byId("keys-list").showModal() };
   const action = actions[event.key.toLowerCase()];
   if (!action) return;
   event.preventDefault();

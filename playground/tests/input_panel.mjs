@@ -1,22 +1,11 @@
-// The panel, as people use it: fields, sliders, layers, the clipboard. hands_test.mjs runs it.
+// The panel, as people use it: fields, sliders, layers, the clipboard. input_test.mjs runs it.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { resolve } from "node:path";
 import test from "node:test";
 import {
-  browser,
-  focused,
-  keepCopies,
-  kLaptop,
-  kThorough,
-  nameless,
-  press,
-  settled,
-  shownOnShared,
-  tabTo,
-  visibleText,
-  wait,
-} from "./hands_support.mjs";
+  browser, focused, keepCopies, kLaptop, kThorough, press, settled, shownOnShared, tabTo, visibleText, wait,
+} from "./input_support.mjs";
 import { kPhone, opened, pixels, ready, stateOfPage } from "./support.mjs";
 
 test("a keyboard alone is enough", async () => {
@@ -26,6 +15,8 @@ test("a keyboard alone is enough", async () => {
   await press(page, "ArrowRight", "ArrowUp", "ArrowUp", "+");
   let state = await stateOfPage(page);
   assert.ok(state.x > 0n && state.y > 0n && state.cells < 8);
+  const step = await page.evaluate(() => Math.round((8 / Math.min(...window.hashnoise.size)) * 16777216));
+  assert.equal(state.x % BigInt(step), 0n); // the picture goes by whole pixels
   await press(page, "Home", "r", "-");
   state = await stateOfPage(page);
   assert.ok(state.x === 0n && state.y === 0n && state.cells > 8 && state.seed !== 7);
@@ -73,127 +64,42 @@ test("a keyboard alone is enough", async () => {
   await page.close();
 });
 
-test("a text that is no place is not taken, and a sentence states why", async () => {
-  const page = await shownOnShared();
-  const enter = async (id, text) => {
-    await page.$eval(
-      `#${id}`,
-      (input, value) => {
-        input.value = value;
-        input.dispatchEvent(new Event("change"));
-      },
-      text,
-    );
-  };
-  const message = () => page.$eval("#wrong-x", (text) => (text.checkVisibility() ? text.textContent : ""));
-  assert.equal(await message(), "");
-  await enter("x", "nowhere");
-  assert.equal(await page.$eval("#x", (input) => input.getAttribute("aria-invalid")), "true");
-  assert.match(await message(), /takes a number from −2147483648 to 2147483648, such as/);
-  assert.equal(await page.$eval("#x", (input) => input.getAttribute("aria-describedby")), "wrong-x");
-  // It stays while people look elsewhere, until they choose something.
-  await page.focus("#x");
-  await page.focus("#y");
-  assert.notEqual(await message(), "");
-  assert.equal(await page.$eval("#x", (input) => input.value), "nowhere");
-  await enter("y", "2.5e1");
-  assert.equal((await stateOfPage(page)).y, 25n << 24n);
-  assert.equal(await message(), "");
-  assert.equal(await page.$eval("#x", (input) => input.value), "0");
-  await enter("seed", "many");
-  assert.match(await page.$eval("#wrong-seed", (text) => text.textContent), /a whole number from 0 to 4294967295\.$/);
-  await enter("x", "1000000000.5");
-  assert.equal((await stateOfPage(page)).x, 1000000000n * 16777216n + 8388608n);
-  assert.equal(await page.$eval("#x", (input) => input.getAttribute("aria-invalid")), null);
-});
-
-test("a typed number that is changed has a message", async () => {
-  const page = await shownOnShared("#dimensions=3&z=0.49");
-  const enter = async (id, text) => {
-    await page.click(`#${id}`, { count: 3 });
-    await page.keyboard.type(text);
-    await press(page, "Tab");
-    return visibleText(page, `wrong-${id}`);
-  };
-  for (const [id, typed, sentence] of [
-    ["seed", "5000000000", "5000000000 became 4294967295. This field takes a whole number from 0 to 4294967295."],
-    ["seed", "2.5", "2.5 became 3. This field takes a whole number from 0 to 4294967295."],
-    ["seed", "1e3", ""],
-    ["period", "-4", "-4 became 0. This field takes a whole number from 0 to 65536."],
-    ["x", "1e10", /^1e10 became 2147483647\.99999994\. /],
-    ["x", "0,50", ""],
-    ["x", "0.12345678901", /^0\.12345678901 became 0\.1234567\d\. /],
-    ["cells", "1e12", /^1e12 became 1048576\. /],
-    ["cells", "7.1234567", /^7\.1234567 became 7\.12346\. This field takes a number of at most six digits /],
+test("a field takes the numbers of its setting, and leaves others to the browser", async () => {
+  const page = await shownOnShared("#dimensions=3&cells=8.5");
+  for (const [id, typed, key, value, isValid = true] of [
+    ["seed", "1e3", "Enter", 1000],
+    ["seed", "5000000000", "Enter", 1000, false],
+    ["seed", "2.5", "Enter", 1000, false],
+    ["seed", "41", "ArrowUp", 42], // a typed text counts, whether or not it is entered
+    ["period", "-4", "Enter", 0, false],
+    ["cells", "7.25", "Tab", 7.25],
+    ["x", "1000000000.5", "Enter", (1000000000n << 24n) + (1n << 23n)],
+    ["x", "nowhere", "Tab", (1000000000n << 24n) + (1n << 23n), false],
+    ["y", "2.5e1", "ArrowDown", 24n << 24n],
   ]) {
-    const said = await enter(id, typed);
-    if (typeof sentence === "string") assert.equal(said, sentence);
-    else assert.match(said, sentence);
-    assert.equal(await page.$eval(`#${id}`, (input) => input.getAttribute("aria-invalid")), null);
+    await page.click(`#${id}`, { count: 3 });
+    await page.keyboard.press("Delete");
+    await page.keyboard.type(typed);
+    await press(page, key);
+    const found = [(await stateOfPage(page))[id], await page.$eval(`#${id}`, (input) => input.validity.valid)];
+    assert.deepEqual(found, [value, isValid], `${typed} in ${id}`);
   }
-  // It stays while the picture plays, and goes with the number.
-  await page.click("#play");
-  await page.waitForFunction(() => window.hashnoise.state.z > 0.5);
-  assert.match(await visibleText(page, "wrong-cells"), /became/);
-  await page.click("#play");
-  await page.click("#home");
-  assert.equal(await visibleText(page, "wrong-cells"), "");
+  await page.click("#home"); // shows the numbers as they are
+  assert.equal(await page.$eval("#x", (input) => input.value), "0");
 });
 
-test("one arrow key is one whole step", async () => {
-  const link = "#dimensions=3&z=0.375&octaves=16&x=0.25&sum=ridged&noise=simplex&cells=8.5&w=3";
-  const page = await shownOnShared(link);
-  const after = async (id, ...keys) => {
-    await page.focus(`#${id}`);
-    await press(page, ...keys);
-    return (await stateOfPage(page))[id];
-  };
-  // These numbers lie between the slider's, and beyond them.
-  assert.equal(await after("z", "ArrowRight"), 0.385);
-  assert.equal(await after("z", "ArrowLeft", "ArrowDown", "PageUp"), 0.465);
-  assert.equal(await after("octaves", "ArrowRight"), 16);
-  assert.equal(await after("octaves", "ArrowLeft"), 15);
-  assert.equal(await after("gain", "ArrowUp"), 0.51);
-  assert.equal(await after("x", "ArrowUp"), 5n << 22n);
-  assert.equal(await after("x", "ArrowLeft"), 5n << 22n);
-  assert.equal(await after("cells", "ArrowUp"), 9.5);
-  assert.equal(await after("cells", "PageDown", "ArrowDown"), 0.1875);
-  // A typed text counts, whether or not it is entered.
-  await page.click("#seed", { count: 3 });
-  await page.keyboard.type("41");
-  assert.equal(await after("seed", "ArrowUp"), 42);
-  // The picture goes by whole pixels.
-  await page.evaluate(() => window.hashnoise.change({ x: 0n, cells: 8 }));
-  await page.focus("#picture-webgl2");
-  await press(page, "ArrowRight");
-  const { x } = await stateOfPage(page);
-  const step = await page.evaluate(() => Math.round((8 / Math.min(...window.hashnoise.size)) * 16777216));
-  assert.ok(x > 0n && x % BigInt(step) === 0n, `${x} is no multiple of ${step}`);
-});
-
-test("every control has a name", async () => {
-  const page = await opened(browser, {
-    link: "#sum=ping_pong&noise=cellular&dimensions=3&warp=warp&blend2=add&sum2=none",
-    viewport: kLaptop,
-  });
-  assert.deepEqual(await nameless(page), []);
-  // The values of the picture, in words.
+test("the values of the picture are in words", async () => {
+  const page = await shownOnShared("#sum=ping_pong&seed=77");
   await page.waitForFunction(() => document.getElementById("values").textContent);
+  await wait(settled);
   const [, least, greatest] = /^The values are from (\S+) to (\S+), and/.exec(await visibleText(page, "values"));
   const values = new Float32Array(new Uint32Array(await pixels(page, 85, 48, true)).buffer);
   assert.ok(Math.abs(Math.min(...values) - least.replace("−", "-")) < 0.001);
   assert.ok(Math.abs(Math.max(...values) - greatest) < 0.001);
   assert.match(await page.$eval("#histogram", (shown) => shown.ariaLabel), /^Histogram: of ten equal parts/);
-  await page.evaluate(() => {
-    document.querySelector("label[for=octaves]").remove();
-    document.getElementById("play").removeAttribute("aria-label");
-    document.getElementById("play").removeAttribute("title");
-  });
-  assert.deepEqual((await nameless(page)).toSorted(), ["button", "slider"]);
-  await page.close();
 });
 
-// The findings of axe-core, by the names of its rules. (It reads colours, too, but not of what lies on glass.)
+// The findings of axe-core, by the names of its rules: names, contrast and so on.
 async function foundByAxe(page) {
   await page.evaluate(await readFile(resolve("node_modules", "axe-core", "axe.min.js"), "utf8"));
   const { violations } = await page.evaluate(() => window.axe.run(document));
@@ -201,7 +107,9 @@ async function foundByAxe(page) {
 }
 
 test("axe finds nothing", async () => {
-  const page = await shownOnShared("#sum=none&blend2=add&sum2=none&period=3&dimensions=3&file=gif&map=own");
+  const page = await shownOnShared("#sum=none&noise=cellular&blend2=add&sum2=none&period=3&dimensions=3&file=gif&map=own");
+  // It reads no colours of what lies on glass.
+  const paper = await page.addStyleTag({ content: "#panel, #tools, #readout { background: var(--paper); backdrop-filter: none; }" });
   assert.deepEqual(await foundByAxe(page), []);
   await page.click("#view label:nth-child(3)");
   await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "dark" }]);
@@ -216,6 +124,11 @@ test("axe finds nothing", async () => {
   const [found, ...more] = await foundByAxe(page);
   assert.ok(/^button-name: /.test(found) && more.length === 0, found);
   await page.$eval("#up-2", (button, label) => Object.assign(button, { ariaLabel: label, textContent: "↑" }), name);
+  // Letters as light as what is faint in the dark have too little contrast.
+  await page.evaluate(() => document.documentElement.style.setProperty("--ink", "#999"));
+  assert.match((await foundByAxe(page)).join(), /color-contrast/);
+  await page.evaluate(() => document.documentElement.style.removeProperty("--ink"));
+  await paper.evaluate((tag) => tag.remove());
 });
 
 test("it fits a phone", async () => {
@@ -265,37 +178,7 @@ test("it fits a phone", async () => {
   await page.close();
 });
 
-test("light and dark have enough contrast", async () => {
-  const page = await shownOnShared();
-  for (const value of ["light", "dark"]) {
-    await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value }]);
-    const ratios = await page.evaluate(() => {
-      const style = getComputedStyle(document.documentElement);
-      const light = (name) => {
-        const hex = style.getPropertyValue(name).trim().replace("#", "");
-        const full = hex.length === 3 ? [...hex].map((digit) => digit + digit).join("") : hex;
-        const parts = [0, 2, 4]
-          .map((at) => parseInt(full.slice(at, at + 2), 16) / 255)
-          .map((part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4));
-        return 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2];
-      };
-      const ratio = (a, b) => (Math.max(light(a), light(b)) + 0.05) / (Math.min(light(a), light(b)) + 0.05);
-      return [
-        ratio("--ink", "--paper"),
-        ratio("--faint", "--paper"),
-        ratio("--faint", "--code"),
-        ratio("--on-accent", "--accent"),
-        ratio("--ink", "--field"),
-        ratio("--ink", "--chosen"),
-        ratio("--wrong", "--paper"),
-      ];
-    });
-    assert.ok(Math.min(...ratios) >= 4.5, `${value}: ${ratios}`);
-  }
-  await page.emulateMediaFeatures([]);
-});
-
-test("layers are added, chosen, moved, switched off and removed by the keyboard, and Back undoes it", async () => {
+test("layers are added, chosen, moved, switched off and removed by the keyboard, and undone", async () => {
   const page = await shownOnShared("#sum=ridged&seed=3");
   const layers = async () => (await stateOfPage(page)).layers.map(({ sum, seed, on }) => `${sum} ${seed} ${on}`);
   const go = async (id, ...keys) => {
@@ -336,10 +219,8 @@ test("layers are added, chosen, moved, switched off and removed by the keyboard,
   await go("remove-2", "Enter");
   assert.deepEqual(await layers(), ["fbm 14 1"]);
   assert.equal(await focused(page), "add-layer");
-  await page.evaluate(() => history.back());
-  await page.waitForFunction(() => window.hashnoise.state.layers.length === 2);
-  await page.evaluate(() => history.back());
-  await page.waitForFunction(() => window.hashnoise.state.layers[0].sum === "ridged");
+  await page.click("#undo");
+  await page.click("#undo");
   assert.deepEqual(await pixels(page, 16, 16), two);
   assert.deepEqual(page.complaints, []);
 });
@@ -356,23 +237,12 @@ test("a map of one's own is made by the keyboard", async () => {
   assert.match((await stateOfPage(page)).stops, /^0-050308_20-3a0a0f_.*_100-fff2c2$/);
   await go("remove-stop-3", "Enter");
   await go("place-1", "PageUp");
-  const type = async (colour) => {
-    await page.$eval("#colour-2", (field) => field.select());
-    await page.focus("#colour-2");
-    await page.keyboard.sendCharacter(colour);
-    await press(page, "Enter");
-  };
-  await type("#F0z");
-  assert.match(await visibleText(page, "wrong-stops"), /^#F0z is no colour\. This field takes six/);
-  assert.equal(await page.$eval("#colour-2", (field) => field.value), "3a0a0f");
-  await type("#FFEE00");
-  assert.equal(await visibleText(page, "wrong-stops"), "");
+  const pick = (id, colour) =>
+    page.$eval(id, (picker, value) => Object.assign(picker, { value }).dispatchEvent(new Event("input")), colour);
+  await pick("#picked-2", "#ffee00");
   await go("add-stop", "Enter");
   assert.equal(await focused(page), "place-3");
-  await page.$eval("#picked-3", (picker) => {
-    picker.value = "#00aa00";
-    picker.dispatchEvent(new Event("input"));
-  });
+  await pick("#picked-3", "#00aa00");
   const { stops } = await stateOfPage(page);
   assert.match(stops, /^10-050308_20-ffee00_40-00aa00_60-d94a12_80-f7a027_100-fff2c2$/);
   assert.equal(await page.evaluate(() => window.hashnoise.link), `#sum=none&noise=value&map=own&stops=${stops}`);
@@ -399,9 +269,6 @@ test("Smaller undoes Larger", async () => {
     const { cells } = await stateOfPage(page);
     for (const id of ["in", "in", "in", "out", "out", "out"]) await page.click(`#${id}`);
     assert.equal((await stateOfPage(page)).cells, cells);
-    await page.focus("#cells");
-    await press(page, "ArrowDown", "ArrowDown", "ArrowDown", "ArrowUp", "ArrowUp", "ArrowUp");
-    assert.equal((await stateOfPage(page)).cells, cells);
   }
 });
 
@@ -420,16 +287,6 @@ test("nothing is copied before there is a code", async () => {
   await page.close();
 });
 
-test("a slider reaches what a link may have", async () => {
-  const page = await opened(browser, { viewport: kLaptop, link: "#octaves=3" });
-  for (const [key, end] of [["End", 16], ["Home", 1]]) {
-    await page.focus("#octaves");
-    await press(page, key);
-    assert.equal((await stateOfPage(page)).layers[0].octaves, end);
-  }
-  await page.close();
-});
-
 test("a button shows that it has copied only if it has", async () => {
   const page = await opened(browser, {
     viewport: kLaptop,
@@ -439,7 +296,11 @@ test("a button shows that it has copied only if it has", async () => {
         if (!window.works) throw new Error("refused");
       };
       Object.defineProperty(navigator, "clipboard", { value: { writeText } });
-      document.execCommand = () => false;
+      // The call by which a button ends to show that it has copied waits here.
+      window.held = new Set();
+      const [set, clear] = [window.setTimeout, window.clearTimeout];
+      window.setTimeout = (call, time, ...rest) => (time === 1500 ? window.held.add(call) && call : set(call, time, ...rest));
+      window.clearTimeout = (id) => window.held.delete(id) || clear(id);
     },
   });
   const label = (id) => page.$eval(`#${id}`, (button) => button.textContent);
@@ -463,11 +324,10 @@ test("a button shows that it has copied only if it has", async () => {
   assert.equal(await label("copy"), "Copied");
   assert.equal(await visibleText(page, "note-uncopied"), "");
   // The second time counts from its own beginning.
-  await wait(1000);
   await page.click("#copy");
-  await wait(1000);
+  assert.equal(await page.evaluate(() => window.held.size), 1);
   assert.equal(await label("copy"), "Copied");
-  await wait(800);
+  await page.evaluate(() => window.held.forEach((call) => call()));
   assert.equal(await label("copy"), "Copy");
   await page.close();
 });
@@ -540,7 +400,7 @@ test("two settings are side by side, and a wrong link has a message", async () =
   await page.evaluate(() => window.hashnoise.change({ seed: 5, map: "land" }));
   await page.waitForFunction(() => !document.getElementById("picture-kept").hidden);
   await page.click("#exchange");
-  assert.deepEqual(await page.evaluate(() => [window.hashnoise.link, window.hashnoise.beside.kept.map]), ["#seed=4", "land"]);
+  assert.deepEqual(await page.evaluate(() => [window.hashnoise.link, window.hashnoise.comparison.kept.map]), ["#seed=4", "land"]);
   await page.click("#compare");
   assert.equal(await page.$eval("#picture-kept", (canvas) => canvas.hidden), true);
   await page.click("#surprise");

@@ -1,4 +1,4 @@
-// Shared by the tests of hands: pages, keys, and everything seen and heard.
+// Shared by the tests of input: pages, keys, and everything seen and heard.
 import assert from "node:assert/strict";
 import { after, before } from "node:test";
 import { kForWebGl, launched, opened, pixels } from "./support.mjs";
@@ -36,19 +36,6 @@ export async function tabTo(page, id) {
   assert.fail(`Tab does not lead to ${id}`);
 }
 
-// The controls for which a screen reader has no name.
-export async function nameless(page) {
-  const tree = await page.accessibility.snapshot({ interestingOnly: true });
-  const found = [];
-  const look = (node) => {
-    const control = /^(button|checkbox|combobox|radio|slider|spinbutton|tab|textbox|application)$/.test(node.role);
-    if (control && !node.name?.trim()) found.push(node.role);
-    (node.children ?? []).forEach(look);
-  };
-  look(tree);
-  return found;
-}
-
 // The text of an element; nothing if nobody sees it.
 export const visibleText = (page, id) =>
   page.$eval(`#${id}`, (shown) => (shown.checkVisibility() ? shown.textContent : ""));
@@ -70,26 +57,6 @@ export const decoding = () => {
   };
 };
 
-// How many pixels of two screens differ so much that everybody sees it: three to one in light.
-export const differing = (page, first, second) =>
-  page.evaluate(
-    async (...texts) => {
-      const [one, other] = await Promise.all(texts.map(window.bytesOf));
-      const light = (screen, at) => {
-        const [red, green, blue] = [0, 1, 2].map((part) => (screen[at + part] / 255) ** 2.2);
-        return 0.2126 * red + 0.7152 * green + 0.0722 * blue + 0.05;
-      };
-      let count = 0;
-      for (let at = 0; at < one.length; at += 4) {
-        const ratio = light(one, at) / light(other, at);
-        if (ratio >= 3 || ratio <= 1 / 3) ++count;
-      }
-      return count;
-    },
-    first,
-    second,
-  );
-
 // One page for several tests, since to open one takes long: with the state of this link.
 let shared;
 export async function shownOnShared(link = "") {
@@ -97,7 +64,7 @@ export async function shownOnShared(link = "") {
   await shared.evaluate((hash) => {
     window.hashnoise.play(false);
     history.replaceState(null, "", location.pathname + hash);
-    window.dispatchEvent(new PopStateEvent("popstate", { state: null }));
+    window.dispatchEvent(new HashChangeEvent("hashchange"));
     return window.hashnoise.drawing;
   }, link);
   assert.deepEqual(shared.complaints, []);
@@ -105,10 +72,5 @@ export async function shownOnShared(link = "") {
 }
 
 export let browser;
-let other; // for the few tests that see WebGPU's canvas
-export const withWebGpu = async () => (other ??= await launched());
 before(async () => (browser = await launched(kForWebGl)));
-after(async () => {
-  await browser.close();
-  await other?.close();
-});
+after(() => browser.close());

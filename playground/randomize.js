@@ -30,7 +30,7 @@ const kOfPicture = {
 export const kLockable = [...Object.keys(kOfLayer), ...Object.keys(kOfPicture)];
 
 // `locked` are names of settings that stay as they are; `random` gives numbers from 0 to below 1.
-export function surprised(state, locked, random = Math.random) {
+export function randomized(state, locked, random = Math.random) {
   let next = state;
   for (const at of state.layers.keys()) {
     for (const [name, made] of Object.entries(kOfLayer))

@@ -240,7 +240,7 @@ const textLines = (library, language, names, state) =>
 // {head, library, code, waits}: lines, and whether the page still waits for the pieces that they are made of; of the library a
 // function that makes them: what tools/pick writes of what is called. Without it the head includes it, if the language can.
 // Whole shaders and other languages always have it.
-export function copied(library, language, state, kind = "function", withLibrary = true) {
+export function exported(library, language, state, kind = "function", withLibrary = true) {
   const note = state.dimensions === 1 ? "p counts cells" : "p is a position in cells: uv * 8.0 has 8 of them on a side";
   const first = `Made by hashnoise's playground, version ${library.version}. ${kKinds[language][kind].use ?? kPlaces[language]}`;
   const waits = isScalar(language) ? !library.pieces.cpu : !["cpp", "python", "bake"].includes(language) && !library.pieces.shading;
@@ -328,8 +328,8 @@ function pickCommand(language, { arithmetic, hash }, names) {
   ].join(" ");
 }
 
-export function copiedText(library, language, state, kind, withLibrary) {
-  const { head, library: text, code } = copied(library, language, state, kind, withLibrary);
+export function exportedText(library, language, state, kind, withLibrary) {
+  const { head, library: text, code } = exported(library, language, state, kind, withLibrary);
   const inside = text();
   return [...head, ...inside, ...(inside.length ? [""] : []), ...code, ""].join("\n");
 }

@@ -4,7 +4,7 @@ import { byId } from "./elements.js";
 import { isTurned } from "./model.js";
 import { frameOf, kColours } from "./shaders.js";
 
-export class Beside {
+export class Comparison {
   constructor(page) {
     this.page = page;
     this.kept = undefined;
@@ -39,14 +39,13 @@ export class Beside {
       canvas.hidden = true;
       return;
     }
-    const { x, y, cells, renderer } = page.state;
-    const state = { ...kept, x, y, cells, renderer, view: "plane" };
+    const { x, y, cells } = page.state;
+    const state = { ...kept, x, y, cells, view: "plane" };
     const [width, height] = page.size.map((side) => Math.max(1, side >> 1));
-    const backend = await page.backend();
-    const program = await page.program(backend, state);
-    page.usePalette(backend, state);
+    const program = await page.program(state);
+    page.usePalette(state);
     const frame = frameOf(state, width, height, kColours);
-    const bytes = await backend.read(program, frame, width, height);
+    const bytes = await page.gpu.read(program, frame, width, height);
     if (this.kept !== kept) return;
     const image = new ImageData(width, height);
     for (let row = 0; row < height; ++row)

@@ -1,7 +1,7 @@
-// Terrain and solids, which people rotate. hands_test.mjs runs it.
+// Terrain and solids, which people rotate. input_test.mjs runs it.
 import assert from "node:assert/strict";
 import test from "node:test";
-import { press, shownOnShared } from "./hands_support.mjs";
+import { press, shownOnShared } from "./input_support.mjs";
 import { stateOfPage } from "./support.mjs";
 
 test("terrain is turned by keys and by a finger, and is sharp at rest", async () => {

@@ -1,0 +1,36 @@
+"""For tests of commands: a folder, scripts in it, and calls of main()."""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import io
+import tempfile
+import unittest
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+
+class Case(unittest.TestCase):
+    @functools.cached_property
+    def folder(self) -> Path:
+        """It is empty at first, and gone after the test."""
+        return Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def script(self, name: str | Path, text: str) -> Path:
+        """A program in the folder; of the shell, unless its first line is another's."""
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text if text.startswith("#!") else f"#!/bin/sh\n{text}\n", encoding="utf-8")
+        path.chmod(0o755)
+        return path
+
+
+def called(main: Callable[[Sequence[str]], int], *arguments: object) -> tuple[int, str]:
+    """The exit status of a command, and what it prints."""
+    with contextlib.redirect_stdout(io.StringIO()) as printed, contextlib.redirect_stderr(printed):
+        try:
+            status = main([str(word) for word in arguments])
+        except SystemExit as end:
+            status = end.code
+    return status, printed.getvalue()
