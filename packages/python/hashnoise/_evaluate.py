@@ -1,6 +1,7 @@
 """Checks arguments, and evaluates fields: the work of every function of the package."""
 
 import functools
+import inspect
 import math
 import operator
 import reprlib
@@ -69,9 +70,41 @@ def evaluated(function, least, coordinates, points, cell, out, threads, *, noise
     return float(result) if out is None and wanted == () else result
 
 
+def functions_of(module, kind):
+    """Makes the functions of a module: each evaluates the noise or the fractal that has its name."""
+    def function_of(name, least, most, *, doc, **own):
+        """A function of `least` to `most` coordinates, with the options of its own and their defaults."""
+        for option in own:
+            _OWNERS.setdefault(option, []).append(name)
+        own = {"period": None, **own} if kind == "noise" else {**own, "period": None}
+        options = {"points": None, "seed": 0, **own, "cell": None, "arithmetic": "fast", "out": None, "threads": None,
+                   "instruction_set": None}
+
+        def called(*coordinates, **given):
+            if len(coordinates) > most:
+                raise TypeError(f"{name}: it takes {least} to {most} positional arguments, not {len(coordinates)}")
+            for option in given:
+                if option not in options:
+                    raise TypeError(f"{name}: there is no option {option}{no_option(option, options)}")
+            chosen = {**options, **given}
+            points, cell, out, threads = (chosen.pop(option) for option in ("points", "cell", "out", "threads"))
+            return evaluated(name, least, coordinates, points, cell, out, threads, **{kind: name}, **chosen)
+
+        called.__module__, called.__name__, called.__qualname__ = module, name, name
+        others = "help(hashnoise) explains the options that are not named here.\n\n>>> "
+        called.__doc__ = doc.replace(">>> ", others, 1)
+        called.__kwdefaults__ = options  # for tools that list them, and so is the signature
+        axes = [inspect.Parameter(axis, inspect.Parameter.POSITIONAL_ONLY, default=None) for axis in AXES[:most]]
+        keywords = [inspect.Parameter(option, inspect.Parameter.KEYWORD_ONLY, default=value)
+                    for option, value in options.items()]
+        called.__signature__ = inspect.Signature(axes + keywords)
+        return called
+    return function_of
+
+
 def make_field(function, dimensions, noise, fractal, options):
     settings = _core.Settings()
-    settings.noise = "" if noise is None else _noise(function, noise, dimensions)
+    settings.noise = "" if noise is None else _noise(function, noise)
     settings.fractal = fractal
     for name, value in options.items():
         if value is not None:
@@ -183,26 +216,17 @@ def checked_ranges(function, name, range, dtype, field):
     return [(least, greatest)] * len(field.component_names)
 
 
-# Functions by their names in other libraries, in lower case and without the dimensions at the end.
-_NAMES = {"pnoise": "perlin", "cnoise": "perlin", "perlinnoise": "perlin", "snoise": "simplex", "noise": "simplex",
-          "opensimplex": "simplex", "opensimplex2s": "simplex_smooth", "worley": "cellular", "voronoi": "cellular",
-          "noise2array": "grid", "noise3array": "grid", "noise4array": "grid"}
+# Functions by their names in packages of Python, beside those that the compiled part knows from other libraries; in
+# lower case and without the dimensions at the end.
+_NAMES = {"perlinnoise": "perlin", "noise": "simplex", **{f"noise{axes}array": "grid" for axes in (2, 3, 4)}}
 
 
 def suggestion(word, names):
     """ (did you mean perlin?), or nothing."""
     if not isinstance(word, str):
         return ""
-    return _meant(word, names) or _core.suggestion(word, list(names))
-
-
-def _meant(word, names):
-    """The one of the names that is meant for certain, as of suggestion()."""
-    bare = word.lower().removeprefix("hn_")
-    elsewhere = _NAMES.get(bare.rstrip("1234d"))
-    if elsewhere in names:
-        return f" (here it is {elsewhere})"
-    return f" (did you mean {bare}?)" if bare in names else ""
+    elsewhere = _NAMES.get(word.lower().rstrip("1234d"))
+    return f" (here it is {elsewhere})" if elsewhere in names else _core.suggestion(word, list(names))
 
 
 # Options by their names in other libraries: of a function, and of a grid.
@@ -218,12 +242,7 @@ _ELSEWHERE = {
     "base": ("seed takes the place of the base",) * 2,
     "points": ("", "a grid has none; the functions have them, as in hashnoise.fbm(points=...)"),
     **dict.fromkeys(AXES, ("coordinates have no names: pass them first", "size, step and origin set the coordinates")),
-    # These are options of other functions than the called one.
     **dict.fromkeys(("octaves", "lacunarity", "gain"), ("fractals such as fbm have that, over any noise",) * 2),
-    "strength": ("ping_pong, weighted and eroded have that",) * 2,
-    "amplitude": ("warp and warp_progressive have that",) * 2,
-    "jitter": ("cellular noises have that",) * 2,
-    "metric": ("cellular and cellular_three have that",) * 2,
     **dict.fromkeys(("fractal", "fractal_type"), ("the fractals are functions, such as fbm and ridged",
                                                   "the first argument names the fractal, such as \"fbm\"")),
     "noise_type": ("the noises are functions; noise is what a fractal such as fbm takes",
@@ -237,12 +256,16 @@ _ELSEWHERE = {
     "offset": ("add the offset to the coordinates", "origin is the first point, in cells"),
     "shape": ("the result has the shape of the coordinates", "size is (width, height), the shape the other way round"),
 }
+_OWNERS = {}  # the functions with an option that not all have, by its name
 
 
 def no_option(option, options, is_grid=False):
-    """The end of a message about an option that there is not: what takes its place, or the others."""
+    """The end of a message about an option that there is not: what takes its place, who has it, or the others."""
     if option in _ELSEWHERE:
         return f"; {_ELSEWHERE[option][is_grid]}"
+    if option in _OWNERS:
+        *others, last = _OWNERS[option]
+        return f"; {', '.join(others)} and {last} have that" if others else f"; {last} has that"
     return suggestion(option, options) or f"; the options are {', '.join(options)}"
 
 
@@ -418,14 +441,11 @@ def _empty(wanted, shape, arrays):
     return np.moveaxis(np.empty((*planes, *shape[::-1]), _FLOAT32).T, range(-len(planes), 0), range(len(planes)))
 
 
-def _noise(function, noise, dimensions):
+def _noise(function, noise):
     if not isinstance(noise, str):
         raise TypeError(f"{function}: noise must be a name, not {_shown(noise)}")
     if noise.lower() in ("", "none"):  # the compiled part takes the usual one for none
         raise ValueError(f"{function}: noise must be a name, not {noise!r}; leave it out for the usual one")
-    names = _core.noise_names(dimensions)
-    if noise not in names and (meant := _meant(noise, names)):
-        raise ValueError(f"{function}: there is no noise {noise!r}{meant}")
     return noise
 
 

@@ -256,7 +256,3 @@ class Types(unittest.TestCase):
         done = self.compare(folder)
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("error: hashnoise.dask.data_array ", done.stdout)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -49,12 +49,11 @@ class Docstrings(unittest.TestCase):
                     said += f" {'and' if len(dimensions) == 2 else 'to'} {dimensions[-1]}D"
                 self.assertIn(f"in {said}", function.__doc__.partition("\n")[0])
 
-    def test_each_option_is_named_and_explained(self):
+    def test_each_option_is_explained(self):
         common = hashnoise.__doc__
         for function in (*_noises.NOISES.values(), *_sums.SUMS.values()):
             for option in function.__kwdefaults__:
                 with self.subTest(function.__name__, option=option):
-                    self.assertRegex(function.__doc__, rf"(?m)^ *{option} +\S|`{option}`")
                     self.assertRegex(function.__doc__ + common, rf"(?m)^ *{option} +\S")
         for option in inspect.signature(hashnoise.grid).parameters:
             with self.subTest("grid", option=option):
@@ -141,7 +140,3 @@ def run(code: str) -> dict:
     names: dict = {}
     exec(compile(code, PAGE.name, "exec"), names)
     return names
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -88,7 +88,3 @@ class Environment(unittest.TestCase):
         for arguments in ([], ["make"], ["run", "x"], ["call", "x"], ["call", "--with", "x", "y"],
                           ["run", "--with", "x", "y"], ["no_such", "x", "y"]):
             self.assertEqual(self.call(arguments)[0], 2, arguments)
-
-
-if __name__ == "__main__":
-    unittest.main()

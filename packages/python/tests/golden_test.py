@@ -150,7 +150,3 @@ class Reported(unittest.TestCase):
             (Path(scratch) / name).write_text("".join(lines[:-1]), encoding="ascii")
             with self.assertRaisesRegex(ValueError, "the head states"):
                 golden.read("noise1d.perlin", "lattice", Path(scratch))
-
-
-if __name__ == "__main__":
-    unittest.main()

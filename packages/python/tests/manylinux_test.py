@@ -39,7 +39,3 @@ class Manylinux(unittest.TestCase):
     def test_a_name_for_this_machine_alone_is_noticed(self):
         self.assertIsNone(NAME.fullmatch("hashnoise-0.4.0-cp312-abi3-linux_x86_64.whl"))
         self.assertIsNotNone(NAME.fullmatch("hashnoise-0.4.0-cp312-abi3-manylinux_2_34_x86_64.whl"))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -51,7 +51,3 @@ class Notebook(unittest.TestCase):
         self.assertEqual(alone, [])
         part = Image.open(io.BytesIO(these[0])).crop((0, 0, 9, 9))
         self.assertEqual(difference(notebook.small(these[0]), part), 255.0)
-
-
-if __name__ == "__main__":
-    unittest.main()

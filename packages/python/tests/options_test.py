@@ -173,6 +173,10 @@ class Wrong(unittest.TestCase):
                 (ValueError, {"noise": "perlin_d"}, "perlin"),
                 (ValueError, {"gain": 1e39}, r"gain must be at most 3.4e38, as a float32 is, not 1e\+39"),
                 (ValueError, {"detail": 2.0, "period": 4}, "detail"),
+                # The compiled part has more of these.
+                (ValueError, {"lacunarity": 1e30, "octaves": 32}, r"lacunarity is 1e\+30, and with 32 octaves"),
+                (ValueError, {"lacunarity": 2.5, "period": 4}, "lacunarity is 2.5, and has to be a whole number"),
+                (ValueError, {"gain": 1.5, "arithmetic": "fixed"}, "gain is 1.5, and has to be from 0 to 1 with fixed"),
                 (ValueError, {"cell": (3,)}, "cell must be a whole number, or a tuple of 2: the cells along x, y"),
                 (ValueError, {"cell": 2**31}, "cell must be from -2147483648 to 2147483647, not 2147483648"),
                 (TypeError, {"cell": 0.5}, "the cells along x must be whole numbers, not float64"),
@@ -218,7 +222,7 @@ class Wrong(unittest.TestCase):
         self.assert_told(TypeError, "did you mean noise", lambda: hashnoise.components("warp", 2, niose="value"))
         self.assert_told(TypeError, "^value: there is no option no_such; the options are points, seed, period, cell, "
                                     "arithmetic, out, threads, instruction_set$", lambda: hashnoise.value(X, no_such=3))
-        self.assert_told(TypeError, "^grid: fbm has no option wave; the options are seed, ",
+        self.assert_told(TypeError, "^grid: fbm has no option wave; phasor has that$",
                          lambda: hashnoise.grid("fbm", 9, step=0.1, wave=[3]))
         self.assert_told(ValueError, "phase", lambda: hashnoise.perlin(X, phase=0.5))
 
@@ -251,7 +255,8 @@ class Wrong(unittest.TestCase):
         for option, said in (("octaves", "fractals such as fbm have that, over any noise"),
                              ("strength", "ping_pong, weighted and eroded have that"),
                              ("amplitude", "warp and warp_progressive have that"),
-                             ("jitter", "cellular noises have that"), ("metric", "cellular and cellular_three have ")):
+                             ("jitter", "cellular, cellular_three, cellular_d, cellular_smooth and cell_border have that"),
+                             ("metric", "cellular and cellular_three have ")):
             with self.subTest(option):
                 self.assert_told(TypeError, f"^perlin: there is no option {option}; {said}",
                                  lambda: hashnoise.perlin(X, **{option: 1}))
@@ -270,10 +275,10 @@ class Wrong(unittest.TestCase):
                                      lambda: hashnoise.grid(name, 9, step=0.1))
         self.assert_told(AttributeError, r" \(here it is grid\)$", lambda: hashnoise.noise2array)
         self.assert_told(AttributeError, "; call a function such as fbm", lambda: hashnoise.FastNoiseLite)
-        for noise, said in (("OpenSimplex2S", r"there is no noise .* \(here it is simplex_smooth\)$"),
-                            ("worley", r"there is no noise 'worley' \(here it is cellular\)$"),
-                            ("OpenSimplex2", r"there is no noise 'OpenSimplex2' \(here it is simplex\)$"),
-                            ("PERLIN", r"there is no noise 'PERLIN' \(did you mean perlin\?\)$"),
+        for noise, said in (("OpenSimplex2S", r"there is no noise .* \(here it is simplex_smooth\); there are"),
+                            ("worley", r'there is no noise "worley" in 2D; there are: perlin, '),
+                            ("OpenSimplex2", r'there is no noise "OpenSimplex2" in 2D \(here it is simplex\); there are'),
+                            ("PERLIN", r'there is no noise "PERLIN" in 2D \(did you mean perlin\?\); there are'),
                             ("None", "noise must be a name, not 'None'; leave it out for the usual one")):
             self.assert_told(ValueError, f"^fbm: {said}", lambda: hashnoise.fbm(X, X, noise=noise))
 
@@ -433,7 +438,3 @@ class Wrong(unittest.TestCase):
             self.assert_told(ValueError, "dimensions must be from 1 to 4, not 5", lambda: ask(5))
             self.assert_told(TypeError, "dimensions must be a whole number", lambda: ask("2"))
         self.assert_told(ValueError, "^components: .*cellular", lambda: hashnoise.components("cellular", 4))
-
-
-if __name__ == "__main__":
-    unittest.main()

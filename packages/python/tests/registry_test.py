@@ -49,7 +49,3 @@ class Registry(unittest.TestCase):
                     wrong.writestr(name, data)
             with self.subTest(before):
                 self.assertNotEqual(self.checked().returncode, 0)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -143,7 +143,3 @@ class Wheel(unittest.TestCase):
             with mock.patch.object(metadata, "distribution", found), \
                     self.assertRaisesRegex(metadata.NoLicense, "nanobind"):
                 metadata.Provider().dynamic_metadata({}, {})
-
-
-if __name__ == "__main__":
-    unittest.main()

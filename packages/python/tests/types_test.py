@@ -166,7 +166,3 @@ class Types(unittest.TestCase):
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         for wrong in ("cellular", "no_such"):
             self.assertIn(f"error: hashnoise.{wrong} ", done.stdout)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from base.pieces import is_deleted
 from base.tree import ROOT
 from catalog.model import AXES, Catalog, CatalogError, Function, Noise, Sum
 from catalog.sections import with_section
@@ -46,8 +47,10 @@ GRIDS = [*((dtype, out, result.format(array), return_range)
 
 
 def files(catalog: Catalog) -> dict[Path, str]:
-    noises = _module(NOISES, catalog.noises, "NOISES", catalog)
-    sums = _module(SUMS, catalog.sums, "SUMS", catalog)
+    if is_deleted("python"):
+        return {}
+    noises = _module(NOISES, catalog.noises, "noise", "NOISES", catalog)
+    sums = _module(SUMS, catalog.sums, "fractal", "SUMS", catalog)
     types = "".join(_types(function, catalog) for function in (*catalog.noises, *catalog.sums))
     stub = with_section(STUB, "metrics", _literal("_Metric", catalog.metrics))[1]
     names = _literal("_Noise", [noise.name for noise in catalog.noises]) + _literal(
@@ -66,32 +69,33 @@ class _Option:
     default: str
     type: str  # that of arrays
     number_type: str = ""  # where coordinates are numbers, if it is another
-    is_setting: bool = True  # of the field; the others state where it is evaluated
 
 
-_POINTS = _Option("points", "None", "npt.ArrayLike", is_setting=False)  # in a stub it has overloads of its own
+_POINTS = _Option("points", "None", "npt.ArrayLike")  # in a stub it has overloads of its own
 _PERIOD = _Option("period", "None", "_Wholes | None")
 _WAVE = _Option("wave", "None", "_Vector | None")
 _PHASE = _Option("phase", "None", "_Number | None")
 _SUM_IN_DETAIL = (_Option("detail", "None", "_Number | None"), _Option("footprint", "None", "_Number | None"))
-_CELL = _Option("cell", "None", "_Cells | None", "_Whole | Sequence[_Whole] | None", is_setting=False)
+_CELL = _Option("cell", "None", "_Cells | None", "_Whole | Sequence[_Whole] | None")
 _ARITHMETIC = _Option("arithmetic", '"fast"', "_Arithmetic")
-_LAST = (_Option("out", "None", "_Values | None", "None", is_setting=False),
-         _Option("threads", "None", "_Whole | None", is_setting=False),
+_LAST = (_Option("out", "None", "_Values | None", "None"),
+         _Option("threads", "None", "_Whole | None"),
          _Option("instruction_set", "None", "str | None"))
 
 
 def _options(function: Function, catalog: Catalog) -> tuple[_Option, ...]:
     """All of them, in the order of the signature."""
-    seed = _setting("seed", catalog)
-    if isinstance(function, Sum):
-        own = (seed, *_of_sum(function, catalog), _PERIOD)
-    else:
-        own = (seed, _PERIOD, *_of_noise(function, catalog))
-    options = (_POINTS, *own, _CELL, _ARITHMETIC, *_LAST)
+    own = _own_options(function, catalog)
+    own = (*own, _PERIOD) if isinstance(function, Sum) else (_PERIOD, *own)
+    options = (_POINTS, _setting("seed", catalog), *own, _CELL, _ARITHMETIC, *_LAST)
     if unknown := function.options.keys() - {option.name for option in options}:
         raise CatalogError(f"catalog: {function.name} has no option {min(unknown)} in Python")
     return options
+
+
+def _own_options(function: Function, catalog: Catalog) -> Iterable[_Option]:
+    """Options that not all functions have."""
+    return _of_sum(function, catalog) if isinstance(function, Sum) else _of_noise(function, catalog)
 
 
 def _of_noise(noise: Function, catalog: Catalog) -> Iterable[_Option]:
@@ -122,27 +126,21 @@ def _setting(name: str, catalog: Catalog) -> _Option:
     return _Option(name, repr(float(setting.default)), "_Number")
 
 
-def _module(head: str, functions: Sequence[Noise] | Sequence[Sum], table: str, catalog: Catalog) -> str:
+def _module(head: str, functions: Sequence[Noise] | Sequence[Sum], kind: str, table: str, catalog: Catalog) -> str:
     names = _list("__all__ = [", [f'"{function.name}"' for function in functions], "]")
-    code = "".join(f"\n\n{_function(function, catalog)}" for function in functions)
-    return (f"{head}\nfrom ._evaluate import evaluated, suggesting\n\n{names}{code}\n\n"
+    code = "\n".join(_function(function, kind, catalog) for function in functions)
+    made = f'from ._evaluate import functions_of\n\n{names}\n_{kind} = functions_of(__name__, "{kind}")\n'
+    return (f"{head}\n{made}\n{code}\n"
             f"{table} = {{name: globals()[name] for name in __all__}}\n")
 
 
-def _function(function: Function, catalog: Catalog) -> str:
-    options = _options(function, catalog)
-    axes = AXES[:function.last]
-    parameters = [*(f"{axis}=None" for axis in axes), "/", "*",
-                  *(f"{option.name}={option.default}" for option in options)]
-    kind = "fractal" if isinstance(function, Sum) else "noise"
-    passed = [f'"{function.name}"', str(function.first), f"({', '.join(axes)}{',' if len(axes) == 1 else ''})",
-              "points", "cell", "out", "threads",
-              f'{kind}="{function.name}"', *(f"{option.name}={option.name}" for option in options if option.is_setting)]
-    return ("@suggesting\n" + _list(f"def {function.name}(", parameters, "):") + _docstring(function, options)
-            + _list("    return evaluated(", passed, ")"))
+def _function(function: Function, kind: str, catalog: Catalog) -> str:
+    own = [f"{option.name}={option.default}" for option in _own_options(function, catalog)]
+    head = [f'"{function.name}"', str(function.first), str(function.last), *own, 'doc="""\\']
+    return f'{_list(f"{function.name} = _{kind}(", head, "")}{_docstring(function)}""")\n'
 
 
-def _docstring(function: Function, options: Iterable[_Option]) -> str:
+def _docstring(function: Function) -> str:
     about = dict(function.options)
     if isinstance(function, Sum) and function.strength:
         about[function.strength.name] = function.strength.about
@@ -150,19 +148,16 @@ def _docstring(function: Function, options: Iterable[_Option]) -> str:
     width = max(map(len, about)) + 2
     axes = min(max(2, function.first), function.last)
     example = f'>>> hashnoise.{function.name}({", ".join(PLACE[:axes])}, seed=7, arithmetic="fixed")'
-    parts = [_filled('"""' + function.sentence())]
-    parts += [_filled(function.more)] if function.more else []
-    parts += ["".join(_filled(f"{name:{width}}{text}", width) for name, text in about.items())]
-    others = [f"`{option.name}`" for option in options if option.name not in about]
-    parts += [_filled(f"help(hashnoise) explains the other options: {', '.join(others[:-1])} and {others[-1]}.")]
-    parts += [textwrap.indent(f"{example}\n{function.example}".rstrip() + "\n", "    ")]
-    return "\n".join(parts) + '    """\n'
+    parts = [_filled(function.sentence()), *([_filled(function.more)] if function.more else []),
+             "".join(_filled(f"{name:{width}}{text}", width) for name, text in about.items()),
+             f"{example}\n{function.example}".rstrip() + "\n"]
+    return "\n".join(parts)
 
 
 def _filled(text: str, indent: int = 0) -> str:
-    """Lines of a docstring; those behind the first are indented by so much more."""
-    return textwrap.fill(text, WIDTH, initial_indent="    ", subsequent_indent=" " * (4 + indent),
-                         break_long_words=False, break_on_hyphens=False) + "\n"
+    """Lines of a docstring; those behind the first are indented by so much."""
+    return textwrap.fill(text, WIDTH, subsequent_indent=" " * indent, break_long_words=False,
+                         break_on_hyphens=False) + "\n"
 
 
 def _types(function: Function, catalog: Catalog) -> str:

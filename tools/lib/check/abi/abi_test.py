@@ -59,7 +59,7 @@ class Promise(Case):
     def test_the_first_interface_of_a_major_version_is_free(self) -> None:
         before = self.folder / "grid.abi"
         self.assertEqual(command.broken(before, INTERFACE, version()), "", "there is none yet")
-        before.write_text(f"<abi-corpus version='2.1' soname='libhashnoise-grid.so.{int(MAJOR) + 1}'>")
+        before.write_text(f"SONAME libhashnoise-grid.so.{int(MAJOR) + 1}\n")
         self.assertEqual(command.broken(before, INTERFACE, version()), "")
 
     def test_without_the_programs_it_is_skipped(self) -> None:
@@ -96,22 +96,23 @@ class Whole(unittest.TestCase):
         self.assertEqual(command.problems(INTERFACE, self.now, version()), [])
 
     def test_a_member_that_moved_is_told(self) -> None:
-        printed = "\n".join(self.changed("<var-decl name='footprint'", "<var-decl name='blurred'"))
-        self.assertIn("footprint", printed)
-        self.assertIn("footprint", self.broken(patch=0))
+        printed = self.changed("::footprint is a", "::blurred is a")
+        self.assertEqual([re.sub(" is a .*", "", one) for one in printed],
+                         ["gone: hashnoise::v1::Settings::blurred", "new: hashnoise::v1::Settings::footprint"])
+        self.assertIn("blurred", self.broken(patch=0))
         self.assertIn("footprint", self.broken(patch=1))
 
     def test_a_function_that_is_new_is_told(self) -> None:
         line = next(line for line in INTERFACE.read_text(encoding="utf-8").splitlines(keepends=True)
-                    if "<elf-symbol name=" in line and "threads" in line)
-        self.assertIn("1 Added function", "\n".join(self.changed(line, "")))
+                    if line.startswith("symbol ") and "threads" in line)
+        self.assertEqual(self.changed(line, ""), [f"new: {line.strip()}"])
         self.assertEqual(self.broken(patch=0), "", "a minor version may add it")
-        self.assertIn("1 Added function", self.broken(patch=1))
+        self.assertIn(line, self.broken(patch=1))
 
     def test_a_function_that_is_gone_is_told(self) -> None:
         self.changed("_ZN9hashnoise2v17threadsEi", "_ZN9hashnoise2v17runnersEi")
         for patch in (0, 1):
-            self.assertIn("1 Removed function", self.broken(patch))
+            self.assertIn("gone: symbol _ZN9hashnoise2v17runnersEi", self.broken(patch))
 
     def test_two_versions_share_no_name_but_for_the_library_of_a_major_version(self) -> None:
         """Objects of a program; one includes another version."""

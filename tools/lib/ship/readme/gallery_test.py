@@ -47,7 +47,3 @@ class Gallery(unittest.TestCase):
             self.assertRaisesRegex(ValueError, "must define vec3 a", gallery.recipes, page)
             page.write_text("```glsl\nvec3 b(vec2 uv) { return vec3(0.0); }\n```\n")
             self.assertRaisesRegex(ValueError, "below its picture", gallery.recipes, page)
-
-
-if __name__ == "__main__":
-    unittest.main()

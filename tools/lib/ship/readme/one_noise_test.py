@@ -17,7 +17,3 @@ class OneNoise(unittest.TestCase):
     def test_a_page_without_a_mark_is_refused(self):
         with self.assertRaisesRegex(LookupError, "one-noise: contract"):
             one_noise.with_quotes("# One noise\n")
-
-
-if __name__ == "__main__":
-    unittest.main()

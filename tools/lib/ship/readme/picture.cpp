@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "shading.hpp"
-#include "simulated_erosion.hpp"
 
 namespace hashnoise {
 #include "functions.inc"

@@ -1,4 +1,4 @@
-// The functions of GLSL that recipes of the gallery call, and the library does not.
+// The functions of GLSL that recipes of the gallery call, and the library does not, and the hills of pictures.
 #pragma once
 
 #include <cmath>
@@ -22,5 +22,8 @@ inline float smoothstep(float low, float high, float x) {
   const float t = clamp((x - low) / (high - low), 0.0f, 1.0f);
   return t * t * (3.0f - 2.0f * t);
 }
+
+// The hills that the pictures of gullies begin with.
+inline vec3 uneroded(vec2 uv) { return hn_fbm_d(uv * 2.0f, 3, 2.0f, 0.35f, 7u); }
 
 }  // namespace hashnoise

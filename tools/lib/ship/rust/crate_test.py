@@ -107,7 +107,3 @@ class Command(unittest.TestCase):
                 command.main(["rust", *arguments])
             self.assertEqual(ended.exception.code, 2)
             self.assertIn(said, error.getvalue())
-
-
-if __name__ == "__main__":
-    unittest.main()

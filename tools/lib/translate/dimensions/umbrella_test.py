@@ -149,7 +149,3 @@ class Umbrella(unittest.TestCase):
     def test_bad_usage(self):
         self.glsl = self.glsl / "absent"
         self.assertEqual(self.run_main()[0], 2)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -37,7 +37,3 @@ class Asked(unittest.TestCase):
             self.assertIn("hn_fbm2", asked.nodes(who))
         self.assertEqual(asked.modules()["perlin"], (("hn_perlin",), 4))
         self.assertEqual(asked.snippets()["hn_perlin2"], "gradient noise on the plane")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
 from translate.pick.printer import UNARY, guard
 from translate.pick.scalars import Part, Piece, Syntax, Taken
-from translate.pick.values import AXES, PREFIXES, Constant
+from translate.pick.values import AXES, PREFIXES
 
 TYPES = {"float": "float", "int": "int32_t", "uint": "uint32_t", "bool": "int"}
-IN_MATH = {"floor": "floorf", "trunc": "truncf", "sqrt": "sqrtf", "abs": "fabsf"}
 CONTRACTION = """\
 // Products are rounded before they are added to. GCC does not know the pragma: compile with -ffp-contract=off.
 #if defined(_MSC_VER)
@@ -40,14 +38,16 @@ class C(Syntax):
     example_struct = example_set = "&{}"
     passed = "#define {} {}"
     indent = 2
+    keeps_names, cased = True, staticmethod(str)
+    vector_of, struct_of, field_of = "({type}){{{parts}}}", "({type}){{{parts}}}", ".{name} = {value}"
+    least_int, bools = "(-2147483647 - 1)", ("0", "1")
     types = TYPES
     reserved = frozenset("""auto break case char const continue default do double else enum extern float for goto if
         inline int long register restrict return short signed sizeof static struct switch
         typedef union unsigned void volatile while bool true false asm near far j0 j1 jn y0 y1
         yn gamma""".split())
     helpers_first = True
-    sets_parameters = True
-    joins = re.compile(r" *(float|u?int32_t|int) (\w+(?: = .*[^{])?;)")
+    sets_parameters, set_to = True, "*{}"
     helpers = {
         **{name: f"typedef struct {{ {TYPES[scalar]} {', '.join(AXES[:size])}; }} {name};\n"
            for scalar, prefix in PREFIXES.items() for size in (2, 3, 4) for name in [f"hn_{prefix}vec{size}"]},
@@ -77,20 +77,9 @@ static inline uint32_t hn_i_as_uint(float x) {
 }
 """}
 
-    def function_name(self, name: str, is_public: bool) -> str:
-        return name
-
-    def type_name(self, name: str) -> str:
-        return name
-
-    def constant_name(self, name: str) -> str:
-        return name
-
-    def field_name(self, name: str) -> str:
-        return name
-
-    def variable(self, name: str) -> str:
-        return f"{name}_" if name in self.reserved else name
+    builtins = {"floor": "floorf", "trunc": "truncf", "sqrt": "sqrtf", "abs": "fabsf", "uintBitsToFloat": "hn_i_as_float",
+                "floatBitsToUint": "hn_i_as_uint", **{f"{name} {type_}": f"hn_i_{name}_{type_[0]}"
+                                                      for name in ("min", "max") for type_ in ("float", "int", "uint")}}
 
     def path(self, name: str) -> str:
         first, point, rest = super().path(name).partition(".")
@@ -100,12 +89,6 @@ static inline uint32_t hn_i_as_uint(float x) {
         return self.helper(f"hn_{type_}")
 
     # Expressions.
-
-    def constant(self, constant: Constant) -> str:
-        return str(constant.value) if constant.type == "bool" else super().constant(constant)
-
-    def int(self, value: int) -> str:
-        return str(value) if value != -(1 << 31) else "(-2147483647 - 1)"
 
     def binary(self, sign: str, type_: str, left: Piece, right: Piece) -> Piece:
         if (type_, sign) != ("int", "<<"):
@@ -118,26 +101,7 @@ static inline uint32_t hn_i_as_uint(float x) {
             return self.call(self.helper(f"hn_i_to_{to}"), [piece])
         return Piece(f"({self.type(to)}){piece.within(UNARY - 1)}", UNARY)
 
-    def builtin(self, name: str, type_: str, arguments: Sequence[Piece]) -> Piece:
-        if name in IN_MATH:
-            return self.call(IN_MATH[name], arguments)
-        as_bits = {"uintBitsToFloat": "hn_i_as_float", "floatBitsToUint": "hn_i_as_uint"}
-        return self.call(self.helper(as_bits.get(name) or f"hn_i_{name}_{type_[0]}"), arguments)
-
-    def make_vector(self, type_: str, parts: Sequence[Piece]) -> Piece:
-        return Piece(f"({self.vector(type_)}){{{', '.join(piece.text for piece in parts)}}}")
-
-    def make_struct(self, type_: str, fields: Sequence[Part], parts: Sequence[Piece]) -> Piece:
-        written = ", ".join(f".{field.name} = {piece.text}" for field, piece in zip(fields, parts))
-        return Piece(f"({type_}){{{written}}}")
-
     # Functions.
-
-    def returned(self, results: Sequence[Part], pieces: Sequence[Piece]) -> list[str]:
-        """Parameters that GLSL sets are pointers."""
-        lines = [f"*{self.variable(part.name)} = {piece.text};" for part, piece in zip(results, pieces)
-                 if part.name != "value"]
-        return [*lines, *(f"return {piece.text};" for part, piece in zip(results, pieces) if part.name == "value")]
 
     def function(self, name: str, parameters: Sequence[Taken], results: Sequence[Part], is_public: bool) -> str:
         taken = [f"{self.type(one.type)} {'*' if one.is_set else ''}{one.name}" for one in parameters]

@@ -6,7 +6,7 @@ import html
 import re
 from collections.abc import Sequence
 
-from translate.pick.printer import PRIMARY, UNARY
+from translate.pick.printer import UNARY
 from translate.pick.scalars import (
     Facts,
     Part,
@@ -34,7 +34,10 @@ class CSharp(Syntax):
         sealed short sizeof stackalloc static string struct switch this throw true try typeof
         uint ulong unchecked unsafe ushort using var virtual void volatile while""".split())
     shifts_by_int = True
-    joins = re.compile(r" *((?:float|u?int|bool)) (\w+(?: = .*[^{])?;)")
+    vector_of, struct_of, field_of = "({parts})", "new {type} {{ {parts} }}", "{name} = {value}"
+    builtins = {**{name: name.capitalize() for name in ("floor", "trunc", "sqrt", "min", "max")},
+                **{f"{name} {type_}": f"System.Math.{name.capitalize()}" for name in ("min", "max") for type_ in ("int", "uint")},
+                "abs": "System.Math.Abs", "uintBitsToFloat": "AsFloat", "floatBitsToUint": "AsUint"}
     needs = {"AsFloat": ("Bits",), "AsUint": ("Bits",)}
     helpers = {
         "Floor": "private static float Floor(float x) { return (float)System.Math.Floor(x); }\n",
@@ -123,22 +126,6 @@ private struct Bits {
             return self.call(self.helper(f"To{pascal(to)}"), [piece])
         self.wraps |= {of, to} == {"int", "uint"}
         return Piece(f"({to}){piece.within(UNARY - 1)}", UNARY)
-
-    def builtin(self, name: str, type_: str, arguments: Sequence[Piece]) -> Piece:
-        if name == "abs" or name in ("min", "max") and type_ != "float":
-            return self.call(f"System.Math.{pascal(name)}", arguments)
-        as_bits = {"uintBitsToFloat": "AsFloat", "floatBitsToUint": "AsUint"}
-        return self.call(self.helper(as_bits.get(name, pascal(name))), arguments)
-
-    def make_vector(self, type_: str, parts: Sequence[Piece]) -> Piece:
-        return Piece(f"({', '.join(piece.text for piece in parts)})")
-
-    def make_struct(self, type_: str, fields: Sequence[Part], parts: Sequence[Piece]) -> Piece:
-        written = ", ".join(f"{self.field_name(field.name)} = {piece.text}" for field, piece in zip(fields, parts))
-        return Piece(f"new {self.type_name(type_)} {{ {written} }}", PRIMARY)
-
-    def make_results(self, results: Sequence[Part], parts: Sequence[Piece]) -> Piece:
-        return self.make_vector("", parts)
 
     # Functions.
 

@@ -5,11 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from translate.parsing.lines import wrapped
 from translate.pick import comments
-from translate.pick.printer import PRIMARY, STRENGTH
+from translate.pick.printer import PRIMARY, STRENGTH, Declaration
 from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, camel, paragraph_lines, pascal
-from translate.pick.values import AXES, SIZES, scalar_of
+from translate.pick.values import SIZES, scalar_of
 
 PRODUCT = "float32(*)"  # the sign of a product that is rounded
 NUMBERS = re.compile(r"(?:0x[\dA-F]+|[\d.]+|[-+*/ ()])+")  # no type follows from these
@@ -35,15 +34,19 @@ class Go(Syntax):
     passed = "const {} = {}"
     end = ""
     head = "{}"
+    index, vector_of, struct_of, field_of = "[{number}]", "{type}{{{parts}}}", "{type}{{{parts}}}", "{name}: {value}"
+    results_of = "{}"
+    float_end = word_end = ""
     types = {"float": "float32", "int": "int32", "uint": "uint32", "bool": "bool"}
     reserved = frozenset("""break case chan const continue default defer else fallthrough for func go goto if import
         interface map package range return select struct switch type var any append bool byte
         cap clear close complex copy delete error false float32 float64 imag int int32 iota len
         make math max min new nil panic print println real recover rune string true uint uint32
         uint64""".split())
-    component = re.compile(r"(?P<space> *)(?P<name>(?P<base>\w*[a-z])(?P<axis>[WXYZ])(?P<number>\d*))"
-                           r" := (?P<value>.*[^{])")
-    components = "{}{} := {}"
+    joins = False
+    breaks = r"[-+*/|&^<>] "  # since a statement ends where a line ends, but behind an operator
+    component = re.compile(r"(\w*[a-z])([WXYZ])(\d*)")
+    components = "{} := {}"
     helpers = {
         "choose": """\
 func choose[T any](condition bool, yes, no T) T {
@@ -89,6 +92,9 @@ func toWord(x float32) uint32 {
     return 0
 }
 """}
+    builtins = {"uintBitsToFloat": "math.Float32frombits", "floatBitsToUint": "math.Float32bits",
+                **{f"{name} {type_}": f"{name}{kind}" for name in ("min", "max")
+                   for type_, kind in (("float", "Float"), ("int", "Int"), ("uint", "Word"))}}
     needs = {name: ("choose",) for name in ("minFloat", "maxFloat", "minInt", "maxInt", "minWord", "maxWord")}
 
     def function_name(self, name: str, is_public: bool) -> str:
@@ -105,12 +111,6 @@ func toWord(x float32) uint32 {
 
     # Expressions.
 
-    def float(self, text: str) -> str:
-        return text
-
-    def uint(self, value: int) -> str:
-        return f"0x{value:X}" if value > 9999 else str(value)
-
     def binary(self, sign: str, type_: str, left: Piece, right: Piece) -> Piece:
         if type_ == "float" and sign == "*":
             if left.sign == PRODUCT:
@@ -124,30 +124,10 @@ func toWord(x float32) uint32 {
             yes = Piece(f"{self.type(type_)}({yes.text})")
         return self.call(self.helper("choose"), [condition, yes, no])
 
-    def member(self, of: Piece, axis: str) -> Piece:
-        return Piece(f"{of.within(PRIMARY - 1)}[{AXES.index(axis)}]")
-
     def convert(self, to: str, of: str, piece: Piece) -> Piece:
         if of == "float":
             return self.call(self.helper("toInt" if to == "int" else "toWord"), [piece])
         return Piece(f"{self.type(to)}({piece.text})")
-
-    def builtin(self, name: str, type_: str, arguments: Sequence[Piece]) -> Piece:
-        as_bits = {"uintBitsToFloat": "math.Float32frombits", "floatBitsToUint": "math.Float32bits"}
-        if name in as_bits:
-            return self.call(as_bits[name], arguments)
-        kinds = {"float": "Float", "int": "Int", "uint": "Word"} if name in ("min", "max") else {}
-        return self.call(self.helper(f"{name}{kinds.get(type_, '')}"), arguments)
-
-    def make_vector(self, type_: str, parts: Sequence[Piece]) -> Piece:
-        return Piece(f"{self.vector(type_)}{{{', '.join(piece.text for piece in parts)}}}")
-
-    def make_struct(self, type_: str, fields: Sequence[Part], parts: Sequence[Piece]) -> Piece:
-        written = ", ".join(f"{self.field_name(field.name)}: {piece.text}" for field, piece in zip(fields, parts))
-        return Piece(f"{self.type_name(type_)}{{{written}}}")
-
-    def make_results(self, results: Sequence[Part], parts: Sequence[Piece]) -> Piece:
-        return Piece(", ".join(piece.text for piece in parts))
 
     # Statements.
 
@@ -156,7 +136,7 @@ func toWord(x float32) uint32 {
             return f"var {name} {self.type(type_)}"
         if type_ != "bool" and NUMBERS.fullmatch(value):
             return f"var {name} {self.type(type_)} = {value}"
-        return f"{name} := {value}"
+        return Declaration("", name, f" := {value}")
 
     def do(self, body: list[str], condition: Piece, negated: str) -> list[str]:
         return ["for {", *body, f"    if {negated} {{", "        break", "    }", "}"]
@@ -189,11 +169,6 @@ func toWord(x float32) uint32 {
     def documented(self, name: str, facts: Facts) -> list[str]:
         paragraphs = self.paragraphs(facts._replace(what=sentence(name, facts.what)))
         return [f"// {line}".rstrip() for line in paragraphs]
-
-    def joined(self, lines: Sequence[str], space: str) -> list[str]:
-        """Go ends a statement where a line ends, but behind an operator."""
-        return [part for line in self._with_components(lines)
-                for part in wrapped(line.lstrip(), len(line) - len(line.lstrip()), r"[-+*/|&^<>] ")]
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
         imports = '\nimport "math"\n' if any("math." in part for part in parts) else ""

@@ -28,7 +28,11 @@ class Java(Syntax):
         int interface long native new package private protected public return short static
         strictfp super switch synchronized this throw throws transient try void volatile while
         true false null var record yield""".split())
-    joins = re.compile(r" *(float|int|boolean) (\w+(?: = .*[^{])?;)")
+    index, vector_of, struct_of = ".{axis}()", "new {type}({parts})", "new {type}({parts})"
+    word_end = ""
+    builtins = {"uintBitsToFloat": "Float.intBitsToFloat", "floatBitsToUint": "Float.floatToRawIntBits", "abs": "Math.abs",
+                **{f"{name} {type_}": called for name in ("min", "max")
+                   for type_, called in (("int", f"Math.{name}"), ("uint", f"{name}Word"))}}
     own_helpers = {
         "floor": "private static float floor(float x) { return (float) Math.floor(x); }\n",
         "trunc": "private static float trunc(float x) { return (float) (x < 0f ? Math.ceil(x) : Math.floor(x)); }\n",
@@ -73,9 +77,6 @@ private static int toWord(float x) {
 
     # Expressions.
 
-    def uint(self, value: int) -> str:
-        return f"0x{value:X}" if value > 9999 else str(value)
-
     def binary(self, sign: str, type_: str, left: Piece, right: Piece) -> Piece:
         if type_ == "uint" and sign in UNSIGNED:
             return self.call(f"Integer.{UNSIGNED[sign]}", [left, right])
@@ -89,9 +90,6 @@ private static int toWord(float x) {
     def _operand(self, piece: Piece) -> str:
         return piece.within(STRENGTH[">>"]) if piece.sign == "" else f"({piece.text})"
 
-    def member(self, of: Piece, axis: str) -> Piece:
-        return Piece(f"{of.within(UNARY)}.{axis}()")
-
     def convert(self, to: str, of: str, piece: Piece) -> Piece:
         if {to, of} == {"int", "uint"}:
             return piece
@@ -100,20 +98,6 @@ private static int toWord(float x) {
         if of == "uint" and piece.sign != ">>":  # a shifted number is not negative
             piece = self.infix("&", piece, Piece("0xFFFFFFFFL"))
         return Piece(f"({to}) {piece.within(UNARY - 1)}", UNARY)
-
-    def builtin(self, name: str, type_: str, arguments: Sequence[Piece]) -> Piece:
-        as_bits = {"uintBitsToFloat": "Float.intBitsToFloat", "floatBitsToUint": "Float.floatToRawIntBits"}
-        if name in as_bits:
-            return self.call(as_bits[name], arguments)
-        if name == "abs" or name in ("min", "max") and type_ == "int":
-            return self.call(f"Math.{name}", arguments)
-        return self.call(self.helper(f"{name}Word" if type_ == "uint" else name), arguments)
-
-    def make_vector(self, type_: str, parts: Sequence[Piece]) -> Piece:
-        return self.call(f"new {self.vector(type_)}", parts)
-
-    def make_struct(self, type_: str, fields: Sequence[Part], parts: Sequence[Piece]) -> Piece:
-        return self.call(f"new {self.type_name(type_)}", parts)
 
     def make_results(self, results: Sequence[Part], parts: Sequence[Piece]) -> Piece:
         return self.call(f"new {self._results(self.function_now, results)}", parts)

@@ -10,9 +10,9 @@ import re
 import struct
 from collections.abc import Sequence
 
-from translate.pick.printer import STRENGTH, UNARY
+from translate.pick.printer import STRENGTH, Declaration
 from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, block_comment
-from translate.pick.values import AXES, SIZES
+from translate.pick.values import SIZES
 
 LOOSE = "| 0"  # the operator of a sum that is made a word
 COMPARED = ("<", ">", "<=", ">=", "==", "!=")
@@ -36,6 +36,7 @@ def counted(piece: Piece) -> Piece:
 class JavaScript(Syntax):
     word = "whole number from 0 to 2^32 - 1"
     indent = 2
+    index, vector_of, word_end = "[{number}]", "[{parts}]", ""
     passed = "export const {} = {};"
     types = {"float": "number", "int": "number", "uint": "number", "bool": "boolean"}
     reserved = frozenset("""arguments await break case catch class const continue debugger default delete do else
@@ -43,7 +44,6 @@ class JavaScript(Syntax):
         interface let new null package private protected public return static super switch this
         throw true try typeof var void while with yield fround imul numbers words NaN Infinity
         undefined""".split())
-    joins = re.compile(r" *(const|let) (\w+(?:: number|: boolean)?(?: = .*[^{])?;)")
     is_typed = False
     needs = {"asFloat": ("numbers",), "asUint": ("numbers",)}
 
@@ -94,9 +94,6 @@ class JavaScript(Syntax):
         is_float = struct.unpack("f", struct.pack("f", value))[0] == value
         return text.removesuffix(".0") if is_float else self.call(self.helper("fround"), [Piece(text)]).text
 
-    def uint(self, value: int) -> str:
-        return f"0x{value:X}" if value > 9999 else str(value)
-
     def rounded(self, piece: Piece) -> Piece:
         return self.call(self.helper("fround"), [piece])
 
@@ -131,9 +128,6 @@ class JavaScript(Syntax):
             return self.binary("-", type_, Piece("0"), operand)
         return super().unary(sign, type_, operand)
 
-    def member(self, of: Piece, axis: str) -> Piece:
-        return Piece(f"{of.within(UNARY)}[{AXES.index(axis)}]")
-
     def convert(self, to: str, of: str, piece: Piece) -> Piece:
         if of == "float":
             return self.call(self.helper("toInt" if to == "int" else "toUint"), [piece])
@@ -153,9 +147,6 @@ class JavaScript(Syntax):
         as_bits = {"uintBitsToFloat": "asFloat", "floatBitsToUint": "asUint"}
         return self.call(self.helper(as_bits.get(name, name)), [inside(one) for one in arguments])
 
-    def make_vector(self, type_: str, parts: Sequence[Piece]) -> Piece:
-        return Piece(f"[{', '.join(piece.text for piece in parts)}]")
-
     def make_struct(self, type_: str, fields: Sequence[Part], parts: Sequence[Piece]) -> Piece:
         return self._object([self.field_name(field.name) for field in fields],
                             [counted(piece) if field.type == "uint" else piece for field, piece in zip(fields, parts)])
@@ -170,13 +161,14 @@ class JavaScript(Syntax):
     # Statements.
 
     def declare(self, type_: str, name: str, value: str | None, changes: bool) -> str:
+        of = self.type(type_)
         if value is None:
-            return f"let {name}{self._of(self.type(type_))};"
-        before = behind = ""
-        if "vec" in type_ and value.startswith("["):
-            of = self.type(type_)
-            before, behind = ("", self._of(of)) if self.is_typed else (f"/** @type {{{of}}} */ ", "")
-        return f"{'let' if changes else 'const'} {before}{name}{behind} = {value};"
+            made = Declaration("let", name, f"{self._of(of)};")
+            return made if SIZES.get(type_) == 1 or not self.is_typed else str(made)
+        before = "let" if changes else "const"
+        if "vec" not in type_ or not value.startswith("["):
+            return Declaration(before, name, f" = {value};")
+        return f"{before} {name}{self._of(of)} = {value};" if self.is_typed else f"{before} /** @type {{{of}}} */ {name} = {value};"
 
     def change(self, type_: str, name: str, sign: str, by: str) -> str | None:
         if type_ == "float" or sign in "*/%" or type_ == "uint" and sign in ("+", "-", ">>"):

@@ -13,7 +13,7 @@ from catalog import parameters as known
 from translate.parsing.lines import wrapped
 from translate.pick.printer import UNARY
 from translate.pick.scalars import Part, Piece, Syntax, Taken, bare
-from translate.pick.values import AXES, PREFIXES, SIZES, Constant
+from translate.pick.values import AXES, PREFIXES, SIZES
 
 MASKED = re.compile(r"(\(\w+ >> \d+\)) & (0x[0-9A-F]+)")
 COMPARED = {"<": ("hn_i_less", "{0}, {1}"), ">": ("hn_i_less", "{1}, {0}")}
@@ -29,6 +29,10 @@ class Osl(Syntax):
     example_set = "{}"
     passed = "#define {} {}"
     indent = 2
+    keeps_names, cased = True, staticmethod(str)
+    float_end = word_end = ""
+    least_int, bools = "0x80000000", ("0", "1")
+    builtins = {"min uint": "hn_i_smaller", "max uint": "hn_i_larger"}
     library = {"__VERSION__": "130"}
     no_precise = ("a renderer may reorder what OSL computes with floats: take --arithmetic fixed, whose bits are the same "
                   "everywhere")
@@ -41,7 +45,6 @@ class Osl(Syntax):
         time dtime dPdu dPdv dPdtime noise""".split())
     helpers_first = True
     sets_parameters = True
-    joins = re.compile(r" *(float|int) (\w+(?: = .*[^{])?;)")
     needs = {**{name: (vector,) for name, (_, vector) in COMPONENTS.items()}, "hn_i_quotient": ("hn_i_less",),
              "hn_i_rest": ("hn_i_quotient",), "hn_i_smaller": ("hn_i_less",),
              "hn_i_larger": ("hn_i_less",)}
@@ -86,37 +89,10 @@ int hn_i_to_word(float x) {
         super().__init__(precise)
         self.public: list[tuple[str, Sequence[Taken], Sequence[Part]]] = []
 
-    def function_name(self, name: str, is_public: bool) -> str:
-        return name
-
-    def type_name(self, name: str) -> str:
-        return name
-
-    def constant_name(self, name: str) -> str:
-        return name
-
-    def field_name(self, name: str) -> str:
-        return name.replace(".", "_")
-
-    def variable(self, name: str) -> str:
-        return f"{name}_" if name in self.reserved else name
-
     def vector(self, type_: str) -> str:
         return self.helper(f"hn_{type_}")
 
     # Expressions.
-
-    def constant(self, constant: Constant) -> str:
-        return str(int(constant.value)) if constant.type == "bool" else super().constant(constant)
-
-    def float(self, text: str) -> str:
-        return text
-
-    def int(self, value: int) -> str:
-        return str(value) if value != -(1 << 31) else "0x80000000"
-
-    def uint(self, value: int) -> str:
-        return f"0x{value:X}" if value > 9999 else str(value)
 
     def binary(self, sign: str, type_: str, left: Piece, right: Piece) -> Piece:
         if type_ == "uint" and sign == ">>":
@@ -151,14 +127,6 @@ int hn_i_to_word(float x) {
             return self.call(self.helper("hn_i_from_word"), [piece])
         return Piece(f"(float){piece.within(UNARY - 1)}", UNARY)
 
-    def builtin(self, name: str, type_: str, arguments: Sequence[Piece]) -> Piece:
-        if type_ == "uint" and name in ("min", "max"):
-            return self.call(self.helper("hn_i_smaller" if name == "min" else "hn_i_larger"), arguments)
-        return self.call(name, arguments)
-
-    def make_vector(self, type_: str, parts: Sequence[Piece]) -> Piece:
-        return self.call(self.vector(type_), parts)
-
     def make_struct(self, type_: str, fields: Sequence[Part], parts: Sequence[Piece]) -> Piece:
         return self.call(self._maker(type_) if self._is_nested(fields) else type_, parts)
 
@@ -176,12 +144,6 @@ int hn_i_to_word(float x) {
 
     def forever(self) -> str:
         return "while (1) {"
-
-    def returned(self, results: Sequence[Part], pieces: Sequence[Piece]) -> list[str]:
-        """Parameters that GLSL sets are output parameters."""
-        lines = [f"{self.variable(part.name)} = {piece.text};" for part, piece in zip(results, pieces)
-                 if part.name != "value"]
-        return [*lines, *(f"return {piece.text};" for part, piece in zip(results, pieces) if part.name == "value")]
 
     # Functions.
 

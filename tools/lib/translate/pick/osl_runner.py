@@ -97,8 +97,5 @@ class OslRunner(CRunner):
         (folder / "inputs").write_bytes(bytes(4 * LEAST * len(texts)))
         self.build_and_run(texts, [call] * len(texts), folder)
 
-    def passed(self, name: str, is_set: bool) -> str:
-        return name
-
     def called(self, name: str, arguments: Sequence[str], results: Sequence) -> list[str]:
         return [line.replace("&", "") for line in super().called(name, arguments, results)]

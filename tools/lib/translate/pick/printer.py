@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import zlib
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
@@ -44,9 +43,20 @@ CHOICE, UNARY, PRIMARY = 0, 12, 13
 BITS = ("|", "^", "&", "<<", ">>")  # readers want parentheses around and in these
 TRUTH = ("&&", "||")
 EXAMPLES = {"metric": "HN_METRIC_EUCLIDEAN", "kind": "HN_DISTRIBUTION_PERLIN2"}  # of what users pass
-DECLARATION = re.compile(r" *((?:precise |highp )*(?:(?:float|u?int)[234]?|bool|[iu]?vec[234])) (\w+(?: = .*)?;)")
 UNNAMED = {"floor": "whole", "abs": "size"}  # the name of a value that has no name in the library
 Place = tuple[tuple[int, int], ...]  # of a statement: of each block around it the number, and the index in it
+
+
+class Declaration(str):
+    """The line of a declaration: what stands before the name, the name, and the text behind it."""
+    before: str
+    name: str
+    behind: str
+
+    def __new__(cls, before: str, name: str, behind: str) -> Declaration:
+        made = super().__new__(cls, f"{before} {name}{behind}".lstrip())
+        made.before, made.name, made.behind = before, name, behind
+        return made
 
 
 def guard(name: str, code: str) -> str:
@@ -443,27 +453,28 @@ class Writer(Expressions):
 
     def _lines(self, block: list[Statement], indent: int) -> list[str]:
         number = self._numbers[id(block)]
-        space = " " * indent
         lines: list[str] = []
         for i in range(len(block) + 1):
             for node in self._starts.get((number, i), []):
                 text = self._expression(node)[0]
                 name = self._new_name(node, self.hints.get(node, ""))
-                lines.append(f"{space}{self._declaration(node.type, name, text)}")
+                lines.append(self._declaration(node.type, name, text))
             if i < len(block) and id(block[i]) not in self._dropped:
-                lines += [f"{space}{line}" for line in self._statement(block[i])]
-        return self._joined(lines, space)
+                lines += self._statement(block[i])
+        return self._joined(lines, indent)
 
-    def _joined(self, lines: Sequence[str], space: str) -> list[str]:
-        return declarations_joined(lines, space, DECLARATION if self.language.joins else None)
+    def _joined(self, lines: Sequence[str], indent: int) -> list[str]:
+        """The lines of a block with this indentation; those in the blocks in it have more."""
+        return declarations_joined(lines, indent)
 
-    def _declaration(self, type_: str, name: str, text: str) -> str:
-        return f"{self._type(type_)} {self.language.variable(name)} = {text};"
+    def _declaration(self, type_: str, name: str, text: str | None) -> str:
+        behind = ";" if text is None else f" = {text};"
+        made = Declaration(self._type(type_), self.language.variable(name), behind)
+        return made if self.language.joins and type_ in SIZES else str(made)
 
     def _declared(self, variable: Variable, name: str, value: str | None) -> str:
         """The declarations of what branches and loops change."""
-        shown = "" if value is None else f" = {value}"
-        return f"{self._type(variable.type)} {self.language.variable(name)}{shown};"
+        return self._declaration(variable.type, name, value)
 
     def _type(self, type_: str) -> str:
         precise = self.precise and not self.language.no_precise and type_ in SIZES and _is_float(type_)
@@ -570,18 +581,23 @@ def splatted(node: Node) -> Node | None:
     return None
 
 
-def declarations_joined(lines: Sequence[str], space: str, declaration: re.Pattern[str] | None) -> list[str]:
+def declarations_joined(lines: Sequence[str], indent: int) -> list[str]:
     """With declarations of one type in one line, as far as they fit, and long lines in several."""
     joined: list[str] = []
     for line in lines:
-        found = declaration.fullmatch(line) if declaration else None
-        before = declaration.fullmatch(joined[-1]) if found and joined else None
-        here = line.startswith(space) and not line.startswith(f"{space} ")
-        if found and before and here and before[1] == found[1] and len(joined[-1]) + len(found[2]) + 1 <= WIDTH:
-            joined[-1] = f"{joined[-1][:-1]}, {found[2]}"
+        last = joined[-1] if joined else ""
+        # Behind one without a value stands no more than another one.
+        if isinstance(line, Declaration) and isinstance(last, Declaration) and line.before == last.before and (
+                "," not in last.behind.partition(" = ")[0] and indent + len(last) + len(line) - len(line.before) <= WIDTH):
+            joined[-1] = Declaration(last.before, last.name, f"{last.behind[:-1]}, {line.name}{line.behind}")
         else:
             joined.append(line)
-    return [part for line in joined for part in wrapped(line.lstrip(), len(line) - len(line.lstrip()))]
+    return indented_lines(joined, indent)
+
+
+def indented_lines(lines: Sequence[str], indent: int, blanks: str = " ") -> list[str]:
+    return [part for line in lines
+            for part in wrapped(line.lstrip(), indent + len(line) - len(line.lstrip()), blanks)]
 
 
 def _common(places: Sequence[Place]) -> Place:

@@ -14,12 +14,9 @@ from base.thorough import THOROUGH
 from translate.names import wgsl_name
 from translate.parsing.syntax import Function
 from translate.pick.c import C
-from translate.pick.csharp import CSharp
+from translate.pick.command import SYNTAXES
 from translate.pick.evaluate import Module
-from translate.pick.go import Go
-from translate.pick.java import Java
 from translate.pick.javascript import JavaScript
-from translate.pick.rust import Rust
 from translate.pick.scalars import Part, Piece, Syntax, fields_of, pascal, results_of
 from translate.pick.values import AXES, SIZES, scalar_of
 
@@ -56,7 +53,7 @@ class Case(NamedTuple):
 
 class Runner:
     """Runs programs of a language. Words are read by `read` and written by `write`, where {} stands for the value."""
-    syntax: type[Syntax]
+    syntax: type[Syntax] | None  # none if it was deleted
     programs: Sequence[str]  # that are needed
     packages: str            # of Debian, which have them
     linters: Sequence[str] = ()  # programs that lint() needs beside them
@@ -65,7 +62,9 @@ class Runner:
     faults: Mapping[tuple[str, str], str]  # operators of types, and faults with {} as operands
     arithmetics: Sequence[str] = ("fast", "fixed", "precise")  # that the language has
     exact = ""               # a program that compares the helpers of the syntax with the language's own
-    loop: str                # the head of a loop of {points}
+    loop = "for (int point = 0; point < {points}; point++) {{"  # the head of a loop of {points}
+    receives = "var r = "    # before a call that returns something
+    one_of = "r.{name}"      # of several results
     optimizes = False        # whether it is built as users build it, and not with all checks
     indent = "        "
 
@@ -102,14 +101,11 @@ class Runner:
         return self.syntax().declare(type_, name, value, changes)
 
     def result(self, results: Sequence[Part], number: int) -> str:
-        raise NotImplementedError
-
-    def passed(self, name: str, is_set: bool) -> str:
-        return name
+        return self.one_of.format(name=results[number].name, number=number) if len(results) > 1 else "r"
 
     def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
         """The statements of a call, whose result is `r`."""
-        raise NotImplementedError
+        return [f"{self.receives if results else ''}{name}({', '.join(arguments)});"]
 
     def call(self, module: Module, function: Function, points: int) -> str:
         syntax = self.syntax()
@@ -141,7 +137,7 @@ class Runner:
                 if type_ in module.structs:
                     name = f"{name}s"
                     lines.append(self.declare(type_, name, piece.text, parameter.is_set))
-                arguments.append(self.passed(name, parameter.is_set))
+                arguments.append(syntax.example_struct.format(name) if parameter.is_set else name)
                 if parameter.is_set:
                     outputs += leaves(type_, name)
         of_results = [leaf for i, part in enumerate(results) for leaf in leaves(part.type, self.result(results, i), syntax.axes(part))]
@@ -154,7 +150,7 @@ class Runner:
 
 class RustRunner(Runner):
     """The text is a crate of its own, without std; an addition that overflows ends the program."""
-    syntax = Rust
+    syntax = SYNTAXES.get("rust")
     programs = ("rustc",)
     packages = "rustc rust-clippy"
     linters = ("clippy-driver",)
@@ -165,6 +161,7 @@ class RustRunner(Runner):
     faults = {("int", ">>"): "i32::min(i32::MAX, ({}) / (1 << {}))",
               ("uint", "*"): "u32::saturating_mul({}, {})"}
     loop = "for _ in 0..{points} {{"
+    receives, one_of = "let r = ", "r.{number}"
     MAIN = """fn main() {{
     let bytes = std::fs::read("inputs").unwrap();
     let mut words = bytes.chunks(4).map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]]));
@@ -219,25 +216,8 @@ class RustRunner(Runner):
         ran(folder, "clippy-driver", "--edition", "2021", "--crate-type", "rlib", "--emit", "metadata", "-D", "warnings",
             "noise.rs")
 
-    def result(self, results: Sequence[Part], number: int) -> str:
-        return f"r.{number}" if len(results) > 1 else "r"
 
-    def passed(self, name: str, is_set: bool) -> str:
-        return f"&mut {name}" if is_set else name
-
-    def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
-        return [f"{'let r = ' if results else ''}{name}({', '.join(arguments)});"]
-
-
-class LikeC(Runner):
-    """A language with C#'s loops and declarations."""
-    loop = "for (int point = 0; point < {points}; point++) {{"
-
-    def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
-        return [f"{'var r = ' if results else ''}{name}({', '.join(arguments)});"]
-
-
-class CRunner(LikeC):
+class CRunner(Runner):
     """Each text is a translation unit of its own; undefined behaviour ends the program."""
     syntax = C
     programs = ("gcc",)
@@ -309,13 +289,10 @@ int main(void) {{
     def result(self, results: Sequence[Part], number: int) -> str:
         return results[number].name
 
-    def passed(self, name: str, is_set: bool) -> str:
-        return f"&{name}" if is_set else name
 
-
-class CSharpRunner(LikeC):
+class CSharpRunner(Runner):
     """Each text is in a namespace of its own."""
-    syntax = CSharp
+    syntax = SYNTAXES.get("csharp")
     programs = ("mcs", "mono")
     packages = "mono-mcs mono-runtime"
     read = {"float": "Words.Float()", "int": "unchecked((int)Words.Next())", "uint": "Words.Next()", "bool": "Words.Next() != 0u"}
@@ -357,11 +334,8 @@ class CSharpRunner(LikeC):
     def result(self, results: Sequence[Part], number: int) -> str:
         return f"r.{pascal(results[number].name)}" if len(results) > 1 else "r"
 
-    def passed(self, name: str, is_set: bool) -> str:
-        return f"ref {name}" if is_set else name
 
-
-class JavaScriptRunner(LikeC):
+class JavaScriptRunner(Runner):
     """Each text is a module."""
     syntax = JavaScript
     programs = ("node",)
@@ -370,6 +344,7 @@ class JavaScriptRunner(LikeC):
     write = {"float": "putFloat({});", "int": "put({});", "uint": "put({});", "bool": "put({} ? 1 : 0);"}
     faults = {("int", ">>"): "(({}) >>> ({}))", ("uint", "*"): "(({}) * ({}))"}
     loop = "for (let point = 0; point < {points}; point++) {{"
+    receives = "const r = "
     WORDS = """import { readFileSync, writeFileSync } from "node:fs";
 const inputs = readFileSync("inputs");
 const outputs = [];
@@ -402,16 +377,10 @@ export const write = () => writeFileSync("outputs", Uint32Array.from(outputs));
         written_to(folder, {"main.mjs": "".join(f'import "./{name}";\n' for name in names)})
         ran(folder, "node", "main.mjs")
 
-    def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
-        return [f"{'const r = ' if results else ''}{name}({', '.join(arguments)});"]
 
-    def result(self, results: Sequence[Part], number: int) -> str:
-        return f"r.{results[number].name}" if len(results) > 1 else "r"
-
-
-class JavaRunner(LikeC):
+class JavaRunner(Runner):
     """Each text is in a package of its own."""
-    syntax = Java
+    syntax = SYNTAXES.get("java")
     programs = ("javac", "java")
     packages = "default-jdk-headless"
     read = {"float": "Float.intBitsToFloat(Words.next())", "int": "Words.next()", "uint": "Words.next()",
@@ -419,6 +388,7 @@ class JavaRunner(LikeC):
     write = {"float": "Words.put(Float.floatToRawIntBits({}));", "int": "Words.put({});", "uint": "Words.put({});",
              "bool": "Words.put({} ? 1 : 0);"}
     faults = {("int", ">>"): "(({}) >>> ({}))", ("uint", ">>"): "(({}) >> ({}))"}
+    one_of = "r.{name}()"
     cheap = ("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Xshare:auto")  # for programs that end soon
     WORDS = """package words;
 import java.nio.*;
@@ -454,13 +424,10 @@ public final class Words {{
     def lint(self, texts: Sequence[str], folder: Path) -> None:
         self._compile({f"m{i}/HashNoise.java": f"package m{i};\n{text}" for i, text in enumerate(texts)}, folder)
 
-    def result(self, results: Sequence[Part], number: int) -> str:
-        return f"r.{results[number].name}()" if len(results) > 1 else "r"
 
-
-class GoRunner(LikeC):
+class GoRunner(Runner):
     """Each text is a package, with what calls it."""
-    syntax = Go
+    syntax = SYNTAXES.get("go")
     programs = ("go",)
     packages = "golang-go"
     read = {"float": "words.Float()", "int": "int32(words.Next())", "uint": "words.Next()", "bool": "words.Next() != 0"}
@@ -498,7 +465,7 @@ func Write() { os.WriteFile("outputs", outputs, 0644) }
         files = {"go.mod": "module hn\n\ngo 1.18\n", "words/words.go": self.WORDS, "main.go": main}
         for i, text, call in zip(numbers, texts, calls):
             files[f"m{i}/noise.go"] = text
-            chooses = "" if "func choose" in text or "choose(" not in call else Go.helpers["choose"]
+            chooses = "" if "func choose" in text or "choose(" not in call else self.syntax.helpers["choose"]
             head = f'package hashnoise\n\nimport "hn/words"\n\n{chooses}'
             files[f"m{i}/run.go"] = f"{head}func Run() {{\n{call}\n}}\n"
         written_to(folder, files)
@@ -520,10 +487,7 @@ func Write() { os.WriteFile("outputs", outputs, 0644) }
     def result(self, results: Sequence[Part], number: int) -> str:
         return f"r{number}"
 
-    def passed(self, name: str, is_set: bool) -> str:
-        return f"&{name}" if is_set else name
 
-
-RUNNERS: dict[str, type[Runner]] = {"rust": RustRunner, "csharp": CSharpRunner, "c": CRunner,
-                                   "javascript": JavaScriptRunner, "java": JavaRunner,
-                                   "go": GoRunner}
+RUNNERS: dict[str, type[Runner]] = {language: of for language, of in {
+    "rust": RustRunner, "csharp": CSharpRunner, "c": CRunner, "javascript": JavaScriptRunner, "java": JavaRunner,
+    "go": GoRunner}.items() if of.syntax}  # else it was deleted

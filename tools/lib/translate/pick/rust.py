@@ -9,9 +9,9 @@ from collections.abc import Sequence
 from decimal import Decimal
 
 from translate.names import OF_AXES
-from translate.pick.printer import CHOICE, PRIMARY, UNARY
+from translate.pick.printer import CHOICE, PRIMARY, UNARY, Declaration
 from translate.pick.scalars import Part, Piece, Syntax, Taken, bare, pascal
-from translate.pick.values import AXES, SIZES, Operation, scalar_of
+from translate.pick.values import SIZES, Operation, scalar_of
 
 CAST = UNARY - 0.5  # `as` binds more strongly than *, and more weakly than an operator before its operand
 WRAPPING = {"+": "add", "-": "sub", "*": "mul"}
@@ -69,11 +69,14 @@ class Rust(Syntax):
     example_struct = "&mut {}"
     passed = "#[allow(dead_code)] pub const {}: i32 = {};"
     head = "{}"
+    cased = staticmethod(str)
+    index, vector_of, struct_of = "[{number}]", "[{parts}]", "{type} {{ {parts} }}"
+    word_end = ""
     counts_a_range = True
     branches_are_values = True
-    component = re.compile(r"(?P<space> *)let (?P<name>(?:mut )?(?P<base>\w+)_(?P<axis>[wxyz])(?P<number>\d*))"
-                           r" = (?P<value>.*[^{]);")
-    components = "{}let ({}) = ({});"
+    joins = False
+    component = re.compile(r"(?:mut )?(\w+)_([wxyz])(\d*)")
+    components = "let ({}) = ({});"
     types = {"float": "f32", "int": "i32", "uint": "u32", "bool": "bool"}
     reserved = frozenset("""as async await break const continue crate dyn else enum extern false fn for if impl in
         let loop match mod move mut pub ref return self static struct super trait true type
@@ -142,14 +145,8 @@ fn abs(x: f32) -> f32 {
         self.whole: set[str] = set()  # structs without floats
         self.chains = False           # whether the function that is written compares the same twice
 
-    def function_name(self, name: str, is_public: bool) -> str:
-        return bare(name)
-
     def field_name(self, name: str) -> str:
         return self.variable(name)
-
-    def variable(self, name: str) -> str:
-        return f"{name}_" if name in self.reserved else name
 
     def vector(self, type_: str) -> str:
         return f"[{self.type(scalar_of(type_))}; {SIZES[type_]}]"
@@ -165,9 +162,6 @@ fn abs(x: f32) -> f32 {
             return text
         short = next(shown for digits in range(1, 10) if single(float(shown := f"{value:.{digits}g}")) == value)
         return min(text, format(Decimal(short), "f"), key=lambda shown: len(shown.lstrip("-0.")))
-
-    def uint(self, value: int) -> str:
-        return f"0x{value:X}" if value > 9999 else str(value)
 
     def binary(self, sign: str, type_: str, left: Piece, right: Piece) -> Piece:
         if type_ == "uint" and sign in WRAPPING:
@@ -196,9 +190,6 @@ fn abs(x: f32) -> f32 {
         self.chains |= f"{other} ".startswith(f"if {condition.text.replace('<', '>')} ")
         return Piece(f"if {condition.text} {{ {yes.text} }} else {other}", CHOICE, "if")
 
-    def member(self, of: Piece, axis: str) -> Piece:
-        return Piece(f"{of.within(UNARY)}[{AXES.index(axis)}]")
-
     def convert(self, to: str, of: str, piece: Piece) -> Piece:
         return Piece(f"{piece.within(CAST - 0.25)} as {self.type(to)}", CAST, "as")
 
@@ -218,23 +209,17 @@ fn abs(x: f32) -> f32 {
             return Piece(f"{typed(first, type_)}.{name}({second.text})")
         return self.call(self.helper(name), arguments)
 
-    def make_vector(self, type_: str, parts: Sequence[Piece]) -> Piece:
-        return Piece(f"[{', '.join(piece.text for piece in parts)}]")
-
     def make_struct(self, type_: str, fields: Sequence[Part], parts: Sequence[Piece]) -> Piece:
         written = [name if name == piece.text else f"{name}: {piece.text}"
                    for (name, _), piece in zip(((self.field_name(field.name), field.type) for field in fields), parts)]
         return Piece(f"{self.type_name(type_)} {{ {', '.join(written)} }}")
-
-    def make_results(self, results: Sequence[Part], parts: Sequence[Piece]) -> Piece:
-        return Piece(f"({', '.join(piece.text for piece in parts)})")
 
     # Statements.
 
     def declare(self, type_: str, name: str, value: str | None, changes: bool) -> str:
         if value is None:
             return f"let {name}: {self.type(type_)};"
-        return f"let {'mut ' if changes else ''}{name} = {value};"
+        return Declaration("let", f"{'mut ' if changes else ''}{name}", f" = {value};")
 
     def declare_all(self, names: Sequence[str]) -> str:
         return f"let {names[0] if len(names) == 1 else '(' + ', '.join(names) + ')'} = "

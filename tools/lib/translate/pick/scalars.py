@@ -29,10 +29,12 @@ from translate.pick.printer import (
     TRUTH,
     UNARY,
     UNNAMED,
+    Declaration,
     Language,
     Writer,
     constants_of,
     declarations_joined,
+    indented_lines,
 )
 from translate.pick.program import Evaluated, Program
 from translate.pick.statements import (
@@ -202,18 +204,29 @@ class Syntax:
     indent = 4
     end = ";"
     head = "({})"                    # of a condition
+    keeps_names = False              # whether names are the library's
+    cased = staticmethod(camel)      # the name of a variable or a field
+    index = ".{axis}"                # of a component
+    # A vector and a struct of these parts, and a part of a struct, which may be its name alone.
+    vector_of, struct_of, field_of = "{type}({parts})", "{type}({parts})", "{value}"
+    results_of = "({})"              # several results
+    float_end, word_end = "f", "u"   # of literals
+    least_int = "-2147483648"
+    bools = ("false", "true")
     types: Mapping[str, str] = {}    # of scalars
     library: Mapping[str, str] = {}  # macros with which the library is read
     no_precise = ""                  # why it has no `precise`, and what to take
     reserved: frozenset[str] = frozenset()
     helpers: Mapping[str, str] = {}  # functions that the language lacks, with their comments
+    builtins: Mapping[str, str] = {}  # by GLSL's names, some with a type: the names of helpers, or of the language's own
     needs: Mapping[str, Sequence[str]] = {}  # of helpers: other helpers
     helpers_first = False            # whether functions stand before those that call them
     sets_parameters = False          # whether other results are set by parameters of that name
+    set_to = "{}"                    # such a parameter, where it is set
     shifts_by_int = False            # whether the right operand of a shift has to be an int
     counts_a_range = False           # whether loops that count go through a range
     branches_are_values = False      # whether an if has a value
-    # The form of a component's declaration, if the components of a vector share a line, and of the line.
+    # The name of a component, and the line that the components of a vector share, if they do.
     component: re.Pattern[str] | None = None
     components = ""
     word = "uint"          # a word of 32 bits in comments
@@ -224,7 +237,8 @@ class Syntax:
     example_struct = "{}"  # the argument for a struct that changes
     example_set = ""       # the argument for an output
     passed = ""            # the declaration of a constant that users pass, with a place for its name and its number
-    joins: re.Pattern[str] | None = None  # a declaration, if several may share a line
+    joins = True           # whether declarations of one type may share a line
+    breaks = " "           # where a long line may be broken
 
     def __init__(self, precise: bool = False):
         self.precise = precise
@@ -236,20 +250,20 @@ class Syntax:
     # Names.
 
     def function_name(self, name: str, is_public: bool) -> str:
-        return camel(bare(name))
+        return name if self.keeps_names else self.cased(bare(name))
 
     def type_name(self, name: str) -> str:
-        return pascal(bare(name))
+        return name if self.keeps_names else pascal(bare(name))
 
     def field_name(self, name: str) -> str:
-        return camel(name)
+        return self.cased(name)
 
     def constant_name(self, name: str) -> str:
         """The name of a constant that users pass, such as HN_METRIC_EUCLIDEAN."""
-        return name.removeprefix("HN_")
+        return name if self.keeps_names else name.removeprefix("HN_")
 
     def variable(self, name: str) -> str:
-        name = camel(name)
+        name = self.cased(name)
         return f"{name}_" if name in self.reserved else name
 
     def path(self, name: str) -> str:
@@ -281,19 +295,19 @@ class Syntax:
     def constant(self, constant: Constant) -> str:
         value = constant.value
         if constant.type == "bool":
-            return "true" if value else "false"
+            return self.bools[bool(value)]
         if constant.type == "float":
             return self.float(str(value).rstrip("fF"))
         return self.int(int(value)) if constant.type == "int" else self.uint(int(value))
 
     def float(self, text: str) -> str:
-        return f"{text}f"
+        return f"{text}{self.float_end}"
 
     def int(self, value: int) -> str:
-        return str(value)
+        return self.least_int if value == -(1 << 31) else str(value)
 
     def uint(self, value: int) -> str:
-        return f"0x{value:X}u" if value > 9999 else f"{value}u"
+        return f"{f'0x{value:X}' if value > 9999 else value}{self.word_end}"
 
     def infix(self, sign: str, left: Piece, right: Piece) -> Piece:
         strength = STRENGTH[sign]
@@ -319,7 +333,7 @@ class Syntax:
         return Piece(" ".join((condition.within(CHOICE), "?", yes.within(CHOICE), ":", no.within(CHOICE))), CHOICE)
 
     def member(self, of: Piece, axis: str) -> Piece:
-        return Piece(f"{of.within(UNARY)}.{axis}")
+        return Piece(of.within(UNARY) + self.index.format(axis=axis, number="xyzw".find(axis)))
 
     def component_of(self, of: Piece, axis: str, type_: str) -> Piece:
         """The component of an expression of that type."""
@@ -329,25 +343,30 @@ class Syntax:
         raise NotImplementedError
 
     def builtin(self, name: str, type_: str, arguments: Sequence[Piece]) -> Piece:
-        raise NotImplementedError
+        called = self.builtins.get(f"{name} {type_}") or self.builtins.get(name, name)
+        return self.call(self.helper(called) if called in self.helpers else called, arguments)
 
     def call(self, name: str, arguments: Sequence[Piece]) -> Piece:
         return Piece(f"{name}({', '.join(piece.text for piece in arguments)})")
 
     def make_vector(self, type_: str, parts: Sequence[Piece]) -> Piece:
-        raise NotImplementedError
+        of = self.vector(type_) if "{type}" in self.vector_of else ""
+        return Piece(self.vector_of.format(type=of, parts=", ".join(piece.text for piece in parts)))
 
     def make_struct(self, type_: str, fields: Sequence[Part], parts: Sequence[Piece]) -> Piece:
-        raise NotImplementedError
+        written = [self.field_of.format(name=name, value=piece.text) for name, piece in
+                   zip((self.field_name(field.name) for field in fields), parts)]
+        return Piece(self.struct_of.format(type=self.type_name(type_), parts=", ".join(written)))
 
     def make_results(self, results: Sequence[Part], parts: Sequence[Piece]) -> Piece:
         """The results of a function that returns several."""
-        raise NotImplementedError
+        return Piece(self.results_of.format(", ".join(piece.text for piece in parts)))
 
     # Statements.
 
     def declare(self, type_: str, name: str, value: str | None, changes: bool) -> str:
-        return f"{self.type(type_)} {name}{'' if value is None else f' = {value}'}{self.end}"
+        made = Declaration(self.type(type_), name, f"{'' if value is None else f' = {value}'}{self.end}")
+        return made if SIZES.get(type_) == 1 else str(made)
 
     def declare_all(self, names: Sequence[str]) -> str:
         """The beginning of a declaration of variables by branches that have values."""
@@ -360,7 +379,11 @@ class Syntax:
         return f"{name} {sign}= {by}"
 
     def returned(self, results: Sequence[Part], pieces: Sequence[Piece]) -> list[str]:
-        """The end of a function: its result, and its other results."""
+        """The end of a function: its result, and its other results, which parameters may be set to."""
+        if self.sets_parameters:
+            lines = [f"{self.set_to.format(self.variable(part.name))} = {piece.text};"
+                     for part, piece in zip(results, pieces) if part.name != "value"]
+            return [*lines, *(f"return {piece.text};" for part, piece in zip(results, pieces) if part.name == "value")]
         whole = pieces[0] if len(pieces) == 1 else self.make_results(results, pieces)
         return [f"return {whole.text}{self.end}"]
 
@@ -413,26 +436,34 @@ class Syntax:
                       paragraph_lines(f"Error: {facts.error}." if facts.error else "")]
         return [line for paragraph in paragraphs if paragraph for line in ("", *paragraph)][1:]
 
-    def joined(self, lines: Sequence[str], space: str) -> list[str]:
+    def joined(self, lines: Sequence[str], indent: int) -> list[str]:
         """Lines of a block as they stand in the text."""
-        return declarations_joined(self._with_components(lines) if self.component else lines, space, self.joins)
+        if self.component:
+            lines = self._with_components(lines)
+        return declarations_joined(lines, indent) if self.joins else indented_lines(lines, indent, self.breaks)
 
     def _with_components(self, lines: Sequence[str]) -> list[str]:
         """Components of one vector are declared together, unless one is made of another."""
-        groups: list[tuple[str, list[re.Match[str]]]] = []
+        groups: list[list[str]] = []
         for line in lines:
-            found = self.component.fullmatch(line)
-            before = groups[-1][1] if groups else []
-            if found and before and all(found[part] == before[-1][part] for part in ("space", "base", "number")) and (
-                    AXES.index(before[-1]["axis"].lower()) < AXES.index(found["axis"].lower())) and not any(
-                    re.search(rf"\b{one['name'].split()[-1]}\b", found["value"]) for one in before) and (
-                    sum(len(one["value"]) + len(one["name"]) + 4 for one in (*before, found)) < ROOM):
-                before.append(found)
+            if groups and self._is_next_component(groups[-1], line):
+                groups[-1].append(line)
             else:
-                groups.append((line, [found] if found else []))
-        return [line if len(found) < 2 else self.components.format(
-            found[0]["space"], ", ".join(one["name"] for one in found), ", ".join(one["value"] for one in found))
-            for line, found in groups]
+                groups.append([line])
+        return [group[0] if len(group) < 2 else self.components.format(
+            ", ".join(one.name for one in group), ", ".join(map(self._value, group))) for group in groups]
+
+    def _is_next_component(self, before: Sequence[str], line: str) -> bool:
+        if not isinstance(line, Declaration) or not isinstance(before[-1], Declaration):
+            return False
+        last, found = (self.component.fullmatch(one.name) for one in (before[-1], line))
+        return bool(last and found and last.group(1, 3) == found.group(1, 3)
+                    and AXES.index(last[2].lower()) < AXES.index(found[2].lower())
+                    and not any(re.search(rf"\b{one.name.split()[-1]}\b", self._value(line)) for one in before)
+                    and sum(len(self._value(one)) + len(one.name) + 4 for one in (*before, line)) < ROOM)
+
+    def _value(self, declaration: Declaration) -> str:
+        return declaration.behind.partition("= ")[2].removesuffix(self.end)
 
     def overhead(self, node: Operation) -> int:
         """By how much an operation takes more characters than GLSL's."""
@@ -511,11 +542,11 @@ class Scalars(Writer):
 
     # Statements.
 
-    def _declaration(self, type_: str, name: str, text: str) -> str:
+    def _declaration(self, type_: str, name: str, text: str | None) -> str:
         return self.syntax.declare(type_, self.syntax.variable(name), text, changes=False)
 
-    def _joined(self, lines: Sequence[str], space: str) -> list[str]:
-        return self.syntax.joined(lines, space)
+    def _joined(self, lines: Sequence[str], indent: int) -> list[str]:
+        return self.syntax.joined(lines, indent)
 
     def _statement(self, statement: Statement) -> list[str]:
         syntax = self.syntax

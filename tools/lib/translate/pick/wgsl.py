@@ -114,7 +114,7 @@ class WgslWriter(WgslExpressions, Writer):
     def _find_changed_parameters(self) -> None:
         """None is a variable."""
 
-    def _declaration(self, type_: str, name: str, text: str) -> str:
+    def _declaration(self, type_: str, name: str, text: str | None) -> str:
         return f"let {name} = {text};"
 
     def _declared(self, variable: Variable, name: str, value: str | None) -> str:

@@ -396,7 +396,3 @@ fn f() -> f32 { return ((HN_I_HALF) + (HN_I_HALF)); }""".replace("(HN_I_HALF)", 
             with self.subTest(glsl=glsl), self.assertRaisesRegex(Unknown, message) as raised:
                 translated(glsl)
             self.assertRegex(str(raised.exception), r"^the text(:\d+)?: ")
-
-
-if __name__ == "__main__":
-    unittest.main()
