@@ -63,7 +63,8 @@ def page_table(rows: Sequence[Mapping[str, str]]) -> str:
     """Instructions a point, and how many times those of hashnoise FastNoise2 needs."""
     columns = [name for name in COLUMNS if name in rows[0]]  # without --against there is no FastNoise2
     lines = [[f"`{row['noise']}`", *(record.three_digits(float(row[name])) for name in columns),
-              *(f"{float(row[name]) / float(row['fast']):.2f}" for name in columns if name == "FastNoise2")] for row in rows]
+              *(f"{float(row[name]) / float(row['fast']):.2f}" for name in columns if name == "FastNoise2")]
+             for row in rows if not row["noise"].startswith("ridged")]
     return table(("noise", *columns, *("fast : FastNoise2" for name in columns if name == "FastNoise2")), lines)
 
 

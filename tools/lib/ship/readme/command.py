@@ -57,8 +57,6 @@ def tables() -> list[tuple[str, str, str]]:
             (SUMS, "tools/make readme: typical values of sums in 1D and 4D",
              numbers.typical_table(typical, numbers.PLAIN_SUMS, (1, 4))),
             (SUMS, "tools/make readme: footprint", numbers.footprint_quote(numbers.footprint())),
-            (LANGUAGES, "tools/make readme: picked", files.picked_text("hn_value2", "glsl")),
-            (LANGUAGES, "tools/make readme: picked in WGSL", files.picked_text("hn_lattice2", "wgsl")),
             (LANGUAGES, "tools/make readme: picks", files.picks_table()),
             (LANGUAGES, "tools/make readme: files", files.files_table()),
             (ENGINES, "tools/make readme: nodes", files.nodes_table()),

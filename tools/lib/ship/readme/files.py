@@ -68,7 +68,7 @@ def picks_table() -> str:
     for name, file in PICKED.items():
         programs = [Program(module, chosen(module, [name])) for module in modules]
         texts = [*(program.text(LANGUAGES["glsl"]) for program in programs), programs[0].text(LANGUAGES["wgsl"])]
-        rows.append([f"`{name}`", *(f"{len(shown):,} bytes, {shown.count(chr(10))} lines" for shown in texts), size(file)])
+        rows.append([f"`{name}`", *(f"{len(shown):,} bytes" for shown in texts), size(file)])
     return table(("", "`HN_FAST`", "`HN_FIXED`", "`HN_FAST` in WGSL", "the file, by `tools/pick whole --strip`"), rows)
 
 
