@@ -21,6 +21,7 @@ import time
 import unittest
 
 PROGRAM = ""
+HAS_PAPER = (pathlib.Path(__file__).parents[1] / "paper").is_dir()  # it can be deleted
 ONE = ("--filter", "bugs.abs_of_int.any.exact.fragment.gl330.defined")  # the cheapest that draws
 # Some seconds, and more than 100,000 bytes of journal. The cases are of one noise, so new noises do not change them.
 MANY = ("--filter", "noise?d.perlin.*.fragment.gl*.golden", "--filter", "noise?d.perlin_cell.*.fragment.gl*.golden",
@@ -200,7 +201,8 @@ class Ending(unittest.TestCase):
         self.expect_a_part("SIGINT", process)
 
     def test_before_there_are_results_one_line_is_all(self):
-        for command in (("drivers",), ("bench", "--out", self.out), ("paper", "--out", self.out)):
+        for command in (("drivers",), ("bench", "--out", self.out),
+                        *[("paper", "--out", self.out)] * HAS_PAPER):
             with self.subTest(command=command[0]):
                 process = self.start(*command)
                 if command[0] == "drivers":
@@ -248,8 +250,8 @@ class Ending(unittest.TestCase):
         first = self.start("run", "--out", self.out, *MANY)
         wait_until(self.journal.exists, "the run begins")
         os.killpg(first.pid, signal.SIGSTOP)  # so that it does not come to its end meanwhile
-        for command in (("run",), ("run", "--resume"), ("merge", self.folder / "earlier"), ("bench",), ("paper",),
-                        ("web",)):
+        for command in (("run",), ("run", "--resume"), ("merge", self.folder / "earlier"), ("bench",), ("web",),
+                        *[("paper",)] * HAS_PAPER):
             with self.subTest(command=command):
                 second = self.call(*command, "--out", self.out)
                 self.assertEqual(second.returncode, 2)

@@ -33,9 +33,13 @@ int run(const hn::BenchCommand& command, hn::Interruption& interruption) {
   return hn::bench_command(command, interruption);
 }
 int run(const hn::SpirvCommand& command, hn::Interruption&) { return hn::spirv_command(command); }
+#if __has_include("paper/laboratory.hpp")
 int run(const hn::PaperCommand& command, hn::Interruption& interruption) {
   return hn::paper_command(command, interruption);
 }
+#else
+int run(const hn::PaperCommand&, hn::Interruption&) { return hn::usage_error("conformance/paper was deleted"); }
+#endif
 int run(const hn::WebCommand& command, hn::Interruption& interruption) {
   return hn::web_command(command, interruption);
 }

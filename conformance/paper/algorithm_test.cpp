@@ -93,7 +93,7 @@ std::set<std::string> missing(std::string_view csv) {
 // The table that the page shows beside ours.
 std::string printed() {
   const auto root = std::filesystem::path(HN_GOLDEN_DIRECTORY).parent_path().parent_path().parent_path();
-  return *read_file(root / "tools/lib/measure/paper/printed.csv");
+  return *read_file(root / "conformance/paper/printed.csv");
 }
 
 TEST(Algorithm, EveryOneOfThePaperIsInItsTable) {

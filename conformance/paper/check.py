@@ -24,7 +24,7 @@ def read(path):
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # The instructions of the paper's table.
 PRINTED = {(row["algorithm"], row["dimensions"]): int(row["instructions"])
-           for row in read(ROOT / "tools/lib/measure/paper/printed.csv")[1]}
+           for row in read(ROOT / "conformance/paper/printed.csv")[1]}
 
 
 # --- Instructions ---

@@ -1,8 +1,6 @@
-# The add-on for Godot: what is in it; and in thorough runs a real Godot that has its values and draws its example.
-# Godot is the program that HN_GODOT names, the one in the PATH, or Debian's, which is downloaded.
+# In thorough runs a real Godot has the values of the add-on and draws its example. It is the program that
+# HN_GODOT names, the one in the PATH, or Debian's, which is downloaded.
 set(godot_tests ${CMAKE_CURRENT_LIST_DIR}/tests)
-add_test(NAME godot.addon COMMAND Python3::Interpreter -B -m unittest ship.godot.addon_test
-         WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/tools/lib)
 add_test(NAME godot.engine COMMAND Python3::Interpreter -B -m unittest engine_test WORKING_DIRECTORY ${godot_tests})
 add_test(NAME godot.program CONFIGURATIONS Thorough COMMAND Python3::Interpreter -B ${godot_tests}/engine.py)
 set_tests_properties(godot.program PROPERTIES SKIP_RETURN_CODE 77 FIXTURES_SETUP godot)

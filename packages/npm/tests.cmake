@@ -9,8 +9,11 @@ foreach(subject twin fields bundles browser)
   list(APPEND npm_tests npm.${subject})
 endforeach()
 # It draws on the processor what is meant for a GPU.
-add_test(NAME npm.three CONFIGURATIONS Thorough
-         COMMAND ${project} run ${packages_of_node} node three.mjs ${PROJECT_SOURCE_DIR})
+if(EXISTS ${PROJECT_SOURCE_DIR}/examples/three)
+  add_test(NAME npm.three CONFIGURATIONS Thorough
+           COMMAND ${project} run ${packages_of_node} node three.mjs ${PROJECT_SOURCE_DIR})
+  list(APPEND npm_tests npm.three)
+endif()
 add_test(NAME npm.registry CONFIGURATIONS Thorough
          COMMAND ${project} run ${packages_of_node} node registry.mjs ${PROJECT_SOURCE_DIR}/docs/develop/publishing.md)
 # From the last commit of version 0.3.0, whose values are others, and from the last release, by its tag.
@@ -18,6 +21,6 @@ set(upgrade ${project} run ${packages_of_node} node upgrade.mjs ${PROJECT_SOURCE
 add_test(NAME npm.upgrade CONFIGURATIONS Thorough COMMAND ${upgrade} 5301c2bbb34dc19427c8e36684e48987c682c24f)
 add_test(NAME npm.upgrade_from_release CONFIGURATIONS Thorough COMMAND ${upgrade})
 set_tests_properties(npm.upgrade npm.upgrade_from_release PROPERTIES RESOURCE_LOCK hashnoise-before)
-list(APPEND npm_tests npm.three npm.registry npm.upgrade npm.upgrade_from_release)
+list(APPEND npm_tests npm.registry npm.upgrade npm.upgrade_from_release)
 add_test(NAME npm.types COMMAND ${project} run ${packages_of_node} npx --no-install tsc --project .)
 set_tests_properties(${npm_tests} npm.types PROPERTIES FIXTURES_REQUIRED "javascript;npm" SKIP_RETURN_CODE 77)

@@ -16,15 +16,7 @@ add_test(NAME python.notebook CONFIGURATIONS Thorough
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with notebook.txt ${package_environment}
                  notebook_test)
 set_tests_properties(python.notebook PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77 RUN_SERIAL ON)
-# Files of noise are read by programs of others: pypng and three.js.
-add_test(NAME python.bake COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with bake.txt
-                                  ${package_environment} bake_test)
-set_tests_properties(python.bake PROPERTIES FIXTURES_REQUIRED "python_wheel;javascript" SKIP_RETURN_CODE 77
-                     ENVIRONMENT HASHNOISE_JAVASCRIPT=${PROJECT_BINARY_DIR}/javascript)
-# The command builds the package for itself.
-add_test(NAME bake.command CONFIGURATIONS Thorough
-         COMMAND ${PROJECT_SOURCE_DIR}/tools/bake cellular --size 64x64 -o ${PROJECT_BINARY_DIR}/bake.exr)
-set_tests_properties(bake.command PROPERTIES TIMEOUT 3600)
+include(${CMAKE_CURRENT_LIST_DIR}/bake.cmake OPTIONAL)
 # Dask is kept beside the environment, since it takes longer to install than its test.
 add_test(NAME python.dask COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with dask.txt
                                   ${package_environment} dask_test)

@@ -19,8 +19,8 @@ sys.path[:0] = [str(TESTING), str(ROOT / "tools" / "lib")]
 sys.argv, (WHERE, *PATHS) = sys.argv[:1], sys.argv[1:]
 from msvc import WHOLE_AS_MSVC  # noqa: E402
 
-from measure import elsewhere  # noqa: E402
-from measure.elsewhere import NEON, Place  # noqa: E402
+from base import elsewhere  # noqa: E402
+from base.elsewhere import NEON, Place  # noqa: E402
 
 DIGESTS, FOLDER = (Path(path).resolve() for path in PATHS)
 # And the instructions of each. Where nothing is forced inline, a quarter of the time is enough to compile.

@@ -10,8 +10,8 @@ from base.tree import ROOT, address, version
 ANY = {"VERSION": r"\d+\.\d+\.\d+", "RELEASED": r"\d+\.\d+\.\d+", "MAJOR": r"\d+", "MINOR": r"\d+",
        "ADDRESS": r'https://[^\s"`]+?'}
 NAME = re.compile("|".join(ANY))
-# Each stands in its file at least once. RELEASED is the last version that has a tag.
-LINES = {
+# Each stands in its file, if that was not deleted, at least once. RELEASED is the last version that has a tag.
+LINES = {file: lines for file, lines in {
     "CITATION.cff": ("\nversion: VERSION\n", "\nrepository-code: ADDRESS\n"),
     "docs/guide/build-systems.md": ("GIT_TAG vRELEASED`", "revision = vRELEASED`", "\nhashnoise/VERSION\n", "ADDRESS.git"),
     "docs/guide/godot.md": ("hashnoise-godot-VERSION.zip",),
@@ -21,7 +21,7 @@ LINES = {
     "packages/conan/conanfile.py": ('    url = "ADDRESS"', '    homepage = "ADDRESS"'),
     "packages/vcpkg/hashnoise/vcpkg.json": ('"version": "VERSION"', '"homepage": "ADDRESS"'),
     "pyproject.toml": ('Repository = "ADDRESS"',),
-}
+}.items() if (ROOT / file).is_file()}
 
 
 def released() -> str:

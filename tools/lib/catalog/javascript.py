@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from base.pieces import is_deleted
 from base.tree import ROOT
 from catalog.grid import in_camel_case
 from catalog.model import Catalog, Function, Noise, Sum
@@ -274,4 +275,5 @@ def playground(catalog: Catalog) -> str:
 
 
 def files(catalog: Catalog) -> dict[Path, str]:
-    return {**package(Twin(catalog)), PLAYGROUND: playground(catalog)}
+    of_package = {} if is_deleted("npm") else package(Twin(catalog))
+    return of_package if is_deleted("playground") else {**of_package, PLAYGROUND: playground(catalog)}

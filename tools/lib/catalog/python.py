@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from base.pieces import is_deleted
 from base.tree import ROOT
 from catalog.model import AXES, Catalog, CatalogError, Function, Noise, Sum
 from catalog.sections import with_section
@@ -46,6 +47,8 @@ GRIDS = [*((dtype, out, result.format(array), return_range)
 
 
 def files(catalog: Catalog) -> dict[Path, str]:
+    if is_deleted("python"):
+        return {}
     noises = _module(NOISES, catalog.noises, "noise", "NOISES", catalog)
     sums = _module(SUMS, catalog.sums, "fractal", "SUMS", catalog)
     types = "".join(_types(function, catalog) for function in (*catalog.noises, *catalog.sums))

@@ -26,12 +26,12 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
+from base.elsewhere import Failed, Place, output_of
 from base.tree import ROOT
 from base.usage import Parser, whole
 from base.versions import version_of
 from catalog.tables.markdown import table
 from measure import fills, record, stamps
-from measure.elsewhere import Failed, Place, output_of
 
 FILLS = ("fast", "fixed", "precise", "tiles", "points", "two threads", "FastNoise2", "FastNoise2 points",
          "FastNoise2 strict")

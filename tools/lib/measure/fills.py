@@ -8,8 +8,8 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+from base.elsewhere import Build, Failed, Place, output_of
 from base.tree import ROOT
-from measure.elsewhere import Build, Failed, Place, output_of
 
 RESULTS = ROOT / "docs" / "measured" / "results" / "cpu"
 SOURCES = Path(__file__).with_name("grid")

@@ -10,10 +10,10 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+from base.elsewhere import NEON, Build, Failed, Place, output_of
 from base.testing import Case, called
 from base.tree import ROOT
 from measure import cpu, fills, neon, stamps
-from measure.elsewhere import NEON, Build, Failed, Place, output_of
 
 ATTEMPTS = 5  # other programs on the machine can spoil a measurement, but hardly every time
 FOLDER = Path()

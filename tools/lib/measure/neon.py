@@ -21,12 +21,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from base.elsewhere import NEON, Failed, output_of
 from base.tree import ROOT
 from base.usage import Parser
 from base.versions import version_of
 from catalog.tables.markdown import table
 from measure import fills, record, stamps
-from measure.elsewhere import NEON, Failed, output_of
 
 FOLDER = ROOT / "build" / "bench-neon"
 COLUMNS = ("fast", "fixed", "precise", "FastNoise2")

@@ -11,6 +11,7 @@ import zipfile
 from pathlib import Path
 from unittest import mock
 
+from base.pieces import was_deleted
 from base.tree import ROOT, address, version
 from base.usage import Parser
 from ship import command, packing, page
@@ -18,6 +19,7 @@ from ship.packing_support import lost_links
 from ship.recipes import RECIPES
 
 PACKED = [name for name, recipe in RECIPES.items() if not recipe.command]
+FOLDERS = [name for name in PACKED if RECIPES[name].has_folder]
 
 
 def call(*arguments: str) -> tuple[int, str, str]:
@@ -33,14 +35,12 @@ def call(*arguments: str) -> tuple[int, str, str]:
 class Manifests(unittest.TestCase):
     def test_they_have_the_address_of_the_project(self) -> None:
         with mock.patch.object(packing, "address", return_value="https://example.org/another"):
-            for name in ("npm", "unity", "wesl"):
-                written = (ROOT / "packages" / name / "package.json").read_text(encoding="utf-8")
-                described = json.loads(packing.of_npm(written, name))
+            for path in (ROOT / "packages").glob("*/package.json"):
+                described = json.loads(packing.of_npm(path.read_text(encoding="utf-8"), "name"))
                 self.assertEqual(described["repository"]["url"], "git+https://example.org/another.git")
                 self.assertEqual(described["homepage"], "https://example.org/another")
-            for name in ("rust", "wesl"):
-                written = (ROOT / "packages" / name / "Cargo.toml").read_text(encoding="utf-8")
-                self.assertIn('\nrepository = "https://example.org/another"\n', packing.of_cargo(written))
+            for path in (ROOT / "packages").glob("*/Cargo.toml"):
+                self.assertIn('\nrepository = "https://example.org/another"\n', packing.of_cargo(path.read_text(encoding="utf-8")))
 
 
 class Usage(unittest.TestCase):
@@ -71,9 +71,9 @@ class Usage(unittest.TestCase):
                         self.assertIn(f"--{option}", told)
 
     def test_a_name_that_there_is_not(self) -> None:
-        self.assert_refused(("unitty",), "tools/pack: there is no package unitty (did you mean unity?)",
+        self.assert_refused(("relaese",), "tools/pack: there is no package relaese (did you mean release?)",
                             "tools/pack --help lists them")
-        self.assert_refused(("godot-addon", "out"), "there is no package godot-addon (did you mean godot?)")
+        self.assert_refused(("release-all", "out"), "there is no package release-all (did you mean release?)")
         self.assert_refused(("--zip",), "there is no package --zip;")
         self.assert_refused((), "the name of a package is missing; tools/pack --help lists them")
         self.assert_refused(("",), "the name of a package is missing")
@@ -82,13 +82,13 @@ class Usage(unittest.TestCase):
         for name in RECIPES:
             self.assert_refused((name, "--no-such=1"), f"tools/pack {name}: there is no option --no-such; ",
                                 f"see tools/pack {name} --help")
-        for name in PACKED:
-            if RECIPES[name].has_folder:
-                self.assert_refused((name, "--zpi"), "there is no option --zpi (did you mean --zip?)")
-        self.assert_refused(("blender", "--weel", "a.whl"), "there is no option --weel (did you mean --wheel?)")
+        for name in FOLDERS:
+            self.assert_refused((name, "--zpi"), "there is no option --zpi (did you mean --zip?)")
+        if "blender" in RECIPES:
+            self.assert_refused(("blender", "--weel", "a.whl"), "there is no option --weel (did you mean --wheel?)")
 
     def test_what_is_no_folder(self) -> None:
-        for name in (*PACKED, "npm", "python"):
+        for name in (name for name in RECIPES if name != "release"):
             self.assert_refused((name, __file__), f"tools/pack {name}: ", "is a file; it must be a folder")
             self.assert_refused((name, ""), "the folder has no name")
             self.assert_refused((name, "one", "two"), "two is one word too many")
@@ -135,25 +135,28 @@ class Writing(unittest.TestCase):
                     self.assertEqual({path.relative_to(self.folder).as_posix(): path.read_bytes()
                                       for path in made.rglob("*") if path.is_file()}, found)
 
+    @unittest.skipUnless(FOLDERS, "all were deleted")
     def test_times_are_those_of_the_variable(self) -> None:
-        one = self.made("unity", "--zip").read_bytes()
-        self.assertEqual(self.made("unity", "--zip").read_bytes(), one)
-        other = self.made("unity", "--zip", SOURCE_DATE_EPOCH="1700000000")
+        one = self.made(FOLDERS[0], "--zip").read_bytes()
+        self.assertEqual(self.made(FOLDERS[0], "--zip").read_bytes(), one)
+        other = self.made(FOLDERS[0], "--zip", SOURCE_DATE_EPOCH="1700000000")
         self.assertNotEqual(other.read_bytes(), one)
         self.assertEqual(zipfile.ZipFile(other).infolist()[0].date_time[:3], (2023, 11, 14))
 
+    @unittest.skipUnless(FOLDERS, "all were deleted")
     def test_what_an_earlier_run_left_goes_and_what_cargo_made_stays(self) -> None:
-        made = self.made("rust")
+        made = self.made(FOLDERS[0])
         for name in ("old/file", "target/built", "Cargo.lock"):
             (made / name).parent.mkdir(exist_ok=True)
             (made / name).touch()
-        self.assertEqual(self.made("rust"), made)
+        self.assertEqual(self.made(FOLDERS[0]), made)
         self.assertEqual({path.name for path in made.iterdir()}, {"page.md", "src", "target", "Cargo.lock"})
 
+    @unittest.skipUnless(FOLDERS, "all were deleted")
     def test_a_folder_that_cannot_be_made(self) -> None:
         (self.folder / "file").touch()
         with mock.patch.object(packing, "files_of", return_value={}):
-            status, out, error = call("isf", str(self.folder / "file" / "below"))
+            status, out, error = call(FOLDERS[0], str(self.folder / "file" / "below"))
         self.assertEqual((status, out), (2, ""))
         self.assertIn("below cannot be made: Not a directory", error)
 
@@ -208,7 +211,7 @@ It is there.
         pages = {path.relative_to(ROOT).as_posix(): page.of_package(path)
                  for folder in ("packages", "docs/guide") for path in sorted((ROOT / folder).rglob("*.md"))}
         self.assertEqual(lost_links(pages, ()), [])
-        self.assertIn("packages/rust/README.md", pages)
+        self.assertGreater(len(pages), 10)
 
     def test_one_that_is_lost_is_reported(self) -> None:
         names = ("a/page.md", "a/more.md")
@@ -217,6 +220,9 @@ It is there.
 
     def test_pages_of_registries_begin_with_the_command_of_the_registry(self) -> None:
         for name, command_ in (("javascript", "npm install hashnoise"), ("python", "pip install hashnoise")):
-            text = page.of_package(ROOT / "docs" / "guide" / f"{name}.md")
+            path = ROOT / "docs" / "guide" / f"{name}.md"
+            if was_deleted(path.relative_to(ROOT).as_posix()):
+                continue
+            text = page.of_package(path)
             self.assertRegex(text, rf"\A# [^\n]+\n\n[^\n]+\n\n    {command_}\n\n")
             self.assertNotIn("<!-- in a package", text)

@@ -1,7 +1,8 @@
-"""The packages of tools/pack: a row for each package."""
+"""The packages of tools/pack: a row for each package. A row counts while its folder is here."""
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import NamedTuple
 
 
@@ -38,7 +39,7 @@ class Recipe(NamedTuple):
         return bool(self.name) and not self.is_zip
 
 
-RECIPES = {
+RECIPES = {name: recipe for name, recipe in {
     "npm": Recipe("the npm package: GLSL and WGSL as modules, nodes of three.js, heights", command="ship.npm.command"),
     "python": Recipe("the Python package, as a wheel", command="ship.python.command"),
     "rust": Recipe(
@@ -78,4 +79,4 @@ RECIPES = {
         more="It has addons/hashnoise/ as a project has it: the parts of the library, each as one .gdshaderinc, and an "
         "example."),
     "release": Recipe("all that a release has, from a clean tree", command="ship.release.command", python=(3, 11)),
-}
+}.items() if Path(__file__).with_name(name).is_dir()}

@@ -21,6 +21,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from unittest import mock
 
+from base.pieces import is_deleted
 from base.tree import ROOT, TOOLS
 from base.versions import folders
 
@@ -37,13 +38,16 @@ case "$*" in
 esac"""
 CMAKE = "case \"$*\" in *--build*) echo '[1/2] first'; SLOW; echo '[2/2] second'; SLOW;; *) SLOW;; esac"
 CONFORM = "conformance/hn-conform"
-# The program behind each, in build/, and its arguments.
+# The program behind each, in build/, and its arguments; but not of what was deleted.
 COMMANDS = {"bake": ("bake/bin/python", "-I -m hashnoise bake --help"), "conform": (CONFORM, "run --help"),
             "measure clock": (CONFORM, "bench --help"), "measure paper": (CONFORM, "paper --help")}
+COMMANDS = {name: of for name, of in COMMANDS.items() if (TOOLS / name.split()[0]).exists() and
+            not (name == "measure paper" and is_deleted("paper"))}
 # By tools/lib/base/scientific-python.
-SCIENTIFIC = {f"measure {name}": f"measure/{name}" for name in ("hashes", "noise", "uniform")}
+SCIENTIFIC = {f"measure {name}": f"measure/{name}" for name in ("hashes", "noise", "uniform")
+              if not is_deleted("measuring")}
 TEXTS = ("conformance/cli/options.cpp",
-         "packages/python/hashnoise/_bake.py",
+         *["packages/python/hashnoise/_bake.py"] * (not is_deleted("baker")),
          *(f"tools/lib/{room}/command.py" for room in SCIENTIFIC.values()))
 FILES = ("base/setup.sh", "base/packages.txt", "base/scientific-python", "base/node", "base/usage.py")
 
@@ -55,8 +59,9 @@ class Machine(unittest.TestCase):
         self.root = Path(self.enterContext(tempfile.TemporaryDirectory()))
         for name in ("test", *{name.split()[0] for name in COMMANDS}, *(f"lib/{file}" for file in FILES)):
             self.copy(f"tools/{name}")
-        shutil.copytree(TOOLS / "lib" / "measure", self.root / "tools" / "lib" / "measure",
-                        ignore=shutil.ignore_patterns("*.py"))
+        if not is_deleted("measuring"):
+            shutil.copytree(TOOLS / "lib" / "measure", self.root / "tools" / "lib" / "measure",
+                            ignore=shutil.ignore_patterns("*.py"))
         self.programs, self.read = self.root / "programs", self.root / "read"
         for name, text in (("dpkg-query", "exit 1"), ("sudo", 'shift; [ "$1" = true ] || exec "$@"'),  # sudo -n
                            ("apt-get", APT_GET), ("cmake", CMAKE), ("g++", ""), ("ctest", ""), ("nproc", "echo 2")):
@@ -162,6 +167,8 @@ class Setup(Machine):
         job = '[ "$1" = --help ] || { touch "$HN_STARTED"; sleep 100; echo it runs on; }'
         self.program("cmake", job)
         for command, number in (("conform", signal.SIGINT), ("measure paper", signal.SIGHUP), ("test", signal.SIGTERM)):
+            if command not in (*COMMANDS, "test"):
+                continue
             with self.subTest(command):
                 name, *part = command.split()
                 self.assert_ends([self.root / "tools" / name, *part], number)
@@ -247,6 +254,8 @@ class Usage(Machine):
                 # ctest takes any option, so that this would run the tests that are not thorough.
                 ("test", ("--thorogh",), "--thorogh (did you mean --thorough?)"),
                 ("test", ("--quite",), "--quite (did you mean --quiet?)")):
+            if name not in (*COMMANDS, "test"):
+                continue
             with self.subTest(name=name, arguments=arguments):
                 self.assert_refused(f"there is no option {option}", name, *arguments)
         done = self.call("test", "--resume")
@@ -255,6 +264,8 @@ class Usage(Machine):
 
     def test_wrong_options_of_what_needs_scientific_python(self) -> None:
         """Neither Python here has it: the refusal comes before it is installed. Beginnings of options will do."""
+        if not SCIENTIFIC:
+            return
         file = self.root / "tools" / "lib" / "base" / "scientific-python"
         file.write_text(file.read_text().replace("/usr/bin/python3", "no-other-python"))
         self.program("python3", "exit 1")

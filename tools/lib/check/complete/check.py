@@ -16,6 +16,7 @@ from catalog.tables.configurations import Configuration, read_configurations
 from catalog.tables.functions import NOISES, Function, read_functions
 from proof.bounds import table
 from proof.golden.files import golden_files
+from proof.oracle import noises as oracle
 from proof.oracle import words
 
 ROWS, SETTINGS = "catalog/functions.toml", "catalog/configurations.toml"
@@ -25,7 +26,7 @@ SAME_BITS = "docs/guide/same-bits.md"
 OTHERS = ("docs/guide/uniform.md", "docs/guide/random.md")  # have tables of functions, and so has a section of the page of noises
 OF_NOISES, OTHER_FUNCTIONS = "docs/reference/noises.md", "\n## Other functions\n"
 OF_DERIVATIVES = "docs/reference/noises.md"  # whose table has what returns the derivatives of vectors
-ENTRIES = "tools/lib/proof/{}/noises/{}.py"
+ORACLE = "tools/lib/proof/oracle/noises"
 OF_A_NOISE = {"error", "cost"}  # in each comment; and in one of its comments
 OF_A_NOISE_ONCE = OF_A_NOISE | {"returns", "period", "source"}
 
@@ -147,14 +148,11 @@ def noises_without_entries(tree: Tree) -> Iterator[str]:
     contract = tree.text("docs/reference/contract.md")
     for function in tree.noises:
         noise = function.noise
-        for of, what in (("oracle", "its exact and its fixed value, from docs/reference/contract.md"),
-                         ("bounds", "what is proven of it")):
-            module = tree.root / ENTRIES.format(of, noise)
-            if not module.is_file() and not (module.with_suffix("") / "__init__.py").is_file():
-                yield lacks(function, f"write {ENTRIES.format(of, noise)}, {what}")
+        if noise not in oracle.names():
+            yield lacks(function, f"write in {ORACLE} its exact and its fixed value, from docs/reference/contract.md")
         if (noise, function.axes) not in bounds:
             yield lacks(function, f"{BOUNDS.relative_to(ROOT)} has no {noise} in {function.axes}D: "
-                        "run tools/make bounds")
+                        "write in tools/lib/proof/bounds/noises what is proven of it, and run tools/make bounds")
         if not re.search(rf"`{function.calls}`[^.]* (?:takes positions of|have the forms of)", contract):
             yield lacks(function, f"state in docs/reference/contract.md that `{function.calls}` takes positions of "
                         f"{function.axes} dimensions, and what its value is")
@@ -206,11 +204,11 @@ def entries_without_a_noise(tree: Tree) -> Iterator[str]:
     # components, under their name.
     known = {"oracle": noises, "bounds": noises | {function.bound for function in tree.functions} |
              {function.calls.removeprefix("hn_") for function in tree.functions if function.component is not None}}
-    for of in ("oracle", "bounds"):
-        folder = tree.root / Path(ENTRIES.format(of, "")).parent
-        for path in sorted(folder.glob("[a-z]*")):
-            if path.stem not in known[of] and not path.stem.endswith("_test"):
-                yield f"{path}: no function is the noise {path.stem}: give it an entry in catalog/, or delete the file"
+    for of, place, names in (("oracle", ORACLE, oracle.names()), (
+            "bounds", BOUNDS.relative_to(ROOT), {row.noise: None for row in table.read(tree.at(BOUNDS))})):
+        for name in names:
+            if name not in known[of]:
+                yield f"{place}: no function is the noise {name}: give it an entry in catalog/, or delete its own"
 
 
 # --- Settings ---------------------------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 
     tools/make format [--check] [FILE...]    all files, or these; with --check it changes none, and prints what it would
 
-.clang-format and the section tool.ruff of pyproject.toml have the rules. PyPI's packages of the versions that
+.clang-format and ruff.toml have the rules. PyPI's packages of the versions that
 requirements.txt names are installed into build/format-environment at first, so each machine formats alike. For Python
 ruff mends imports, blanks and empty lines, and finds mistakes. It does not break lines anew: as `ruff format` lays them
 out, the tree has 14,000 lines more.
@@ -40,7 +40,7 @@ def unformatted(sources: Sequence[Path], check: bool, bin: Path) -> list[str]:
             raise RuntimeError(f"clang-format ended with status {done.returncode}: {done.stderr}")
     if python := [file for file in sources if file.suffix in PYTHON]:
         done = subprocess.run([bin / "ruff", "check", "--quiet", "--no-cache", "--output-format=concise",
-                               f"--config={ROOT / 'pyproject.toml'}", *(() if check else ("--fix",)), *map(Path.resolve, python)],
+                               f"--config={ROOT / 'ruff.toml'}", *(() if check else ("--fix",)), *map(Path.resolve, python)],
                               cwd=ROOT, capture_output=True, text=True, check=False)
         found += (done.stdout + done.stderr).splitlines() if done.returncode else []
     return found

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import ast
 import csv
+import importlib
 import io
 import json
 import re
@@ -12,25 +13,20 @@ from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
-from base.tree import BOUNDS, GLSL, ROOT, glsl_files
-from catalog import asked, model, parameters
+from base.pieces import PIECES, is_deleted
+from base.tree import BOUNDS, GLSL, ROOT, TOOLS, glsl_files
+from catalog import model
 from catalog.tables.functions import read_functions
 from catalog.tables.glsl import declarations
 from ship import hlsl_nodes
-from ship.blender import files as blender
-from ship.godot import files as godot
-from ship.isf import files as isf
-from ship.materialx import files as materialx
-from ship.rust.files import HASHES, of_module
-from ship.unity import files as unity
-from ship.unreal import files as unreal
 from translate.parsing.syntax import Parameter
 from translate.pick.command import Choice, read_library
-from translate.pick.osl import default_of
-from translate.pick.scalars import bare
 
 COLUMNS = ("kind", "name", "what")
 BOUND, RANGE = "bound", "range"
+# Rows of what was deleted do not count. These kinds, and one name, are not called as the piece is.
+OF_PIECES = {"javascript": "npm", "arithmetic of tools/bake": "baker"}
+DELETED = {name for name in PIECES if is_deleted(name)}
 OF_VALUES = BOUND, RANGE  # kinds of rows that experimental functions have not
 MEMBERS = {"hn_place": ("cell",), "hn_octaves": ("place", "seed"), "hn_slopes": (), "hn_shifts": ()}  # else all
 CONSTANT = re.compile(r"^ *#define (HN_(?:METRIC|DISTRIBUTION|HASH|GRADIENT|ARITHMETIC|FAST|PRECISE|FIXED)\w*) +(\w+)",
@@ -73,14 +69,6 @@ def shaders() -> Iterator[Row]:
     yield from (("file", path.name, "") for path in GLSL.iterdir() if path.is_file())
     for path in glsl_files().values():
         yield from (("constant", *found) for found in CONSTANT.findall(path.read_text(encoding="utf-8")))
-    for module in (*asked.modules().values(), HASHES):
-        yield from (("rust", bare(form), "") for form in of_module(library.forms, *module))
-    for form in blender.FORMS:
-        for one in library.forms[form].parameters:
-            default = default_of(parameters.about(form, one.at.text, is_fixed=True), one.type)
-            yield "blender", f"{blender.shader(form)}.{one.at.text}", f"{one.type} {default}"
-        yield from (("blender", f"{blender.shader(form)}.{name.lower()}", f"output {type_}")
-                    for name, type_ in blender.outputs(form).items())
 
 
 def catalog() -> Iterator[Row]:
@@ -104,8 +92,9 @@ def catalog() -> Iterator[Row]:
     # The catalog does not have these two.
     yield from (("default", "wave", f"{found} along x")
                 for found in re.findall(r"\boptions\.wave\[0\] = ([\d.]+)f;", text_at("src", "grid", "plan.cpp")))
-    yield from (("default", "arithmetic of tools/bake", found)
-                for found in re.findall(r'"arithmetic": "(\w+)"', text_at(*PACKAGE, "_bake.py")))
+    if not is_deleted("baker"):
+        yield from (("default", "arithmetic of tools/bake", found)
+                    for found in re.findall(r'"arithmetic": "(\w+)"', text_at(*PACKAGE, "_bake.py")))
 
 
 def cpp() -> Iterator[Row]:
@@ -123,7 +112,7 @@ def cpp() -> Iterator[Row]:
 
 def python() -> Iterator[Row]:
     """Parameters: their place, unless they are passed by name alone, and their default, of the first overload."""
-    for module in ("__init__", "dask"):
+    for module in () if is_deleted("python") else ("__init__", "dask"):
         prefix = "" if module == "__init__" else f"{module}."
         for function in ast.parse(text_at(*PACKAGE, f"{module}.pyi")).body:
             if isinstance(function, ast.FunctionDef):
@@ -138,6 +127,8 @@ def python() -> Iterator[Row]:
 
 def javascript() -> Iterator[Row]:
     """The modules, and the declarations in these. The functions of WGSL and of TSL have the names of forms."""
+    if is_deleted("npm"):
+        return
     exports = json.loads(text_at("packages", "npm", "package.json"))["exports"]
     yield from (("javascript", f"hashnoise{path.removeprefix('.')}", "import") for path in exports)
     for path in sorted((ROOT / "packages" / "npm" / "src").rglob("*.d.ts")):
@@ -154,29 +145,17 @@ def javascript() -> Iterator[Row]:
                     yield "javascript", f"{name}.{found[2]}{number}", f"{found[1] or ''} {found[3]}".strip()
 
 
-def nodes() -> Iterator[Row]:
-    """The nodes of packages for engines; Blender's are in shaders()."""
-    for form in materialx.FORMS:
-        for one in materialx.inputs(form):
-            usual = re.search(r'(?:value|defaultgeomprop)="([^"]*)"', one.said)
-            yield "materialx", f"{materialx.node(form)}.{one.name}", f"{materialx.TYPES[one.type]} {usual[1]}"
-        output = re.search(r'<output name="(\w+)" type="(\w+)"', materialx.declared(form))
-        yield "materialx", f"{materialx.node(form)}.{output[1]}", f"output {output[2]}"
+def packages() -> Iterator[Row]:
+    """The nodes of engines' graphs, and what packages have by interface() of their files."""
     for form in hlsl_nodes.NODES:
         ports = ", ".join(" ".join(port) for port in hlsl_nodes.ports(form))
-        for arithmetic, suffix in hlsl_nodes.ARITHMETICS.items():
+        for suffix in hlsl_nodes.ARITHMETICS.values():
             name = f"HashNoise{suffix}{hlsl_nodes.camel(form)}"
             yield "graph", name, ports
             yield "graph", f"{name}.Out", f"output {hlsl_nodes.PORTS[hlsl_nodes.forms()[form].type]}"
-            yield "unreal", f"{bare(form)} {arithmetic}", f"{unreal.code(form, arithmetic)} {unreal.output(form)}"
-    for name, look in isf.LOOKS.items():
-        for one in isf.inputs(look):
-            of = {key: value for key, value in isf.INPUTS[one].items() if not key.startswith("LABEL")}
-            yield "isf", f"hn-{name}.{one}", json.dumps(of)
-    scale = re.search(r"^SCALE = ([\d.]+)", (blender.PACKAGE / "nodes.py").read_text(encoding="utf-8"), re.M)
-    yield "blender", "Scale", scale[1]
-    yield from (("unity", bare(form), "") for form in unity.SCRIPTS)
-    yield from (("godot", f"{Path(name).stem}.gdshaderinc", "") for name in godot.public_parts(godot.parts()))
+    for path in sorted((TOOLS / "lib" / "ship").glob("*/files.py")):
+        module = importlib.import_module(f"ship.{path.parent.name}.files")
+        yield from ((path.parent.name, *row) for row in getattr(module, "interface", list)())
 
 
 def bounds() -> Iterator[Row]:
@@ -199,7 +178,7 @@ def library() -> Rows:
     out."""
     experimental = {function.calls for function in read_functions() if function.experimental}
     found: Rows = {}
-    for part in (shaders, catalog, cpp, python, javascript, nodes, bounds):
+    for part in (shaders, catalog, cpp, python, javascript, packages, bounds):
         for kind, name, what in part():
             if kind not in OF_VALUES or f"hn_{name.removeprefix('hn_').split(' ')[0]}" not in experimental:
                 found.setdefault((kind, name), what)
@@ -243,6 +222,8 @@ def stays(kind: str, was: str, now: str | None) -> bool:
 
 def changed(table: Rows, rows: Rows) -> Iterator[str]:
     for (kind, name), was in sorted(table.items()):
+        if OF_PIECES.get(name, OF_PIECES.get(kind, kind)) in DELETED:
+            continue
         now = rows.get((kind, name))
         if not stays(kind, was, now):
             may = " (a bound may only become smaller)" if kind == BOUND else ""

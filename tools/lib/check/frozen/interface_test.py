@@ -12,7 +12,6 @@ from base.tree import INTERFACE, ROOT
 from catalog import parameters
 from check.frozen import interface
 from ship import hlsl_nodes
-from ship.materialx import files as materialx
 from translate.pick import program
 
 TEXT_OF = Path.read_text
@@ -78,10 +77,14 @@ class Interface(Case):
     def test_the_library_is_as_in_the_committed_table(self) -> None:
         rows = interface.library()
         self.assertEqual([*interface.changed(self.table, rows), *interface.stale(self.table, rows)], [])
-        self.assertEqual(INTERFACE.read_text(encoding="utf-8"), interface.text_of(rows))
+        if not interface.DELETED:
+            self.assertEqual(INTERFACE.read_text(encoding="utf-8"), interface.text_of(rows))
 
     def test_a_change_is_reported(self) -> None:
         for file, before, after, said in CHANGES:
+            if not (ROOT / file).exists() or said.split()[0] in interface.DELETED:
+                continue
+
             def changed(path: Path, *arguments: str, **named: str) -> str:
                 text = TEXT_OF(path, *arguments, **named)
                 return text.replace(before, after, 1) if path == ROOT / file else text
@@ -94,21 +97,24 @@ class Interface(Case):
                 self.assertNotEqual((ROOT / file).read_text(encoding="utf-8"), TEXT_OF(ROOT / file, encoding="utf-8"))
                 self.assertIn(said, "\n".join(interface.changed(self.table, interface.library())))
 
-    def test_a_changed_input_of_a_node_is_reported(self) -> None:
+    @unittest.skipIf("materialx" in interface.DELETED, "MaterialX was deleted")
+    def test_a_changed_node_of_materialx_is_reported(self) -> None:
+        from ship.materialx import files as materialx
         key = "jitter", "float"
         other = materialx.INPUTS[key]._replace(said='value="0.5"')
         with mock.patch.dict(materialx.INPUTS, {key: other}):
             messages = [*interface.changed(self.table, interface.library())]
         self.assertRegex(messages[0], r"\Amaterialx hn_\w+.jitter: it was float 1.0, and is float 0.5\. ")
+        with mock.patch.dict(materialx.TYPES, {"vec3": "color3"}):
+            messages = "\n".join(interface.changed(self.table, interface.library()))
+        self.assertIn("materialx hn_warp3d.out: it was output vector3, and is output color3. ", messages)
 
     def test_a_changed_output_of_a_node_is_reported(self) -> None:
         with mock.patch.dict(hlsl_nodes.PORTS, {"vec2": "float3"}):
             messages = "\n".join(interface.changed(self.table, interface.library()))
         self.assertIn("graph HashNoiseWarp2.Out: it was output float2, and is output float3. ", messages)
-        self.assertIn("unreal warp2 fast: it was return hn_warp(", messages)
-        with mock.patch.dict(materialx.TYPES, {"vec3": "color3"}):
-            messages = "\n".join(interface.changed(self.table, interface.library()))
-        self.assertIn("materialx hn_warp3d.out: it was output vector3, and is output color3. ", messages)
+        if "unreal" not in interface.DELETED:
+            self.assertIn("unreal warp2 fast: it was return hn_warp(", messages)
 
     def test_what_is_new_and_bounds_that_shrink_are_no_change_and_written(self) -> None:
         init, grid = ("javascript", "init"), ("javascript", "Field.grid")

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from base import modules
 from catalog.copies import LINES
 
 
@@ -38,7 +39,7 @@ PAGES = ("README.md", "docs/guide/gallery/README.md",
              "reference/fractals", "reference/knobs", "reference/noises")))
 RECORDS = ("docs/measured/results/**/*.csv", "src/grid/*.*")
 
-PARTS = (
+PARTS = tuple(part for part in (
     Part("catalog", "what the library, packages and pages have of catalog/, the version and the address", "a second",
          "catalog.command",
          ("catalog/*.toml", "glsl/hashnoise/config.glsl", "conformance/web/address.js", "CHANGELOG.md"),
@@ -51,8 +52,8 @@ PARTS = (
          # config.glsl is by hand, and the products above this part are made of it.
          ("glsl/hashnoise/[!c]*.glsl", "glsl/hashnoise/c[!o]*.glsl", "glsl/hashnoise/detail/*"), python=(3, 9)),
     Part("readme", "pictures, numbers and tables of pages", "half a minute", "ship.readme.command",
-         (*PAGES, *LIBRARY, *RECORDS, "tools/lib/ship/readme/*.[ch]pp",
-          "catalog/*.toml", "packages/blender/nodes.py"),
+         (*PAGES, *LIBRARY, *RECORDS, "tools/lib/ship/readme/*.[ch]pp", "tools/lib/ship/*/files.py",
+          "tools/lib/measure/tables.py", "catalog/*.toml", "packages/blender/nodes.py"),
          (*PAGES, "docs/images/*.png", "docs/guide/gallery/*.png", "packages/*/README.md")),
     Part("bounds", "ranges, slopes and errors, proven: bounds.inc, and the tables of docs/measured/accuracy.md",
          "half a minute", "proof.bounds.command",
@@ -68,7 +69,8 @@ PARTS = (
           "docs/measured/results/gpu/costs.csv",
           "conformance/expected/golden/noise2d.perlin.golden"), ("docs/develop/one-noise.md",)),
     Part("freeze", "entries of new functions among what never changes", "seconds for each function", "check.frozen.command",
-         (*LIBRARY, *SUITE, "docs/measured/accuracy.md", "packages/blender/nodes.py", "packages/npm/src/**/*.d.ts",
+         (*LIBRARY, *SUITE, "docs/measured/accuracy.md", "tools/lib/ship/*/files.py", "packages/blender/nodes.py",
+          "packages/npm/src/**/*.d.ts",
           "packages/python/hashnoise/*.pyi"),
          ("conformance/expected/frozen.csv", "conformance/expected/interface.csv"), sample=True, program="hn-frozen"),
     Part("snippets", "docs/reference/snippets: functions to paste", "half a minute", "translate.pick.pages",
@@ -84,4 +86,4 @@ PARTS = (
          ("build/site/index.html",), by_name=True, check=()),
     Part("format", "C++, GLSL and Python, formatted", "seconds, and half a minute at first", "check.format.command", (),
          (), by_name=True, check=()),
-)
+) if modules.path_of(part.module).is_file())  # else it was deleted

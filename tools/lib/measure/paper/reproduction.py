@@ -15,13 +15,13 @@ import numpy as np
 from scipy import stats
 
 from base.png import png
-from base.tree import HN_CONFORM
+from base.tree import CONFORMANCE, HN_CONFORM
 from base.usage import Parser
 from measure import conform, page, record, stamps
 from measure.paper import plots
 from measure.record import Record
 
-PRINTED = record.read(Path(__file__).with_name("printed.csv")).rows
+PRINTED = record.read(CONFORMANCE / "paper" / "printed.csv").rows
 SIZES = ("800x600", "1024x768")
 SECTIONS = ("table", "values", "period", "bandwidth")
 SHEETS = {"as intended": "As intended", "as published": "As published, on this driver",

@@ -1,6 +1,7 @@
 """Tests of the proofs for the exact noise and its derivatives: how large they can be, and how fast they can
 change."""
 
+import functools
 import itertools
 import math
 import unittest
@@ -8,16 +9,19 @@ import unittest
 import numpy as np
 
 from base.thorough import in_thorough_runs
-from proof.bounds import exact_model as exact
 from proof.bounds import noises, suprema
 from proof.bounds.boxes import Boxes, cell, corners, fade_derivative, largest_derivative, supremum
 from proof.bounds.gradients import LENGTH, OCTAHEDRAL, ROTATED, SINE, octahedral_support
+from proof.bounds.integers import UNIT
 from proof.bounds.noises import value_cubic
 from proof.bounds.noises.perlin import exact as perlin
+from proof.bounds.noises.perlin import fixed
 from proof.bounds.noises.perlin.exact import SCALE
-from proof.bounds.table import bounds_of, slope_bounds_of
+from proof.bounds.table import bounds_of
+from proof.oracle import gradients as oracle
+from proof.oracle.noises import perlin as oracle_perlin
 
-CASES = noises.find("perlin").CASES
+CASES = noises.find("perlin").cases
 DIMS = (1, 2, 3, 4)
 QUANTITIES = (suprema.VALUE, suprema.SLOPE, suprema.LIPSCHITZ, suprema.SLOPE_LIPSCHITZ)
 
@@ -25,6 +29,13 @@ QUANTITIES = (suprema.VALUE, suprema.SLOPE, suprema.LIPSCHITZ, suprema.SLOPE_LIP
 def proven(kind, dims):
     """The bounds of hn_perlin in bounds.inc."""
     return bounds_of("perlin", dims, kind.name)
+
+
+@functools.cache
+def gradients(dims):
+    """All that the contract has: axes by gradients."""
+    words = range(0, 2**32, 2**18) if dims > 1 else range(0, 2**23, 2**14)
+    return np.array(sorted({oracle.OCTAHEDRAL[dims](word) for word in words})).T
 
 
 def searched(function, dims, count=4000, rounds=30):
@@ -44,14 +55,13 @@ class Supports(unittest.TestCase):
     def test_gradients_of_the_contract_reach_it(self):
         rng = np.random.default_rng(17)
         for dims, count in ((1, 512), (2, 8), (3, 12), (4, 24)):
-            words = np.arange(2**14, dtype=np.int64) << 18 if dims > 1 else np.arange(512, dtype=np.int64) << 14
-            gradients = np.unique(np.array(exact.gradient(OCTAHEDRAL, dims, words)).T, axis=0)
-            self.assertEqual(len(gradients), count)
-            self.assertEqual(abs(gradients).max(), OCTAHEDRAL.component(dims))
-            self.assertAlmostEqual(np.sqrt((gradients**2).sum(axis=1)).max(), LENGTH[dims])
+            every = gradients(dims)
+            self.assertEqual(every.shape, (dims, count))
+            self.assertEqual(abs(every).max(), OCTAHEDRAL.component(dims))
+            self.assertAlmostEqual(np.sqrt((every**2).sum(axis=0)).max(), LENGTH[dims])
             edges = np.eye(dims), np.ones((dims, 1)), np.zeros((dims, 1))
             v = np.concatenate([rng.uniform(-1, 1, (dims, 1000)), *edges], axis=1)
-            self.assertLess(abs((gradients @ v).max(axis=0) - octahedral_support(v)).max(), 1e-14)
+            self.assertLess(abs((every.T @ v).max(axis=0) - octahedral_support(v)).max(), 1e-14)
 
     def test_reach(self):
         for dims, reach in zip(DIMS, (511 / 512, 1, 2, 2)):
@@ -97,8 +107,7 @@ class Search(unittest.TestCase):
             point = rng.uniform(0.05, 0.95, (dims, 1))
             boxes = Boxes(0, np.zeros((dims, 1), np.int64))
             limit = suprema.curvature(quantity, OCTAHEDRAL, boxes)[0]
-            g = {corner: np.array(exact.gradient(OCTAHEDRAL, dims, np.int64(word)))[:, None]
-                 for corner, word in zip(corners(dims), rng.integers(0, 2**32, 2**dims))}
+            g = {corner: rng.choice(gradients(dims), 1, axis=1) for corner in corners(dims)}
 
             def total(f):
                 return sum(float((g[corner] * suprema.vector(quantity, f, corner, of_corner)).sum())
@@ -121,6 +130,16 @@ class Range(unittest.TestCase):
             self.assertTrue(largest <= limit < largest + 1e-5)
             self.assertEqual(limit, round(limit, 5))
 
+    def test_fixed_sums_have_room(self):
+        """Rounding leaves room for 32 octaves. With the sine gradient it takes values beyond the range."""
+        for dims in DIMS:
+            room = 1 - perlin.range_bound(dims, OCTAHEDRAL) - fixed.range_loss(dims, OCTAHEDRAL)
+            self.assertGreater(room, 32 * 2 * UNIT)
+            self.assertEqual(proven(OCTAHEDRAL, dims).fixed_limit, 1)
+        for dims in (2, 3):
+            limit = perlin.range_bound(dims, SINE) + fixed.range_loss(dims, SINE)
+            self.assertTrue(limit <= proven(SINE, dims).fixed_limit < limit + 1e-5)
+
     def test_sine_range_is_that_of_the_sum(self):
         """Attained in the middle of the cell, and nowhere more."""
         for dims in (2, 3):
@@ -139,39 +158,11 @@ class Range(unittest.TestCase):
             self.assertGreater((SCALE[kind][dims] + 1.5 / 1024) * attained, 1)
 
     def test_scales_are_the_contracts(self):
-        self.assertEqual(SCALE, exact.SCALE)
-
-    def test_derivatives_of_the_model(self):
-        """By differences: the quantities are about the contract's derivatives."""
-        rng, step = np.random.default_rng(21), 1e-5
-        for dims, kind in CASES:
-            f = rng.uniform(0.1, 0.9, (dims, 200))
-            shape = (dims, 200) if kind is SINE else 200
-            words = {corner: rng.integers(0, 2**32, shape) for corner in corners(dims)}
-            _, derivatives = exact.perlin(kind, words.__getitem__, list(f))
-            for axis, derivative in zip(np.eye(dims), derivatives):
-                high, low = (exact.perlin(kind, words.__getitem__, list(f + sign * step * axis[:, None]))[0]
-                             for sign in (1, -1))
-                self.assertLess(abs((high - low) / (2 * step) - derivative).max(), 1e-6)
-            if kind is OCTAHEDRAL:
-                self.assertLess(abs(np.array(derivatives)).max(), slope_bounds_of("perlin_d", dims).limit)
+        self.assertEqual((SCALE[OCTAHEDRAL], SCALE[OCTAHEDRAL] | SCALE[ROTATED]),
+                         (oracle_perlin.OCTAHEDRAL_SCALES, oracle_perlin.ROTATING_SCALES))
 
 
 class Lipschitz(unittest.TestCase):
-    def test_random_differences(self):
-        rng = np.random.default_rng(2)
-        for dims, kind in CASES:
-            p = rng.uniform(-4, 4, (dims, 20_000))
-            reach = 10 ** rng.uniform(-5, 0, 20_000)
-            way = np.where(rng.random(p.shape) < 0.3, rng.uniform(-1, 1, p.shape), rng.choice((-1, 1), p.shape))
-            q = p + way * reach
-            (high, slopes), (low, others) = exact.perlin_at(kind, list(p)), exact.perlin_at(kind, list(q))
-            distance = abs(p - q).max(axis=0)
-            self.assertLessEqual((abs(high - low) / distance).max(), proven(kind, dims).lipschitz)
-            if kind is OCTAHEDRAL:
-                for a, b in zip(slopes, others):
-                    self.assertLessEqual((abs(a - b) / distance).max(), slope_bounds_of("perlin_d", dims).lipschitz)
-
     def test_of_cubic_noise(self):
         for dims in (1, 2, 3):
             seen, _ = searched(value_cubic.steepest, dims, 1000)

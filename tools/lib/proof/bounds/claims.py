@@ -14,7 +14,6 @@ from catalog.model import Catalog, Function, Noise, Sum
 from catalog.tables import glsl
 from proof.bounds import noises, sums
 from proof.bounds.documents import Everything
-from proof.bounds.exact_model import ENDS
 from proof.bounds.float_sums import octave_tolerance
 from proof.bounds.gradients import GRADIENTS, SINE
 from proof.bounds.table import Bounds, shortest
@@ -83,7 +82,7 @@ def range_of_sum(sum_: Sum) -> Range | None:
         return OTHER_SUMS.get(sum_.name)
     n, strength = np.linspace(-1, 1, 2**12 + 1), sum_.strength.most if sum_.strength else 0
     terms = [sums.step_of(sum_.name).term(n, before, strength)[0] for before in (0, 0.25, 0.5)]
-    values = ENDS[sum_.mean](np.concatenate(terms))
+    values = sums.ENDS[sum_.mean](np.concatenate(terms))
     return float(values.min()), float(values.max())
 
 
@@ -129,14 +128,14 @@ def ends_of(noise: Noise, component: str, dims: int, derived: Everything) -> tup
     base, _, phase = component.partition("_")
     name = f"{noise.name}_{phase}" if phase else noise.name
     if re.fullmatch(r"f\d", base):
-        modules = ["cellular_phase"] if phase else ["cellular", "cellular_three"]
-        return [0.0], [[end for module in modules for end in noises.find(module).ends(dims)][int(base[1]) - 1]]
+        proofs = ["cellular_phase"] if phase else ["cellular", "cellular_three"]
+        return [0.0], [[end for proof in proofs for end in noises.find(proof).ends(dims)][int(base[1]) - 1]]
     of = derived.get((name, dims, GRADIENTS[0])) or derived.get((name, dims, None))
     if not of:
         return [], []
-    of, module = (base == "d" and of.slope) or of, noises.find(name)
+    of, least = (base == "d" and of.slope) or of, noises.find(name).least
     greatest = [of.promise, of.range, max(of.largest, of.fixed_largest)]
-    return [module.least(dims)] if hasattr(module, "least") else [-end for end in greatest], greatest
+    return [least(dims)] if least else [-end for end in greatest], greatest
 
 
 def is_derived(end: float, derived: list[float]) -> bool:

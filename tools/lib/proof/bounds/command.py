@@ -62,7 +62,7 @@ from proof.bounds.table import (
 
 
 def keys() -> list[Key]:
-    return [(name, dims, gradient) for name in noises.names() for dims, gradient in noises.find(name).CASES]
+    return [(name, dims, gradient) for name in noises.names() for dims, gradient in noises.find(name).cases]
 
 
 def family(key: Key) -> str:
@@ -120,10 +120,10 @@ def without_proof() -> list[str]:
         found += refused or [f"catalog/sums.toml: {wrong}" for wrong in claims.wrong_sum(sum_)]
     for name, dims in {(function.bound, function.axes) for function in read_functions()}:
         if name in noises.names():
-            if all(dims != of_case for of_case, _ in noises.find(name).CASES):
-                found.append(f"tools/lib/proof/bounds/noises/{name}.py has no proof in {dims}D")
+            if all(dims != of_case for of_case, _ in noises.find(name).cases):
+                found.append(f"tools/lib/proof/bounds/noises has no proof of {name} in {dims}D")
         elif name not in ("exact", "sine", *sums.CATALOG, *OF_THEIR_OWN):
-            found.append(f"tools/lib/proof/bounds/noises has no proof of {name}: write {name}.py")
+            found.append(f"tools/lib/proof/bounds/noises has no proof of {name}: write one, and name it in PROOFS")
     return sorted(set(found))
 
 
@@ -170,8 +170,7 @@ def intermediates(key: Key) -> dict[str, float]:
 
 
 def described(key: Key) -> dict[str, object]:
-    describe = getattr(noises.find(key[0]), "describe", None)
-    return describe(*key[1:]) if describe else {}
+    return noises.find(key[0]).describe(*key[1:])
 
 
 def everything_for_a_reader(derived: Everything) -> dict[str, dict]:

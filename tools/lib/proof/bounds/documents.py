@@ -206,7 +206,7 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
         f"within {scientific(rotations.float_error())} of those of the phase",
         f"which adds {scientific(rotations.fixed_rounding(3))} for each unit")]
     stated += [(ACCURACY, text) for text in (*uniform.quotes(), *gullies.quotes())]
-    return stated + [quote for name in noises.names() for quote in getattr(noises.find(name), "quotes", list)()]
+    return stated + [quote for name in noises.names() for quote in noises.find(name).quotes()]
 
 
 def missing_quotes(derived: Everything, root: Path = ROOT) -> list[str]:
@@ -266,11 +266,11 @@ def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gr
     """The right value of a number in the comment of a function, rounded up: an "error", that "in a cell", that of an
     "offset", or the end of a "range". Where there are several ends, they have a place."""
     if noise_of(function) in noises.names():
-        module, dims = noises.find(noise_of(function)), dimensions_of(function)
+        proof, dims = noises.find(noise_of(function)), dimensions_of(function)
         if kind == "offset":
-            return module.offset_error(dims, fixed) if hasattr(module, "offset_error") else None
-        if kind == "range" and hasattr(module, "ends"):
-            ends = module.ends(dims)
+            return proof.offset_error(dims, fixed) if proof.offset_error else None
+        if kind == "range" and proof.ends:
+            ends = proof.ends(dims)
             return ends[place] if place < len(ends) else None
         of_noise = of_function(function, gradient, derived)
         of_noise = of_noise.slope or of_noise  # the value is another noise's

@@ -334,7 +334,7 @@ class New(unittest.TestCase):
             f"catalog/sums.toml: vague: the error hardly any has to be one of {claims.FORMS}",
             "tools/lib/proof/bounds has no proof of the sum billow_d",
             "tools/lib/proof/bounds/features.py has no proof of the metric minkowski",
-            "tools/lib/proof/bounds/noises has no proof of spots: write spots.py",
+            "tools/lib/proof/bounds/noises has no proof of spots: write one, and name it in PROOFS",
             "tools/lib/proof/bounds/steps.py has no proof of the step spike, by which spiky adds an octave",
             "tools/lib/proof/bounds/sums.py has no proof of the mean veil, by which veiled ends",
             "tools/lib/proof/sums/bounds.cpp has no proof of the mean veil: write it, and name it in the switch",
@@ -345,7 +345,8 @@ class New(unittest.TestCase):
 class Entries(unittest.TestCase):
     def test_perlin_is_found_and_others_are_not(self):
         self.assertIn("perlin", noises.names())
-        with self.assertRaisesRegex(LookupError, "write tools/lib/proof/bounds/noises/merlin.py"):
+        message = "no bounds of merlin: write them in tools/lib/proof/bounds/noises, and name them in PROOFS"
+        with self.assertRaisesRegex(LookupError, message):
             noises.find("merlin")
 
     def test_a_noise_without_a_row(self):

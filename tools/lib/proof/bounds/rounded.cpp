@@ -1,11 +1,14 @@
-// The text of the library over floats that round as badly as GLSL lets them, for the tests of tools/make bounds. The
-// file rounded.inc, which rounded.py writes, has a FUNCTION(body) for each function: those of the suite's table.
+// The text of the library over floats that round as badly as GLSL lets them, or over doubles, for the tests of
+// tools/make bounds. The file rounded.inc, which rounded.py writes, has a FUNCTION(body) for each function: those of
+// the suite's table.
 //
 // It reads questions, until there are no more, and answers each:
 //
-//   int32 function, int32 mode (0 to nearest, 1 down, 2 up, 3 either at random), int32 lost bits, uint32 seed,
-//   double fuse (how often a*b + c is rounded once), int32 count, and count times 16 words
-//   count times 4 words
+//   int32 function, int32 mode (0 to nearest, 1 down, 2 up, 3 either at random, 4 not at all), int32 lost bits, uint32
+//   seed, double fuse (how often a*b + c is rounded once), int32 count, and count times 16 words; with mode 4 count
+//   times 16 doubles more, and the word of a float is the index of one of these count times 4 words, with mode 4
+//   doubles, of floats alone
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdio>
@@ -16,6 +19,8 @@
 
 namespace hashnoise {
 namespace rounded {
+
+constexpr int kExact = 4;  // the mode in which nothing rounds
 
 struct Rounding {
   int mode = 0;
@@ -30,6 +35,7 @@ struct Rounding {
 
   // One of the two floats around x; x itself, if it is a float, or too small to differ from 0.
   double round(double x) {
+    if (mode == kExact) return x;
     if (lost_bits > 0 && std::isfinite(x)) {
       int exponent = 0;
       const double mantissa = std::frexp(x, &exponent);
@@ -61,8 +67,8 @@ struct Rounded {
     return rounded;
   }
 
-  explicit operator int() const { return detail::convert<int>(static_cast<float>(value)); }
-  explicit operator uint() const { return detail::convert<uint>(static_cast<float>(value)); }
+  explicit operator int() const { return static_cast<int>(std::clamp(value, -0x1p31, 0x1p31 - 1.0)); }
+  explicit operator uint() const { return static_cast<uint>(std::clamp(value, 0.0, 0x1p32 - 1.0)); }
 
   bool fuses() const { return exact != value && rounding.random() < rounding.fuse; }
   friend Rounded sum(Rounded a, Rounded b, double sign) {
@@ -132,8 +138,15 @@ using hn_vec4 = vec4;
 #define float Rounded
 #include "../../../../glsl/hashnoise/hashnoise.glsl"
 
-Rounded float_of(uint bits) { return uintBitsToFloat(bits); }
-uint bits_of(Rounded x) { return floatBitsToUint(x); }
+// Of an evaluation in doubles: a word is the index of one.
+inline const double* arguments = nullptr;
+inline std::vector<double> results;
+Rounded float_of(uint bits) { return rounding.mode == kExact ? exactly(arguments[bits]) : uintBitsToFloat(bits); }
+uint bits_of(Rounded x) {
+  if (rounding.mode != kExact) return floatBitsToUint(x);
+  results.push_back(x.value);
+  return static_cast<uint>(results.size() - 1);
+}
 #define SEEDED(s) , s
 #define SEED(s) s
 #define FUNCTION(...) \
@@ -158,14 +171,27 @@ int main() {
   while (std::fread(&question, sizeof question, 1, stdin) == 1 && std::fread(&count, sizeof count, 1, stdin) == 1) {
     std::vector<std::uint32_t> in(static_cast<std::size_t>(count) * 16);
     std::vector<std::uint32_t> out;
+    std::vector<double> in_exactly(question.mode == rounded::kExact ? in.size() : 0);
+    std::vector<double> out_exactly;
     if (std::fread(in.data(), sizeof in[0], in.size(), stdin) != in.size()) return 1;
+    if (std::fread(in_exactly.data(), sizeof(double), in_exactly.size(), stdin) != in_exactly.size()) return 1;
     rounded::rounding = {question.mode, question.lost_bits, question.fuse, question.seed};
+    rounded::arguments = in_exactly.data();
     for (const std::uint32_t* x = in.data(); x != in.data() + in.size(); x += 16) {
       const uvec4 found = rounded::kBodies[question.function]({x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6], x[7]},
                                                               {x[8], x[9], x[10], x[11]}, {x[12], x[13], x[14], x[15]});
       out.insert(out.end(), {found.x, found.y, found.z, found.w});
+      for (const std::uint32_t word : {found.x, found.y, found.z, found.w}) {
+        out_exactly.push_back(word < rounded::results.size() ? rounded::results[word] : 0.0);
+      }
+      rounded::results.clear();
+      rounded::arguments += 16;
     }
-    std::fwrite(out.data(), sizeof out[0], out.size(), stdout);
+    if (question.mode == rounded::kExact) {
+      std::fwrite(out_exactly.data(), sizeof(double), out_exactly.size(), stdout);
+    } else {
+      std::fwrite(out.data(), sizeof out[0], out.size(), stdout);
+    }
     std::fflush(stdout);
   }
   return 0;

@@ -1,6 +1,8 @@
-"""The text of the library in 32-bit floats, with any rounding, or in integers, for the tests of the bounds: a function
-is
-named by its row in the suite's table, and by the columns of that."""
+"""The text of the library in 32-bit floats, with any rounding, in doubles, or in integers, for the tests of the bounds:
+a function is named by its row in the suite's table, and by the columns of that.
+
+The text in doubles stands for the exact noise, so that a test of a bound needs no noise of its own. Golden files
+compare the text with the contract."""
 
 from __future__ import annotations
 
@@ -20,6 +22,7 @@ from catalog.tables.functions import Column, read_functions
 
 SOURCE = Path(__file__).with_suffix(".cpp")
 MODES = ("nearest", "down", "up", "random")
+DOUBLES = "doubles"  # the mode in which nothing rounds
 FIXED = "HN_ARITHMETIC=HN_FIXED"  # a macro: then only inputs and outputs round
 
 
@@ -30,6 +33,9 @@ class Rounding:
     seed: int = 0
     fuse: float = 0.0
     lost_bits: int = 0
+
+
+NEAREST, EXACT = Rounding("nearest"), Rounding(DOUBLES)
 
 
 def roundings(seed: int) -> list[Rounding]:
@@ -71,16 +77,18 @@ class Text:
 
     def __call__(self, id: str, rounding: Rounding, **columns: np.ndarray | float) -> list[np.ndarray]:
         """The results of a function: the floats of each output, at each point."""
-        return [words.view(np.float32).astype(float) for words in self.words(id, rounding, **columns)]
+        found = self.words(id, rounding, **columns)
+        return found if rounding == EXACT else [words.view(np.float32).astype(float) for words in found]
 
     def words(self, id: str, rounding: Rounding, **columns: np.ndarray | float) -> list[np.ndarray]:
-        function = self.bodies[id]
-        words = packed(id, function.inputs, columns)
-        head = struct.pack("iiiIdi", list(self.bodies).index(id), MODES.index(rounding.mode), rounding.lost_bits,
-                           rounding.seed, rounding.fuse, len(words))
-        self.process.stdin.write(head + words.tobytes())
+        """Doubles where nothing rounds, not even the columns."""
+        function, type_ = self.bodies[id], np.dtype(float if rounding == EXACT else np.uint32)
+        words, doubles = packed(id, function.inputs, columns, rounding == EXACT)
+        head = struct.pack("iiiIdi", list(self.bodies).index(id), (*MODES, DOUBLES).index(rounding.mode),
+                           rounding.lost_bits, rounding.seed, rounding.fuse, len(words))
+        self.process.stdin.write(head + words.tobytes() + doubles.tobytes())
         self.process.stdin.flush()
-        out = np.frombuffer(self.process.stdout.read(16 * len(words)), np.uint32).reshape(-1, 4)
+        out = np.frombuffer(self.process.stdout.read(4 * type_.itemsize * len(words)), type_).reshape(-1, 4)
         return [np.ascontiguousarray(column) for column in out.T[:len(function.outputs)]]
 
 
@@ -95,14 +103,19 @@ def along_axes(prefix: str, columns: Iterable[np.ndarray]) -> dict[str, np.ndarr
     return {f"{prefix}{axis}": column for axis, column in zip("xyzw", columns)}
 
 
-def packed(id: str, inputs: tuple[Column, ...], columns: dict[str, np.ndarray | float]) -> np.ndarray:
-    """The 16 words of each point."""
+def packed(id: str, inputs: tuple[Column, ...], columns: dict[str, np.ndarray | float],
+           exactly: bool) -> tuple[np.ndarray, np.ndarray]:
+    """The 16 words of each point; and as many doubles. The word of a float is then the index of its double."""
     count = max(np.size(column) for column in columns.values())
-    words = np.zeros((count, 16), np.uint32)
+    words, doubles = np.zeros((count, 16), np.uint32), np.zeros((count, 16) if exactly else 0)
     if {of.name for of in inputs} != columns.keys():
         raise ValueError(f"{id} takes {' '.join(map(str, inputs))}, and not {', '.join(columns)}")
     for number, of in enumerate(inputs):
         column = np.broadcast_to(columns[of.name], count)
-        words[:, number] = (column.astype(np.float32).view(np.uint32) if of.type == "f32"
-                            else (column.astype(np.int64) & 0xFFFFFFFF).astype(np.uint32))
-    return words
+        if of.type != "f32":
+            words[:, number] = (column.astype(np.int64) & 0xFFFFFFFF).astype(np.uint32)
+        elif exactly:
+            words[:, number], doubles[:, number] = number, column
+        else:
+            words[:, number] = column.astype(np.float32).view(np.uint32)
+    return words, doubles

@@ -9,9 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from catalog.tables.markdown import table
-from proof.bounds import exact_model as exact
-from proof.bounds.gradients import OCTAHEDRAL
-from proof.bounds.rounded import FIXED, Rounding, Text, along_axes
+from proof.bounds.rounded import EXACT, FIXED, NEAREST, Rounding, Text, along_axes
 
 PITCHES = (60, 250, 1000)  # pixels to a cell, within a tenth: of some numbers all pixels are cut off alike
 CASES = (("perlin", 2), ("perlin", 3), ("value", 2), ("value", 3))
@@ -31,30 +29,25 @@ def of(steps: np.ndarray, own: np.ndarray) -> Steps:
 
 
 @functools.cache
-def text() -> Text:
-    return Text([f"noise{dims}d.{noise}{form}_cell" for noise, dims in CASES for form in ("", "_d")], FIXED)
+def text(*macros: str) -> Text:
+    return Text([f"noise{dims}d.{noise}_d_cell" for noise, dims in CASES], *macros)
 
 
 def measure(noise: str, dims: int, pitch: int) -> tuple[Steps, Steps]:
     """The steps of slopes that are differences of neighbouring pixels, and of the derivative that is returned."""
     rng = np.random.default_rng(1)
-    cells = list(rng.integers(-2**31, 2**31, (dims, POINTS)))
-    words_of = exact.words_at(OCTAHEDRAL, cells)
+    cells = along_axes("c", rng.integers(-2**31, 2**31, (dims, POINTS))) | {"seed": 0}
     pixels = pitch * rng.uniform(0.9, 1.1, POINTS)
     along, *across = rng.random((dims, POINTS)) * (ONE - 2 * ONE / (0.9 * min(PITCHES)))
-    values, slopes, exact_values, exact_slopes = [], [], [], []
-    for pixel in range(3):
+
+    def at(pixel: int, how: Rounding, *macros: str) -> list[np.ndarray]:
         places = [along + pixel * ONE / pixels, *across]
-        fractions, exactly = [x.astype(np.int64) for x in places], [x / ONE for x in places]
-        columns = along_axes("c", cells) | along_axes("f", [f / ONE for f in fractions]) | {"seed": 0}
-        value, = text()(f"noise{dims}d.{noise}_cell", Rounding("nearest"), **columns)
-        _, slope, *_ = text()(f"noise{dims}d.{noise}_d_cell", Rounding("nearest"), **columns)
-        right, slopes_there = (exact.perlin(OCTAHEDRAL, words_of, exactly) if noise == "perlin"
-                               else exact.value(words_of, exactly))
-        values.append(value - right)
-        slopes.append(slope - slopes_there[0])
-        exact_values.append(right)
-        exact_slopes.append(slopes_there[0])
+        f = [x / ONE for x in (places if how == EXACT else map(np.floor, places))]
+        return text(*macros)(f"noise{dims}d.{noise}_d_cell", how, **cells, **along_axes("f", f))[:2]
+
+    exact = np.array([at(pixel, EXACT) for pixel in range(3)])
+    values, slopes = (np.array([at(pixel, NEAREST, FIXED) for pixel in range(3)]) - exact).transpose(1, 0, 2)
+    exact_values, exact_slopes = exact.transpose(1, 0, 2)
     return (of(np.diff(values, 2, axis=0) * pixels, np.diff(exact_values, 2, axis=0) * pixels),
             of(np.diff(slopes[:2], axis=0), np.diff(exact_slopes[:2], axis=0)))
 

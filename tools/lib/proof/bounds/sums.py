@@ -237,6 +237,13 @@ def fixed_octave_tolerance(s: Sum, noise: Bounds) -> float:
     return MEANS[mean](error)
 
 
+def density(mean):
+    t = np.clip(2 * mean + 0.25, 0, 1)
+    return t * t * (3 - 2 * t)
+
+
+ENDS = {  # of a sum: its value, from the mean of its octaves
+    "": lambda mean: mean, "bounded": lambda mean: mean, "billows": lambda mean: 2 * mean - 1, "density": density}
 MEANS = {  # of a sum: what becomes of the error of the mean. A clamp brings no two values further apart
     "": lambda error: error, "bounded": lambda error: error, "billows": lambda error: 2 * error,
     # The clamp and the doubling are exact, the smoothstep has slopes up to 3/2.

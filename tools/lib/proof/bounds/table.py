@@ -193,7 +193,7 @@ def bounds_of(noise: str, dimensions: int, gradient: str, macro: str = "NOISE_BO
         if (bounds.noise, bounds.dimensions) == (noise, dimensions) and bounds.gradient in (gradient, "none"):
             return bounds
     raise LookupError(f"{PATH} has no bounds of {noise} in {dimensions}D with the gradient {gradient}: write "
-                      f"tools/lib/proof/bounds/noises/{noise}.py, then run tools/make bounds")
+                      "a proof in tools/lib/proof/bounds/noises, then run tools/make bounds")
 
 
 def slope_bounds_of(noise: str, dimensions: int) -> Bounds:

@@ -9,11 +9,12 @@ from typing import TypeVar
 
 from proof.oracle.integers import SLOPE_UNIT, UNIT, signed
 from proof.oracle.lattice import Lattice
-from proof.oracle.noises import VECTOR, Noise, simplex_d
+from proof.oracle.noises import VECTOR, Noise, find
 from proof.oracle.words import MASK, SEED_STEP, mix
 
 Number = TypeVar("Number", int, Fraction)
 
+SIMPLEX_D = find("simplex_d")
 UNITS = (SLOPE_UNIT,) * 3
 COARSER = 8  # in space a component with HN_FIXED is in units of 2^-16
 MOVE = (Fraction(1, 2), Fraction(0), Fraction(1, 4))  # of the place of the second noise in space
@@ -39,10 +40,10 @@ def in_the_plane(gradient: Sequence[Number]) -> tuple[Number, Number]:
 
 
 def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple[Fraction, ...]:
-    _, *a = simplex_d.exact(lattice, cell, f)
+    _, *a = SIMPLEX_D.exact_in_cell(lattice, cell, f)
     if len(cell) == 2:
         return in_the_plane(a)
-    _, *b = simplex_d.exact(second(lattice), *moved(cell, f, 1))
+    _, *b = SIMPLEX_D.exact_in_cell(second(lattice), *moved(cell, f, 1))
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
@@ -57,10 +58,10 @@ def fixed_component(a: Sequence[int], b: Sequence[int], i: int, j: int) -> int:
 
 
 def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int, ...]:
-    _, *a = simplex_d.fixed(lattice, cell, fraction)
+    _, *a = SIMPLEX_D.fixed_in_cell(lattice, cell, fraction)
     if len(cell) == 2:
         return in_the_plane(a)
-    _, *b = simplex_d.fixed(second(lattice), *moved(cell, fraction, UNIT))
+    _, *b = SIMPLEX_D.fixed_in_cell(second(lattice), *moved(cell, fraction, UNIT))
     return tuple(fixed_component(a, b, i, j) for i, j in ((1, 2), (2, 0), (0, 1)))
 
 

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import re
 import zipfile
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cache
 from pathlib import Path
 
 from base.tree import GLSL, ROOT, address, version
-from catalog import asked
+from catalog import asked, parameters
 from catalog.tables.markdown import table
 from ship.packing import Refused, papers
 from translate.parsing.syntax import Function
 from translate.pick.command import Choice, picker, read_library
+from translate.pick.osl import default_of
 
 PACKAGE = ROOT / "packages" / "blender"
 MANIFEST = "blender_manifest.toml"
@@ -57,6 +58,16 @@ def node_table() -> str:
         sizes.setdefault((name.replace("_", " "), others, kind), []).append(f"{size}D")
     return table(("noise", "there are", "inputs besides `Vector` and `Scale`", "outputs"),
                  [(name, ", ".join(of), others, kind) for (name, others, kind), of in sizes.items()])
+
+
+def interface() -> Iterator[tuple[str, str]]:
+    """The names that stay from 1.0 on, with their meaning: rows of conformance/expected/interface.csv."""
+    for form in FORMS:
+        for one in functions()[form].parameters:
+            default = default_of(parameters.about(form, one.at.text, is_fixed=True), one.type)
+            yield f"{shader(form)}.{one.at.text}", f"{one.type} {default}"
+        yield from ((f"{shader(form)}.{name.lower()}", f"output {type_}") for name, type_ in outputs(form).items())
+    yield "Scale", re.search(r"^SCALE = ([\d.]+)", (PACKAGE / "nodes.py").read_text(encoding="utf-8"), re.M)[1]
 
 
 def wheel_file(path: Path) -> bytes:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
 from base.tree import ROOT, version
@@ -44,6 +45,11 @@ TURN = "fract(TIME / 8.0)"
 def public_parts(library: dict[str, Part]) -> list[str]:
     return [name for name, part in library.items() if not name.startswith("detail/")
             and (any(PUBLIC.match(line) for line in part.lines) or "Made by tools/make" in part.lines[0])]
+
+
+def interface() -> Iterator[tuple[str, str]]:
+    """As of ship.blender."""
+    return ((f"{Path(name).stem}.gdshaderinc", "") for name in public_parts(parts()))
 
 
 def part_text(name: str, library: dict[str, Part], stripped: dict[str, Part]) -> str:

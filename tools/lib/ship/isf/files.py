@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from functools import cache
 from typing import NamedTuple
 
@@ -86,7 +87,15 @@ void main() {{
 """
 
 
-def look_table() -> str:
+def interface() -> Iterator[tuple[str, str]]:
+    """As of ship.blender."""
+    for name, look in LOOKS.items():
+        for one in inputs(look):
+            of = {key: value for key, value in INPUTS[one].items() if not key.startswith("LABEL")}
+            yield f"hn-{name}.{one}", json.dumps(of)
+
+
+def node_table() -> str:
     return table(("file", "what it is", "inputs of its own"),
                  [(f"`hn-{name}.fs`", look.said, ", ".join(f"`{one}`" for one in look.more))
                   for name, look in LOOKS.items()])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from functools import cache
 from typing import NamedTuple
 from xml.sax.saxutils import quoteattr
@@ -198,6 +199,16 @@ def implementations(target: str) -> str:
     return document("".join(
         f'  <implementation name="{definition(form).replace("ND_", "IM_", 1)}_{target}" nodedef="{definition(form)}" '
         f'file="{node(form)}.{TARGETS[target]}" function="{node(form)}" target="{target}" />\n' for form in FORMS))
+
+
+def interface() -> Iterator[tuple[str, str]]:
+    """As of ship.blender."""
+    for form in FORMS:
+        for one in inputs(form):
+            usual = re.search(r'(?:value|defaultgeomprop)="([^"]*)"', one.said)
+            yield f"{node(form)}.{one.name}", f"{TYPES[one.type]} {usual[1]}"
+        output = re.search(r'<output name="(\w+)" type="(\w+)"', declared(form))
+        yield f"{node(form)}.{output[1]}", f"output {output[2]}"
 
 
 def node_table() -> str:

@@ -5,12 +5,8 @@ file has which function, the size of all of them in one, and what packages for o
     tools/make readme --check    whether they are up to date, and the README states the costs
 
 A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of
-docs/guide/gallery. The typical values are those of 2^16 points. The costs are those of
-docs/measured/results/llvmpipe/bench.csv, which hn-conform bench writes, and of peers.csv beside it, which tools/measure
-peers writes. Costs on GPUs by their compilers are of docs/measured/results/gpu, by tools/measure gpu, and compile.csv
-is by tools/measure compile. How random hashes are is in docs/measured/results/quality.csv, directions.csv and
-hashes.csv, by tools/measure hashes, how noises are in judged.csv beside them, by tools/measure noise, and how uniform
-values are in uniform.csv, by tools/measure uniform.
+docs/guide/gallery. The typical values are those of 2^16 points. Costs and randomness are from the records of
+docs/measured/results, by the tables() of tools/lib/measure/tables.py.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
 compile, or a page cannot be read.
@@ -18,45 +14,44 @@ compile, or a page cannot be read.
 
 from __future__ import annotations
 
+import importlib
 import re
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
+from base.pieces import is_deleted
 from base.tree import ROOT
 from base.usage import Parser
 from catalog.tables.markdown import with_section
-from measure import cpu, fills, neon, record, stamps
-from measure.compile import command as of_compilers
-from measure.gpu import pages as of_gpus
-from measure.noise import record as of_noises
-from measure.rust import TARGETS
-from measure.uniform import command as of_uniform
-from ship.blender import files as blender
-from ship.isf import files as isf
-from ship.materialx import files as materialx
-from ship.readme import files, gallery, hashes, numbers, picture
-from ship.unity import files as unity
-from ship.unreal import files as unreal
+from ship.readme import files, gallery, numbers, picture
 
 README = "README.md"
-KNOBS = "docs/reference/knobs.md"
-MEASURING = "docs/measured/measuring.md"
-DEFAULT_HASH = "docs/measured/default-hash.md"
 NOISES = "docs/reference/noises.md"
 SUMS = "docs/reference/fractals.md"
 LANGUAGES = "docs/guide/languages.md"
 ENGINES = "docs/guide/engines.md"
-HASHES = "docs/measured/hashes.md"
-QUALITY = "docs/measured/quality.md"
-JUDGE = "docs/measured/judge.md"
-UNIFORM = "docs/guide/uniform.md"
-RECORDS = "docs/measured/results/README.md"
 SIZE = re.compile(r"(--strip --out noise\.glsl`, )\d+ kB")  # of the whole library, in the README
+
+
+def of_measuring(part: str) -> Iterable:
+    """The tables of records, or the quotes of them."""
+    if is_deleted("measuring"):
+        return ()
+    from measure import tables as of_records
+    return getattr(of_records, part)()
+
+
+def of_packages() -> Iterator[tuple[str, str, str]]:
+    """The tables of nodes on the pages of packages."""
+    for path in sorted((ROOT / "tools" / "lib" / "ship").glob("*/files.py")):
+        module = importlib.import_module(f"ship.{path.parent.name}.files")
+        if hasattr(module, "node_table"):
+            yield f"packages/{path.parent.name}/README.md", "tools/make readme: nodes", module.node_table()
 
 
 def tables() -> list[tuple[str, str, str]]:
     """Made parts of pages: the page, the name of the marks, and the table."""
-    typical, costs = numbers.typical(), numbers.costs(numbers.CPU)
+    typical = numbers.typical()
     return [(NOISES, "tools/make readme: values", numbers.typical_table(typical, numbers.COMMON)),
             (SUMS, "tools/make readme: typical values of sums", numbers.typical_table(typical, numbers.SUMS)),
             (SUMS, "tools/make readme: typical values of sums in 1D and 4D",
@@ -65,44 +60,11 @@ def tables() -> list[tuple[str, str, str]]:
             (LANGUAGES, "tools/make readme: picked", files.picked_text("hn_value2", "glsl")),
             (LANGUAGES, "tools/make readme: picked in WGSL", files.picked_text("hn_lattice2", "wgsl")),
             (LANGUAGES, "tools/make readme: picks", files.picks_table()),
-            (LANGUAGES, "tools/make readme: picked in Rust", files.picked_text("hn_lattice2", "rust")),
             (LANGUAGES, "tools/make readme: files", files.files_table()),
-            (MEASURING, "tools/make readme: peers",
-             numbers.peer_table(numbers.peer_costs(numbers.CPU), numbers.peer_costs(numbers.GPU))
-             + "".join(stamps.note(f"{machine}/peers.csv") for machine in (numbers.CPU, numbers.GPU))),
-            *((page, f"tools/make readme: {name}", made + stamps.note(of)) for page, name, made, of in (
-                (MEASURING, "costs", numbers.cost_table(costs, "spirv", "of SPIR-V"), "llvmpipe/bench.csv"),
-                (MEASURING, "costs on a GPU",
-                 numbers.cost_table(numbers.costs(numbers.GPU), "nvidia", "of NVIDIA's assembly"), "h100/bench.csv"),
-                (MEASURING, "costs by compilers", of_gpus.chip_table(of_gpus.costs()), "gpu/costs.csv"),
-                (KNOBS, "costs of arithmetics", of_gpus.arithmetics_quote(of_gpus.costs()), "gpu/costs.csv"),
-                (DEFAULT_HASH, "costs of the hash", of_gpus.titled_table(of_gpus.costs(), of_gpus.HASHED),
-                 "gpu/costs.csv"),
-                (UNIFORM, "uniform", of_uniform.page_table(of_uniform.read()), "uniform.csv"),
-                (MEASURING, "noises", numbers.form_table(costs), "llvmpipe/bench.csv"),
-                (MEASURING, "compile times", of_compilers.page_table(of_compilers.record()), "llvmpipe/compile.csv"),
-                (MEASURING, "packages for Python", numbers.package_table(numbers.package_costs("python")),
-                 "cpu/python.csv"),
-                *((MEASURING, f"crates on {target}",
-                   numbers.package_table([row for row in numbers.package_costs("rust") if row["target"] == target]),
-                   "cpu/rust.csv") for target in TARGETS),
-                *((MEASURING, f"grids by {title}", cpu.page_table(record.read(fills.RESULTS / name).rows), f"cpu/{name}")
-                  for title, name in (("GCC", "gcc.csv"), ("Clang", "clang.csv"))),
-                (MEASURING, "NEON", neon.page_table(record.read(fills.RESULTS / "neon.csv").rows), "cpu/neon.csv"),
-                (HASHES, "hashes", hashes.pasted_table(hashes.record("hashes.csv")), "hashes.csv"),
-                *((QUALITY, name, make(hashes.record(of)), of) for name, make, of in (
-                    ("hashes of the library", hashes.hash_table, "quality.csv"),
-                    ("controls", hashes.control_table, "quality.csv"),
-                    ("looks", hashes.look_table, "directions.csv"),
-                    ("traces", hashes.trace_table, "directions.csv"))),
-                (JUDGE, "judged", of_noises.judge_table(of_noises.read()), "judged.csv"))),
-            (RECORDS, "tools/make readme: records", stamps.records_table()),
             (ENGINES, "tools/make readme: nodes", files.nodes_table()),
-            ("packages/blender/README.md", "tools/make readme: nodes", blender.node_table()),
-            ("packages/materialx/README.md", "tools/make readme: nodes", materialx.node_table()),
-            ("packages/unity/README.md", "tools/make readme: nodes", unity.node_table()),
-            ("packages/unreal/README.md", "tools/make readme: nodes", unreal.node_table()),
-            ("packages/isf/README.md", "tools/make readme: looks", isf.look_table())]
+            *([] if is_deleted("pick-rust") else [
+                (LANGUAGES, "tools/make readme: picked in Rust", files.picked_text("hn_lattice2", "rust"))]),
+            *of_packages(), *of_measuring("tables")]
 
 
 def problems(check: bool) -> list[str]:
@@ -122,8 +84,7 @@ def problems(check: bool) -> list[str]:
     elif right != readme:
         found.append(f"{README}: the size of the single file is not what it should be; run tools/make readme")
     found += [f"{README}: it must state {quote!r}"
-              for quote in (*numbers.cost_quotes(), of_compilers.quote(of_compilers.record()),
-                            numbers.golden_quote())
+              for quote in (numbers.golden_quote(), *of_measuring("quotes"))
               if quote not in readme]
     return found
 

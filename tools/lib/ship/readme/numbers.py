@@ -1,4 +1,4 @@
-"""The numbers that pages state of the library: typical values, and costs."""
+"""The numbers that pages state of the library: typical values, and how many are golden."""
 
 from __future__ import annotations
 
@@ -12,12 +12,6 @@ import catalog.model
 from base.tree import GOLDEN
 from base.twin import SOON, compile_program
 from catalog.tables.markdown import table
-from measure import record, stamps
-from measure.peers import CALLS, PEERS, dimensions, subject
-from measure.stamps import RESULTS
-
-CPU, GPU = "llvmpipe", "h100"  # the renderers in RESULTS that pages name
-Costs = Mapping[str, Mapping[str, str]]  # the rows of bench.csv, by id
 
 # --- Typical values ---------------------------------------------------------------------------------------------------
 
@@ -72,81 +66,7 @@ def footprint_quote(errors: Mapping[str, float]) -> str:
             f"{errors['deviation']:.2f}.\n")
 
 
-# --- Costs ------------------------------------------------------------------------------------------------------------
-
-NOISES = {  # in the table, by the end of its ids
-    "table.float": "Perlin/Float (`table.float`)",
-    "table.integer": "Perlin/Integer (`table.integer`)",
-    "lattice": "`lattice`, the default",
-    "fnv1+sine": "`fnv1+sine`, the paper's",
-}
-ROWS = ("table.float", "table.integer", "lattice", "lattice+precise", "lattice+fixed", "partial_fnv1", "murmur",
-        "partial_jenkins", "fnv1", "jenkins", "fnv1+sine")
-FORMS = ("perlin", "perlin_cell", "perlin_period", "perlin_d", "perlin_phase", "value", "value_d", "value_cubic", "simplex",
-         "simplex_d", "simplex_phase", "simplex_d_phase", "simplex_smooth", "cellular", "cellular_nearest",
-         "cellular_three", "cellular_d", "cellular_smooth", "cell_border")
-
-
-def costs(renderer: str, file: str = "bench.csv") -> Costs:
-    return {row["id"]: row for row in record.read(RESULTS / renderer / file).rows}
-
-
-def peer_costs(renderer: str) -> Costs:
-    return costs(renderer, "peers.csv")
-
-
-def ids(noise: str) -> list[str]:
-    """In 2D and in 3D."""
-    return [f"{noise}{n}" if noise.startswith("table.") else f"noise{n}d.perlin.{noise}" for n in (2, 3)]
-
-
-def cost_table(rows: Costs, count: str, whose: str) -> str:
-    """The ratios, and the instructions of a column of bench.csv."""
-    lines = [[NOISES.get(noise, f"`{noise}`"), *(f"{float(rows[id]['ratio']):.2f}" for id in ids(noise)),
-              *(rows[id][count] for id in ids(noise))] for noise in ROWS]
-    return table(("noise", "2D", "3D", f"instructions {whose}, 2D", "3D"), lines)
-
-
-def form_table(rows: Costs) -> str:
-    """The cost of each noise, by its dimensions: with floats / fixed."""
-    def cell(form: str, axes: int) -> str:
-        ids = [f"noise{axes}d.{form}.lattice{arithmetic}" for arithmetic in ("", "+fixed")]
-        return " / ".join(_cost(rows[id]) for id in ids if id in rows)
-
-    return table(("noise", "1D", "2D", "3D", "4D"),
-                 [[f"`hn_{form}`", *(cell(form, axes) for axes in range(1, 5))] for form in FORMS])
-
-
-def peer_table(*machines: Costs) -> str:
-    """Ours beside other libraries', from the peers.csv of each machine."""
-    def cell(id: str) -> str:
-        return ", ".join(_cost(rows[id]) for rows in machines)
-
-    lines = []
-    for noise in dict.fromkeys(call.noise for call in CALLS):
-        calls = {call.peer: call for call in CALLS if call.noise == noise}
-        ours = next(iter(calls.values())).ours
-        lines.append([noise, cell(f"{ours}.lattice"),
-                      *(cell(f"{subject(calls[peer.option])}{dimensions(calls[peer.option])}")
-                        if peer.option in calls else "" for peer in PEERS)])
-    return table(("noise", "hashnoise", *(peer.title for peer in PEERS)), lines)
-
-
-def _cost(row: Mapping[str, str]) -> str:
-    return f"{float(row['ratio']):.2f}"
-
-
-def cost_quotes() -> list[str]:
-    """The README's sentences on costs by a clock: on the GPU, all by one table, and of packages for Python."""
-    rows = peer_costs(GPU)
-    one, six = ([_of_theirs(rows, noise.format(axes)) for axes in (2, 3)] for noise in ("Perlin {}D", "fBm {}D, 6 octaves"))
-    of = (stamps.read(RESULTS / name).facts["hashnoise"].split()[0] for name in (f"{GPU}/peers.csv", "cpu/python.csv"))
-    others = [float(row["ratio"]) for row in package_costs("python")
-              if row["noise"].startswith("six octaves") and row["package"] != "hashnoise"]
-    return [f"as much as FastNoiseLite's ({one[0]:.2f} times in 2D, {one[1]:.2f} in 3D), and six octaves a quarter "
-            f"({six[0]:.2f} and {six[1]:.2f})",
-            f"take {min(others):.0f} to {max(others):.0f} times as long",
-            f"measured with {' and '.join(dict.fromkeys(of))}"]
+# --- Golden values ---------------------------------------------------------------------------------------------------
 
 
 def golden_quote() -> str:
@@ -154,27 +74,3 @@ def golden_quote() -> str:
     found = sum(len(group.split()) for path in GOLDEN.glob("*.golden") for row in path.read_text(encoding="ascii").splitlines()
                 for group in row.split(" = ")[1:] if group != "-" and not row.startswith("columns "))
     return f"computes {found // 10_000 * 10_000:,} golden values"
-
-
-def package_costs(language: str) -> list[dict[str, str]]:
-    """The rows of python.csv or rust.csv."""
-    return record.read(RESULTS / "cpu" / f"{language}.csv").rows
-
-
-def package_table(rows: Sequence[Mapping[str, str]]) -> str:
-    """A row for each package, a column for each noise: nanoseconds, and the time in ours."""
-    noises = dict.fromkeys(row["noise"] for row in rows)
-    found = {(row["package"], row["noise"]): f"{row['nanoseconds']} · {_two_digits(float(row['ratio']))}" for row in rows}
-    packages = dict.fromkeys((row["package"], row["version"]) for row in rows)
-    return table(("package", *noises), [[f"{package} {version}", *(found.get((package, noise), "") for noise in noises)]
-                                        for package, version in packages])
-
-
-def _two_digits(ratio: float) -> str:
-    return f"{ratio:.0f}" if ratio >= 10 else f"{ratio:.2g}"
-
-
-def _of_theirs(rows: Costs, noise: str) -> float:
-    """The cost of our noise, in FastNoiseLite's."""
-    [call] = [call for call in CALLS if (call.noise, call.peer) == (noise, "fastnoiselite")]
-    return float(rows[f"{call.ours}.lattice"]["ratio"]) / float(rows[f"{subject(call)}{dimensions(call)}"]["ratio"])

@@ -15,10 +15,10 @@ import sys
 from collections.abc import Sequence
 
 from base.golden_values import Golden
+from base.pieces import is_deleted
 from base.tree import GLSL, ROOT
 from base.usage import Parser
 from catalog.tables.markdown import table, with_section
-from measure.gpu import pages as of_gpus
 from proof.oracle.cells import weighted_sum
 from proof.oracle.noises import perlin
 from ship.readme import files
@@ -75,11 +75,12 @@ def golden() -> str:
 
 
 def price() -> str:
+    from measure.gpu import pages as of_gpus
     return of_gpus.titled_table(of_gpus.costs(), {f"{ID}.{setting}": name for setting, name in SETTINGS.items()})
 
 
 def with_quotes(page: str) -> str:
-    for part in (contract, text, picked, oracle, bounds, golden, price):
+    for part in (contract, text, picked, oracle, bounds, golden, *[price] * (not is_deleted("measuring"))):
         page = with_section(NAME, page, f"tools/make one-noise: {part.__name__}", part())
     return page
 

@@ -9,7 +9,7 @@ import json
 import re
 import tomllib
 import uuid
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from fnmatch import fnmatchcase
 from pathlib import Path
 
@@ -38,24 +38,35 @@ def of_others(root: Path = ROOT) -> dict[str, list[Component]]:
     """Software of others, by the names of the files that need it: what pip, npm and cargo install beside a package, and
     what is compiled into the wheel. No other file of a release has or needs anything of that kind: into the twin of the
     npm package nothing is linked, and the add-on for Blender has no wheel in a release."""
-    project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))
-    package = json.loads((root / "packages" / "npm" / "package.json").read_text(encoding="utf-8"))
-    compiled_in = [text for text in project["build-system"]["requires"] if not text.startswith("scikit-build-core")]
-    wheel = [component("pypi", *required(text), "required", "pip installs it with the wheel")
-             for text in project["project"]["dependencies"]]
-    wheel += [component("pypi", *required(text), "required", "its C++ is compiled into the wheel")
-              for text in compiled_in]
-    wheel += [component("github", "tessil/robin-map", f"that {text} has inside", "required",
-                        "its C++ is compiled into the wheel with nanobind's")
-              for text in compiled_in if required(text)[0] == "nanobind"]
-    npm = [component("npm", name, versions, "required", "npm installs it with the package")
-           for name, versions in package.get("dependencies", {}).items()]
-    npm += [component("npm", name, versions, "optional", "a project that has it may use its part of the package")
-            for name, versions in package.get("peerDependencies", {}).items()]
-    crate = tomllib.loads((root / "packages" / "wesl" / "Cargo.toml").read_text(encoding="utf-8"))
-    wesl = [component("cargo", name, versions, "optional", "cargo builds it with the package, and npm needs nothing")
-            for name, versions in crate["dependencies"].items()]
-    return {"*.whl": wheel, "*.tgz": npm, "hashnoise_wgsl-*.zip": wesl}
+    manifests = (("*.whl", "pyproject.toml", of_wheel), ("*.tgz", "packages/npm/package.json", of_npm),
+                 ("hashnoise_wgsl-*.zip", "packages/wesl/Cargo.toml", of_wesl))
+    return {files: [*needed((root / manifest).read_text(encoding="utf-8"))] for files, manifest, needed in manifests
+            if (root / manifest).is_file()}
+
+
+def of_wheel(manifest: str) -> Iterator[Component]:
+    project = tomllib.loads(manifest)
+    for text in project["project"]["dependencies"]:
+        yield component("pypi", *required(text), "required", "pip installs it with the wheel")
+    for text in project["build-system"]["requires"]:
+        if not text.startswith("scikit-build-core"):
+            yield component("pypi", *required(text), "required", "its C++ is compiled into the wheel")
+        if required(text)[0] == "nanobind":
+            yield component("github", "tessil/robin-map", f"that {text} has inside", "required",
+                            "its C++ is compiled into the wheel with nanobind's")
+
+
+def of_npm(manifest: str) -> Iterator[Component]:
+    package = json.loads(manifest)
+    for name, versions in package.get("dependencies", {}).items():
+        yield component("npm", name, versions, "required", "npm installs it with the package")
+    for name, versions in package.get("peerDependencies", {}).items():
+        yield component("npm", name, versions, "optional", "a project that has it may use its part of the package")
+
+
+def of_wesl(manifest: str) -> Iterator[Component]:
+    for name, versions in tomllib.loads(manifest)["dependencies"].items():
+        yield component("cargo", name, versions, "optional", "cargo builds it with the package, and npm needs nothing")
 
 
 def component(kind: str, name: str, versions: str, scope: str, how: str) -> Component:
@@ -75,8 +86,9 @@ def license_of(name: str) -> dict[str, object]:
 
 def of_file(name: str, data: bytes, version: str) -> Component:
     kind = KINDS.get(Path(name).suffix)
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    said = project["license"] if kind == "pypi" else "MIT"
+    said = "MIT"
+    if kind == "pypi":
+        said = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["license"]
     return {"type": "file", "bom-ref": name, "name": name, "version": version,
             "hashes": [{"alg": "SHA-256", "content": hashlib.sha256(data).hexdigest()}],
             "licenses": [license_of(said)], **({"purl": f"pkg:{kind}/{OURS}@{version}"} if kind else {})}

@@ -17,6 +17,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from base.pieces import is_deleted
 from base.pypi import environment
 from base.tree import ROOT
 from ship.release import sbom
@@ -39,6 +40,7 @@ def made(files: dict[str, bytes] | None = None, seconds: int = 1_700_000_000) ->
     return sbom.bom("1.2.3", seconds, FILES if files is None else files, sbom.of_others())
 
 
+@unittest.skipIf(any(map(is_deleted, ("npm", "python", "rust", "wesl"))), "a package that needs something was deleted")
 class Contents(unittest.TestCase):
     def test_each_file_has_its_checksum(self) -> None:
         said = {one["name"]: one for one in made()["components"] if one["type"] == "file"}

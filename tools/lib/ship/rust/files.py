@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from functools import cache
 from typing import NamedTuple
@@ -69,6 +69,12 @@ def of_module(known: dict[str, Declared], functions: Sequence[str], most: int) -
         if function.name in functions and (not size or int(size[1]) <= most):
             found.append(name)
     return found
+
+
+def interface() -> Iterator[tuple[str, str]]:
+    """As of ship.blender."""
+    for module in (*MODULES.values(), HASHES):
+        yield from ((bare(form), "") for form in of_module(library("fixed").forms, *module))
 
 
 def marked(shown: str) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import cache
 from pathlib import PurePosixPath
 
@@ -12,6 +12,7 @@ from catalog.tables.markdown import table
 from ship.hlsl_nodes import ARITHMETICS, FORMS, NODES, PORTS, call, camel, forms, picked, ports, shader
 from ship.packing import of_npm, own_files
 from ship.recipes import RECIPES
+from translate.pick.scalars import bare
 
 PACKAGE = ROOT / "packages" / "unity"
 NAME = RECIPES["unity"].name
@@ -48,6 +49,11 @@ def node_table() -> str:
     return table(("name", "inputs", "output, `Out`"),
                  [(f"`HashNoise{camel(form)}`", ", ".join(f"{name} ({shown(of)})" for of, name in ports(form)),
                    shown(PORTS[forms()[form].type])) for form in NODES])
+
+
+def interface() -> Iterator[tuple[str, str]]:
+    """As of ship.blender."""
+    return ((bare(form), "") for form in SCRIPTS)
 
 
 def shown(type_: str) -> str:

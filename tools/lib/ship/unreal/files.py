@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from functools import cache
 
 from base.tree import ROOT, address, version
 from catalog.tables.markdown import table
 from ship.hlsl_nodes import ARITHMETICS, NODES, PORTS, call, forms, ports, shader
 from ship.packing import own_files
+from translate.pick.scalars import bare
 
 PACKAGE = ROOT / "packages" / "unreal"
 DESCRIPTION = "HashNoise.uplugin"
@@ -35,6 +37,12 @@ def node_table() -> str:
     return table(("Code", "Inputs", "Components of Position", "Output Type"),
                  [(f"`{key[0]}`", key[1], " or ".join(of), " or ".join(dict.fromkeys(types[key])))
                   for key, of in sizes.items()])
+
+
+def interface() -> Iterator[tuple[str, str]]:
+    """As of ship.blender."""
+    return ((f"{bare(form)} {arithmetic}", f"{code(form, arithmetic)} {output(form)}")
+            for form in NODES for arithmetic in ARITHMETICS)
 
 
 @cache

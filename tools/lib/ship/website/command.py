@@ -19,6 +19,7 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
+from base.pieces import is_deleted
 from base.pypi import environment
 from base.tree import ROOT, TOOLS
 from base.usage import Parser
@@ -29,7 +30,8 @@ HERE = Path(__file__).parent
 ENVIRONMENT = ROOT / "build" / "site-environment"
 MARK = "searchindex.js"  # by which a folder is known as a site
 # Products beside the pages: the command, where its page appears, and its name in the site.
-EXTRA = (("playground.html", ["playground", "--out", "{}/playground.html"], "playground.html"),)
+EXTRA = () if is_deleted("playground") else (
+    ("playground.html", ["playground", "--out", "{}/playground.html"], "playground.html"),)
 MORE = """
 ## On this site
 
@@ -78,7 +80,7 @@ def make(out: Path) -> None:
     with tempfile.TemporaryDirectory(dir=out.parent, prefix=f".{out.name}.") as scratch:
         source, made = Path(scratch) / "source", Path(scratch) / "made"
         (source / "extra").mkdir(parents=True)
-        pages.write(ROOT, source, MORE)
+        pages.write(ROOT, source, MORE if EXTRA else "")
         for page in snippets.whole().iterdir():
             name = f"docs/reference/snippets/{page.name}"
             (source / name).write_text(pages.searched(name, page.read_text(encoding="utf-8")), encoding="utf-8")

@@ -9,7 +9,8 @@ import shutil
 from collections.abc import Iterable
 from pathlib import Path
 
-from base.tree import files
+from base.pieces import is_deleted, was_deleted
+from base.tree import ROOT, address, files, version
 from ship.website import live
 
 # The parts of the site beside its pages, in the order in which a reader needs them. A page of docs/ is in one group.
@@ -27,6 +28,7 @@ GROUPS = {
     "Work on hashnoise": ["develop/internals", "develop/one-noise", "develop/adding", "develop/suite",
                           "develop/porting", "develop/release", "develop/publishing"],
 }
+GROUPS = {group: [page for page in those if not was_deleted(f"docs/{page}.md")] for group, those in GROUPS.items()}
 TOP = ("CHANGELOG", "CONTRIBUTING", "CODE_OF_CONDUCT", "SECURITY", "conformance/run/expect/README")
 # The page of a package that a command makes; pages of docs/ lead there.
 PACKAGE = re.compile(r"packages/[\w-]+/README\.md")
@@ -126,6 +128,8 @@ class Copy:
         name = posixpath.normpath(posixpath.join(posixpath.dirname(page), link))
         if name == "README.md":
             return posixpath.relpath("index.md", posixpath.dirname(page) or ".")
+        if self.root == ROOT and was_deleted(name):
+            return f"{address()}/blob/v{version()}/{name}"
         if name.startswith("..") or not (self.root / name).exists() or name.endswith(".md"):
             return link  # Sphinx reports a missing one
         if (self.root / name).is_file():
@@ -145,7 +149,8 @@ class Copy:
         text = (self.root / name).read_text(encoding="utf-8")
         text = searched(name, CHANGED.get(name, str)(text))
         to_playground = posixpath.relpath("playground.html", posixpath.dirname(name) or ".")
-        text = text.replace(PLAYGROUND, f'<a href="{to_playground}">playground.html</a>')
+        if not is_deleted("playground"):
+            text = text.replace(PLAYGROUND, f'<a href="{to_playground}">playground.html</a>')
         text = LINK.sub(lambda link: self.target(name, link[1]), text) + more
         copied = self.folder / ("index.md" if name == "README.md" else name)
         copied.parent.mkdir(parents=True, exist_ok=True)

@@ -57,10 +57,12 @@ if TYPE_CHECKING:
 
 
 class Syntaxes(Mapping):
-    """The languages of the CPU by their names. Each is imported when it is first used: nobody needs all at once."""
-    CLASSES = {"rust": ("rust", "Rust"), "csharp": ("csharp", "CSharp"), "c": ("c", "C"),
-               "typescript": ("javascript", "TypeScript"), "javascript": ("javascript", "JavaScript"),
-               "java": ("java", "Java"), "go": ("go", "Go"), "osl": ("osl", "Osl")}
+    """The languages of the CPU by their names, as far as their files are here. Each is imported when it is first used:
+    nobody needs all at once."""
+    CLASSES = {language: of for language, of in {
+        "rust": ("rust", "Rust"), "csharp": ("csharp", "CSharp"), "c": ("c", "C"),
+        "typescript": ("javascript", "TypeScript"), "javascript": ("javascript", "JavaScript"), "java": ("java", "Java"),
+        "go": ("go", "Go"), "osl": ("osl", "Osl")}.items() if Path(__file__).with_name(f"{of[0]}.py").is_file()}
 
     def __getitem__(self, language: str) -> type[Syntax]:
         module, name = self.CLASSES[language]
@@ -75,12 +77,14 @@ class Syntaxes(Mapping):
 
 SYNTAXES = Syntaxes()
 ALIASES = {"glsl-es": "glsl"}  # since one text is for both
-VERILOG = "verilog"  # modules for programs that make circuits
+VERILOG = "verilog"  # modules for programs that make circuits; verilog.py can be deleted
+OTHERS = [VERILOG] if Path(__file__).with_name("verilog.py").is_file() else []
 OF_VERILOG = ("constants", "clock", "stages", "multipliers")
 TSL = "tsl"  # three.js's, which is none: a module with the text of two of the shading languages
 # The languages in which --name names something, and what.
-NAMED = {"csharp": "the class", "java": "the class", "go": "the package", "osl": "the shader",
-         "hlsl": "names, which begin with it in place of hn"}
+NAMED = {language: what for language, what in {
+    "csharp": "the class", "java": "the class", "go": "the package", "osl": "the shader",
+    "hlsl": "names, which begin with it in place of hn"}.items() if language in (*SYNTAXES, "hlsl")}
 COMMENT = re.compile(r"//.*|(?s:/\*.*?\*/)")
 NO_PRECISE = "three.js passes `precise` to no shader: take --arithmetic fixed, whose bits are the same everywhere"
 
@@ -250,7 +254,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="tools/pick", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("names", nargs="*", metavar="FUNCTION", help="such as hn_perlin2")
-    parser.add_argument("--language", choices=(*LANGUAGES, *ALIASES, *SYNTAXES, TSL, VERILOG), default="glsl",
+    parser.add_argument("--language", choices=(*LANGUAGES, *ALIASES, *SYNTAXES, TSL, *OTHERS), default="glsl",
                         help="glsl (the default, and glsl-es is the same) is for 3.30 and later, GLSL ES 3.00 and WebGL2, "
                         "and with precise for 4.00 and ES 3.20; glsl-desktop is without highp, which naga refuses; "
                         "hlsl is for the shader models 5 and 6; precise is for glsl, hlsl and the languages of the CPU; "

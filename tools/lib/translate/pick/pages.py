@@ -20,7 +20,7 @@ from base.usage import Parser
 from catalog import asked
 from catalog.tables.markdown import table
 from translate.parsing.tokens import Unknown
-from translate.pick.command import Choice, picker
+from translate.pick.command import SYNTAXES, Choice, picker
 
 FOLDER = ROOT / "docs" / "reference" / "snippets"
 
@@ -32,6 +32,7 @@ LANGUAGES = (("GLSL", "glsl", "fast", "glsl"), ("HLSL", "hlsl", "fast", "hlsl"),
              ("C#", "csharp", "fixed", "csharp"), ("C", "c", "fixed", "c"), ("TypeScript", "typescript", "fixed", "ts"),
              ("JavaScript", "javascript", "fixed", "js"), ("Java", "java", "fixed", "java"),
              ("Go", "go", "fixed", "go"))
+LANGUAGES = tuple(one for one in LANGUAGES if one[2] == "fast" or one[1] in ("glsl", *SYNTAXES))  # else it was deleted
 OF_TREE = tuple(one for one in LANGUAGES if one[0] in ("GLSL", "HLSL", "WGSL"))
 NAMES = "GLSL, HLSL, WGSL, Slang, Metal, Godot, Rust, C#, C, TypeScript, JavaScript, Java and Go"
 Languages = Sequence[tuple[str, str, str, str]]

@@ -14,12 +14,9 @@ from base.thorough import THOROUGH
 from translate.names import wgsl_name
 from translate.parsing.syntax import Function
 from translate.pick.c import C
-from translate.pick.csharp import CSharp
+from translate.pick.command import SYNTAXES
 from translate.pick.evaluate import Module
-from translate.pick.go import Go
-from translate.pick.java import Java
 from translate.pick.javascript import JavaScript
-from translate.pick.rust import Rust
 from translate.pick.scalars import Part, Piece, Syntax, fields_of, pascal, results_of
 from translate.pick.values import AXES, SIZES, scalar_of
 
@@ -56,7 +53,7 @@ class Case(NamedTuple):
 
 class Runner:
     """Runs programs of a language. Words are read by `read` and written by `write`, where {} stands for the value."""
-    syntax: type[Syntax]
+    syntax: type[Syntax] | None  # none if it was deleted
     programs: Sequence[str]  # that are needed
     packages: str            # of Debian, which have them
     linters: Sequence[str] = ()  # programs that lint() needs beside them
@@ -153,7 +150,7 @@ class Runner:
 
 class RustRunner(Runner):
     """The text is a crate of its own, without std; an addition that overflows ends the program."""
-    syntax = Rust
+    syntax = SYNTAXES.get("rust")
     programs = ("rustc",)
     packages = "rustc rust-clippy"
     linters = ("clippy-driver",)
@@ -295,7 +292,7 @@ int main(void) {{
 
 class CSharpRunner(Runner):
     """Each text is in a namespace of its own."""
-    syntax = CSharp
+    syntax = SYNTAXES.get("csharp")
     programs = ("mcs", "mono")
     packages = "mono-mcs mono-runtime"
     read = {"float": "Words.Float()", "int": "unchecked((int)Words.Next())", "uint": "Words.Next()", "bool": "Words.Next() != 0u"}
@@ -383,7 +380,7 @@ export const write = () => writeFileSync("outputs", Uint32Array.from(outputs));
 
 class JavaRunner(Runner):
     """Each text is in a package of its own."""
-    syntax = Java
+    syntax = SYNTAXES.get("java")
     programs = ("javac", "java")
     packages = "default-jdk-headless"
     read = {"float": "Float.intBitsToFloat(Words.next())", "int": "Words.next()", "uint": "Words.next()",
@@ -430,7 +427,7 @@ public final class Words {{
 
 class GoRunner(Runner):
     """Each text is a package, with what calls it."""
-    syntax = Go
+    syntax = SYNTAXES.get("go")
     programs = ("go",)
     packages = "golang-go"
     read = {"float": "words.Float()", "int": "int32(words.Next())", "uint": "words.Next()", "bool": "words.Next() != 0"}
@@ -468,7 +465,7 @@ func Write() { os.WriteFile("outputs", outputs, 0644) }
         files = {"go.mod": "module hn\n\ngo 1.18\n", "words/words.go": self.WORDS, "main.go": main}
         for i, text, call in zip(numbers, texts, calls):
             files[f"m{i}/noise.go"] = text
-            chooses = "" if "func choose" in text or "choose(" not in call else Go.helpers["choose"]
+            chooses = "" if "func choose" in text or "choose(" not in call else self.syntax.helpers["choose"]
             head = f'package hashnoise\n\nimport "hn/words"\n\n{chooses}'
             files[f"m{i}/run.go"] = f"{head}func Run() {{\n{call}\n}}\n"
         written_to(folder, files)
@@ -491,6 +488,6 @@ func Write() { os.WriteFile("outputs", outputs, 0644) }
         return f"r{number}"
 
 
-RUNNERS: dict[str, type[Runner]] = {"rust": RustRunner, "csharp": CSharpRunner, "c": CRunner,
-                                   "javascript": JavaScriptRunner, "java": JavaRunner,
-                                   "go": GoRunner}
+RUNNERS: dict[str, type[Runner]] = {language: of for language, of in {
+    "rust": RustRunner, "csharp": CSharpRunner, "c": CRunner, "javascript": JavaScriptRunner, "java": JavaRunner,
+    "go": GoRunner}.items() if of.syntax}  # else it was deleted

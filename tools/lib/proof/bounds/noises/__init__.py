@@ -1,29 +1,16 @@
-"""The bounds of each noise. A noise is a module of this package, under its name, with
-
-    CASES               in which it exists: pairs of a number of dimensions and a kind of gradient, None if it has none
-    derive(dimensions, gradient) -> ProvenBounds
-    largest_intermediates(dimensions, gradient) -> dict
-                        of fixed arithmetic: by name, bounds of the magnitudes that must stay below 2^31
-
-and, if there is more to it,
-
-    quotes()            numbers in prose: pairs of a file and a text that must stand in it
-    describe(dimensions, gradient) -> dict    more numbers for the reader of tools/make bounds
-    ends(dimensions)    the ends of ranges, in the order in which the comments state them
-    offset_error(dimensions, fixed)    of each component of an offset
-"""
+"""The bounds of each noise. Each module has the proofs of noises that are alike, in PROOFS by their names."""
 
 from __future__ import annotations
 
 import functools
 import importlib
 import pkgutil
-from dataclasses import dataclass
-from types import ModuleType
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 from proof.bounds.boxes import SAFE
 from proof.bounds.floats import position_error
-from proof.bounds.gradients import Gradient
+from proof.bounds.gradients import SINE, Gradient
 from proof.bounds.table import Bounds, shortest
 
 
@@ -53,7 +40,7 @@ def derived(promise: float, exact: float, lipschitz: float, cell_error: float, p
     """Bounds of a noise with a fixed error that is the sum of its parts; the cut takes no value out of its range."""
     error, fixed = position_error(cell_error, lipschitz), sum(parts.values()) * SAFE
     return ProvenBounds(promise, exact, lipschitz, cell_error, error, exact + error, fixed,
-                   exact + (sum(parts.values()) - parts["cut"]) * SAFE, parts)
+                        exact + (sum(parts.values()) - parts["cut"]) * SAFE, parts)
 
 
 def listed(ranges: list[float]) -> str:
@@ -62,12 +49,42 @@ def listed(ranges: list[float]) -> str:
     return f"{', '.join(texts[:-1])} and {texts[-1]}"
 
 
+@dataclass(frozen=True)
+class Proof:
+    """The proofs of a noise: functions of a number of dimensions, and of a kind of gradient."""
+    cases: tuple[tuple[int, Gradient | None], ...]  # in which it exists: both, None if it has no gradient
+    derive: Callable[[int, Gradient | None], ProvenBounds]
+    # Of fixed arithmetic: by name, bounds of the magnitudes that must stay below 2^31.
+    largest_intermediates: Callable[[int, Gradient | None], dict[str, float]]
+    # More numbers for tools/make bounds --table
+    describe: Callable[[int, Gradient | None], dict[str, object]] = lambda *_: {}
+    # Of a number of dimensions: the ends of ranges in the order in which the comments state them, and the least value.
+    ends: Callable[[int], list[float]] | None = None
+    least: Callable[[int], float] | None = None
+    offset_error: Callable[[int, bool], float] | None = None  # of a component of an offset, in floats or in integers
+    # Numbers in prose: pairs of a file and a text that must stand in it
+    quotes: Callable[[], list[tuple[str, str]]] = list
+
+
+def of_components(proof: Proof) -> Proof:
+    """The proof of vectors whose components are the noise with other hashes."""
+    return replace(proof, cases=tuple(case for case in proof.cases if case[0] in (2, 3) and case[1] is not SINE),
+                   describe=lambda *_: {}, quotes=list)
+
+
 @functools.cache  # prose and comments are searched for them thousands of times
-def names() -> tuple[str, ...]:
-    return tuple(module.name for module in pkgutil.iter_modules(__path__))
+def proofs() -> dict[str, Proof]:
+    modules = [importlib.import_module(f"{__name__}.{module.name}") for module in pkgutil.iter_modules(__path__)]
+    every = {name: proof for module in modules for name, proof in module.PROOFS.items()}
+    return {name: every[name] for name in sorted(every)}
 
 
-def find(name: str) -> ModuleType:
+def names() -> list[str]:
+    return list(proofs())
+
+
+def find(name: str) -> Proof:
     if name not in names():
-        raise LookupError(f"there are no bounds of {name}: write tools/lib/proof/bounds/noises/{name}.py")
-    return importlib.import_module(f"{__name__}.{name}")
+        raise LookupError(f"there are no bounds of {name}: write them in tools/lib/proof/bounds/noises, "
+                          "and name them in PROOFS")
+    return proofs()[name]

@@ -1,51 +1,179 @@
-"""Proofs for hn_cellular, from docs/reference/contract.md, section 16; and of hn_cellular_three, which has
-its entry in cellular_three.py. features.py and distances.py of the folder above have the proofs.
+"""Proofs for cellular noise, from docs/reference/contract.md, section 16. features.py, distances.py, moving.py and
+borders.py of the folder above have them; here they are put together.
 
-One bound holds for all metrics: the largest. The bound of floats is the hybrid metric's, whose distances are the largest;
-in fixed arithmetic the Euclidean one's, by the root of a small square. The errors of offsets are smaller.
+HN_CELLULAR and HN_CELLULAR_THREE. One bound holds for all metrics: the largest. The bound of floats is the hybrid
+metric's, whose distances are the largest; in fixed arithmetic the Euclidean one's, by the root of a small square. The
+errors of offsets are smaller.
+
+HN_CELLULAR_PHASE. How fast distances change with the phase is not bounded here. One bound holds for the distances and
+for each component of an offset: the larger one. It is the offset's, which is rotated twice.
+
+HN_CELLULAR_D. The value is the first of hn_cellular, in the Euclidean metric. A derivative is a component of (position
+- point) / distance. An error of the position moves it by that over the distance: without a bound near the point. So the
+errors are for a derivative times the distance, in cells. They hold where the second distance is so much larger than the
+first that no other point is taken for the nearest one.
+
+HN_CELLULAR_SMOOTH. The sum of weights is largest where two points are at the place, in the middle of a wall, and others
+as near as they can be. It is nowhere 4, so it fits 32 bits in units of 2^-30.
+
+HN_CELL_BORDER. It changes by no more than the place moves: inside of a cell it is the distance to the nearest of some
+lines or planes, and at the border it is 0 on both sides.
 """
 
 from __future__ import annotations
 
-from proof.bounds import distances, features
+import math
+from dataclasses import replace
+
+from proof.bounds import borders, distances, features, moving
+from proof.bounds.boxes import SAFE
 from proof.bounds.floats import position_error
 from proof.bounds.gradients import Gradient
-from proof.bounds.noises import ProvenBounds, listed
+from proof.bounds.noises import Proof, ProvenBounds, listed
+from proof.bounds.table import scientific, shortest
 
+ACCURACY = "docs/measured/accuracy.md"
 CASES = ((2, None), (3, None))
-COUNT = 2
+CLEAR = 1 / 8  # a distance between two points that is seldom less
+CLIMBED = {2: 0.73, 3: 0.72}  # what borders.climb finds, rounded down
+LARGEST_SMOOTH = 7 / 8  # where no point is within 1
 
 
-def derived(dims: int, count: int) -> ProvenBounds:
+def proven(largest: float, lipschitz: float, cell_error: float, fixed: float, parts: dict[str, float]) -> ProvenBounds:
+    """Distances leave their range by their errors."""
+    error = position_error(cell_error, lipschitz)
+    return ProvenBounds(largest, largest, lipschitz, cell_error, error, largest + error, fixed, largest + fixed, parts)
+
+
+def total(parts: dict[str, float]) -> float:
+    return sum(parts.values()) * SAFE
+
+
+# --- Distances --------------------------------------------------------------------------------------------------------
+
+def derive_distances(dims: int, count: int) -> ProvenBounds:
     """Bounds of so many distances."""
     most = {metric: features.largest_distance(dims, count, metric) for metric in features.METRICS}
-    cell_error = max(distances.metric_error(metric, dims, largest) for metric, largest in most.items())
-    slope = max(distances.metric_slope(metric, dims, largest) for metric, largest in most.items())
-    fixed = max(distances.fixed_metric_error(metric, dims, largest) for metric, largest in most.items())
-    error, largest = position_error(cell_error, slope), max(most.values())
-    return ProvenBounds(largest, largest, slope, cell_error, error, largest + error, fixed, largest + fixed,
-                   distances.fixed_parts(dims))
-
-
-def derive(dims: int, _: Gradient | None) -> ProvenBounds:
-    return derived(dims, COUNT)
-
-
-def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
-    return distances.largest_intermediates(dims)
+    errors = [[of(metric, dims, largest) for metric, largest in most.items()]
+              for of in (distances.metric_slope, distances.metric_error, distances.fixed_metric_error)]
+    return proven(max(most.values()), *map(max, errors), distances.fixed_parts(dims))
 
 
 def quotes() -> list[tuple[str, str]]:
     plane, space = ([features.largest_distance(dims, count) for count in (1, 2, 3)] for dims in (2, 3))
-    return [("docs/measured/accuracy.md", f"{listed(plane)} in 2D, and below {listed(space)} in 3D")]
+    return [(ACCURACY, f"{listed(plane)} in 2D, and below {listed(space)} in 3D")]
 
 
-def ends(dims: int) -> list[float]:
-    return [features.largest_distance(dims, count) for count in (1, COUNT)]
+def of_distances(first: int, count: int) -> Proof:
+    """The proof of a noise with so many distances; those from the first on are its own."""
+    def ends(dims: int) -> list[float]:
+        return [features.largest_distance(dims, number) for number in range(first, count + 1)]
+
+    def describe(dims: int, _: Gradient | None) -> dict[str, object]:
+        return {f"{name}_largest": end for name, end in zip(("first", "second", "third")[first - 1:], ends(dims))}
+
+    return Proof(CASES, lambda dims, _: derive_distances(dims, count),
+                 lambda dims, _: distances.largest_intermediates(dims), describe, ends, quotes=quotes)
 
 
-offset_error = distances.offset_error
+# --- Points that move -------------------------------------------------------------------------------------------------
+
+def derive_phase(dims: int, _: Gradient | None) -> ProvenBounds:
+    largest = moving.largest_distance(dims, 2)
+    cell_error = max(moving.distance_error(dims, largest), moving.offset_error(dims, False))
+    fixed = max(moving.fixed_distance_error(dims), moving.offset_error(dims, True))
+    return proven(largest, math.sqrt(dims), cell_error, fixed, moving.fixed_parts(dims))
 
 
-def describe(dims: int, _: Gradient | None) -> dict[str, object]:
-    return {f"{name}_largest": features.largest_distance(dims, count) for count, name in ((1, "first"), (2, "second"))}
+def ends_of_phase(dims: int) -> list[float]:
+    return [moving.largest_distance(dims, count) for count in (1, 2)]
+
+
+def quotes_of_phase() -> list[tuple[str, str]]:
+    plane, space = (listed(ends_of_phase(dims)) for dims in (2, 3))
+    errors = [position_error(moving.distance_error(dims, ends_of_phase(dims)[-1]), math.sqrt(dims)) for dims in (2, 3)]
+    off = [moving.fixed_distance_error(dims) for dims in (2, 3)]
+    return [(ACCURACY, text) for text in (
+        f"With a phase the two distances stay below {plane} in 2D, and below {space} in 3D",
+        f"distances is at most {scientific(errors[0])} in 2D and {scientific(errors[1])} in 3D",
+        f"the distances are within {scientific(off[0])} in 2D and {scientific(off[1])} in 3D")]
+
+
+def describe_phase(dims: int, _: Gradient | None) -> dict[str, object]:
+    return {"first_largest": moving.largest_distance(dims, 1), "offset_error": moving.offset_error(dims, False),
+            "fixed_offset_error": moving.offset_error(dims, True), "radius": moving.RADIUS[dims]}
+
+
+# --- Derivatives ------------------------------------------------------------------------------------------------------
+
+def derive_d(dims: int, _: Gradient | None) -> ProvenBounds:
+    largest, parts = features.largest_distance(dims, 1), distances.fixed_parts(dims)
+    value = proven(largest, math.sqrt(dims), distances.distance_error(dims, largest), total(parts), parts)
+    return replace(value, slope=derive_slope(dims))
+
+
+def derive_slope(dims: int) -> ProvenBounds:
+    lipschitz, parts = 2 * math.sqrt(dims), distances.fixed_direction_parts(dims)
+    cell_error = distances.direction_error(dims, features.largest_distance(dims, 1))
+    longer = 20 * distances.UNIT  # of a vector of length 1, whatever its errors
+    return ProvenBounds(0.0, 1.0, lipschitz, cell_error, position_error(cell_error, lipschitz), 1 + longer,
+                        total(parts), 1 + 2.0**-14, parts)
+
+
+# --- The smooth one ---------------------------------------------------------------------------------------------------
+
+def least_smooth(dims: int) -> float:
+    return 1 - (features.largest_weights(dims) + 1 / 4096) ** 0.25
+
+
+def derive_smooth(dims: int, _: Gradient | None) -> ProvenBounds:
+    lipschitz, parts = features.most_within(dims) ** 0.25 * math.sqrt(dims), distances.fixed_smooth_parts(dims)
+    bounds = proven(LARGEST_SMOOTH, lipschitz, distances.smooth_error(dims), total(parts), parts)
+    return replace(bounds, fixed_largest=LARGEST_SMOOTH)
+
+
+def quotes_of_smooth() -> list[tuple[str, str]]:
+    weights = [shortest(features.largest_weights(dims), 3) for dims in (2, 3)]
+    return [(ACCURACY, f"stays below {weights[0]} in 2D and {weights[1]} in 3D")]
+
+
+# --- Borders ----------------------------------------------------------------------------------------------------------
+
+def derive_border(dims: int, _: Gradient | None) -> ProvenBounds:
+    parts = distances.fixed_border_parts(dims)
+    return proven(features.largest_border(dims), math.sqrt(dims), distances.border_error(dims), total(parts), parts)
+
+
+def quotes_of_border() -> list[tuple[str, str]]:
+    floats = [scientific(distances.border_error(dims, apart=CLEAR)) for dims in (2, 3)]
+    fixed = [scientific(sum(distances.fixed_border_parts(dims, CLEAR).values())) for dims in (2, 3)]
+    largest = [shortest(features.largest_border(dims), 3) for dims in (2, 3)]
+    return [(ACCURACY, f"at most {floats[0]} in 2D and {floats[1]} in 3D, or {fixed[0]} and {fixed[1]} with"),
+            (ACCURACY, f"to a border stays below {largest[0]} and {largest[1]}."),
+            (ACCURACY, f"a climb reaches {CLIMBED[2]} and {CLIMBED[3]}")]
+
+
+def describe_border(dims: int, _: Gradient | None) -> dict[str, object]:
+    return {"border_of_a_climb": borders.climb(dims),
+            "error_of_points_1/8_apart": distances.border_error(dims, apart=CLEAR),
+            "fixed_error_of_points_1/8_apart": sum(distances.fixed_border_parts(dims, CLEAR).values())}
+
+
+# --- By name ----------------------------------------------------------------------------------------------------------
+
+PROOFS = {
+    "cellular": replace(of_distances(1, 2), offset_error=distances.offset_error),
+    "cellular_three": of_distances(3, 3),
+    "cellular_phase": Proof(CASES, derive_phase, lambda dims, _: moving.largest_intermediates(dims), describe_phase,
+                            ends_of_phase, offset_error=moving.offset_error, quotes=quotes_of_phase),
+    "cellular_d": Proof(CASES, derive_d, lambda dims, _: (
+        distances.largest_intermediates(dims) | distances.largest_direction_intermediates(dims))),
+    "cellular_smooth": Proof(
+        CASES, derive_smooth,
+        lambda dims, _: distances.largest_intermediates(dims) | distances.largest_smooth_intermediates(dims),
+        lambda dims, _: {"smallest": least_smooth(dims), "largest_sum_of_weights": features.largest_weights(dims)},
+        lambda dims: [-least_smooth(dims)], least_smooth, quotes=quotes_of_smooth),
+    "cell_border": Proof(
+        CASES, derive_border,
+        lambda dims, _: distances.largest_intermediates(dims) | distances.largest_border_intermediates(dims),
+        describe_border, least=lambda _: 0.0, offset_error=distances.offset_error, quotes=quotes_of_border)}

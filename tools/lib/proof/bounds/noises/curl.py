@@ -49,9 +49,8 @@ from proof.bounds.boxes import SAFE, Boxes, cell, supremum
 from proof.bounds.floats import UNIT, position_error, rounding
 from proof.bounds.gradients import LENGTH, OCTAHEDRAL, Gradient
 from proof.bounds.kernels import SIMPLEX, Jet, Kernel, Offsets, Quantity, jet, vector, weight_jet
-from proof.bounds.noises import ProvenBounds, simplex, simplex_d
+from proof.bounds.noises import Proof, ProvenBounds, simplex
 
-CASES = ((2, None), (3, None))
 TOLERANCE, LEVEL = 1e-3, 10
 PARTS = 64  # of a quarter, between directions
 MOVE = (0.5, 0.0, 0.25)
@@ -183,7 +182,7 @@ def derive(dims: int, _: Gradient | None) -> ProvenBounds:
 
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
-    of_derivatives = simplex_d.largest_intermediates(dims, None)
+    of_derivatives = simplex.largest_slope_intermediates(dims, None)
     if dims == 2:
         return of_derivatives
     derivative = simplex.derived_slope(SIMPLEX[3]).fixed_largest * 2**19
@@ -191,5 +190,5 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
     return of_derivatives | {"product": product, "difference of products": 2 * product + 8}
 
 
-def describe(dims: int, _: Gradient | None) -> dict[str, object]:
-    return {"largest_sum_of_components": largest_sum()} if dims == 3 else {}
+PROOFS = {"curl": Proof(((2, None), (3, None)), derive, largest_intermediates, lambda dims, _: {
+    "largest_sum_of_components": largest_sum()} if dims == 3 else {})}

@@ -25,10 +25,9 @@ from __future__ import annotations
 from proof.bounds.floats import TINY, position_error, rounding
 from proof.bounds.gradients import Gradient
 from proof.bounds.integers import ONE
-from proof.bounds.noises import ProvenBounds
+from proof.bounds.noises import Proof, ProvenBounds
 from proof.bounds.table import scientific
 
-CASES = ((2, None),)
 LIPSCHITZ = 3.0
 LARGEST_SKEWED = 3.0  # X, at the end of a cell
 BELOW_ONE = 1 - 2.0**-24
@@ -56,13 +55,8 @@ def derive(_: int, __: Gradient | None) -> ProvenBounds:
     return ProvenBounds(1.0, 1.0, LIPSCHITZ, cell_error, position_error(cell_error, LIPSCHITZ), 1.0, cut, 1.0, {"cut": cut})
 
 
-def largest_intermediates(_: int, __: Gradient | None) -> dict[str, float]:
-    return {"skewed": LARGEST_SKEWED * ONE}
-
-
-def quotes() -> list[tuple[str, str]]:
-    return [("docs/measured/accuracy.md", f"vector is within {scientific(offset_error(2, False))} cells")]
-
-
-def describe(_: int, __: Gradient | None) -> dict[str, object]:
-    return {"error_from_cell_to_nearest": weight_error(0.5), "error_of_a_vector": offset_error(2, False)}
+PROOFS = {"hex_tiling": Proof(
+    ((2, None),), derive, lambda *_: {"skewed": LARGEST_SKEWED * ONE},
+    lambda *_: {"error_from_cell_to_nearest": weight_error(0.5), "error_of_a_vector": offset_error(2, False)},
+    offset_error=offset_error,
+    quotes=lambda: [("docs/measured/accuracy.md", f"vector is within {scientific(offset_error(2, False))} cells")])}

@@ -48,7 +48,7 @@ from proof.bounds.gradients import Gradient
 from proof.bounds.integers import ONE, UNIT, word
 from proof.bounds.kernel_floats import SKEWED
 from proof.bounds.kernels import Jet, Kernel, Offsets, dot, weight_jet
-from proof.bounds.noises import ProvenBounds, derived, listed
+from proof.bounds.noises import Proof, ProvenBounds, derived, listed
 from proof.bounds.sine import fixed_sine_largest
 from proof.bounds.table import scientific, shortest
 from proof.bounds.weights import EVEN
@@ -226,6 +226,6 @@ def quotes() -> list[tuple[str, str]]:
         f"which costs {scientific(moved(KERNELS[2]))}")]
 
 
-def describe(dims: int, _: Gradient | None) -> dict[str, object]:
-    kernel = KERNELS[dims]
-    return {"scale": scale_of(kernel), "longest": length(dims), "error_from_cell_to_nearest": error_bound(kernel, 0.5)}
+PROOFS = {"phasor": Proof(CASES, derive, largest_intermediates, lambda dims, _: {
+    "scale": scale_of(KERNELS[dims]), "longest": length(dims),
+    "error_from_cell_to_nearest": error_bound(KERNELS[dims], 0.5)}, quotes=quotes)}

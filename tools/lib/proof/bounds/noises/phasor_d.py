@@ -48,11 +48,10 @@ from proof.bounds.gradients import Gradient
 from proof.bounds.integers import ONE, SLOPE_UNIT, UNIT, part_intermediate
 from proof.bounds.kernel_floats import SKEWED
 from proof.bounds.kernels import Jet, Offsets, dot, weight_jet
-from proof.bounds.noises import ProvenBounds, derived, phasor
+from proof.bounds.noises import Proof, ProvenBounds, derived, phasor
 from proof.bounds.noises.perlin.floats import largest_of
 from proof.bounds.noises.phasor import KERNELS, RAMP_ONE, TURN, WAVE_CUT, Waves, scale_of
 
-CASES = phasor.CASES
 FINE, LAST = 2.0**-24, 2.0**-16  # the units of the terms of a derivative, and of the derivative
 
 
@@ -269,5 +268,5 @@ def sum_of_falls(kernel: Waves) -> float:
     return max(phasor.largest(kernel, axis, 0.0, 1) for axis in kernels.axes(kernel)) * 2**27
 
 
-def describe(dims: int, _: Gradient | None) -> dict[str, object]:
-    return {"slope_error_from_cell_to_nearest": error_bound(KERNELS[dims], 0.5)}
+PROOFS = {"phasor_d": Proof(phasor.CASES, derive, largest_intermediates, lambda dims, _: {
+    "slope_error_from_cell_to_nearest": error_bound(KERNELS[dims], 0.5)})}

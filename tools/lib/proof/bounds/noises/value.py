@@ -1,5 +1,9 @@
-"""Proofs for hn_value, from docs/reference/contract.md, section 9, and of the derivatives of hn_value_d,
-from section 10, which has its entry in value_d.py.
+"""Proofs for hn_value and its derivatives, from docs/reference/contract.md, sections 9 and 10. hn_value_d computes the
+value in the same steps, so it has the same bounds.
+
+Each component of hn_value_vector (section 22) is hn_value with other hashes, and the bounds hold for any. The hashes of
+y and z are the low 32 bits of products of two factors below 2^24. So they are hashes, too, and their numbers are in the
+range of hn_value's.
 
 RANGE. The number of a corner is within +-1, and -1 occurs. The weights are not negative and sum to 1, so the value is
 within +-1, too. A derivative is s'(f_1) times an interpolation of differences of two numbers: at most
@@ -27,6 +31,7 @@ other axes. With sum_o |change of w_o| over these, which is FADE in one dimensio
 from __future__ import annotations
 
 import functools
+from dataclasses import replace
 
 import numpy as np
 
@@ -56,9 +61,7 @@ from proof.bounds.integers import (
     slope_rounding,
     slopes,
 )
-from proof.bounds.noises import ProvenBounds
-
-CASES = tuple((dims, None) for dims in (1, 2, 3, 4))
+from proof.bounds.noises import Proof, ProvenBounds, of_components
 
 OFFSET = 3.0  # of numbers in floats
 NUMBER_ONE = 2**29  # the unit of such a number in fixed arithmetic
@@ -99,7 +102,8 @@ def derive(dims: int, _: Gradient | None) -> ProvenBounds:
              "scaling": UNIT / 2}
     fixed_error = lipschitz / ONE + largest_joint_effect(dims, None, NUMBER_ONE) + UNIT / 2
     fixed_largest = (1 + 2 * overshoot()) ** dims + lerp + UNIT / 2
-    return ProvenBounds(1.0, 1.0, lipschitz, cell_error, error, 1.0 + error, fixed_error * SAFE, fixed_largest * SAFE, parts)
+    return ProvenBounds(1.0, 1.0, lipschitz, cell_error, error, 1.0 + error, fixed_error * SAFE, fixed_largest * SAFE,
+                        parts)
 
 
 def derive_slope(dims: int) -> ProvenBounds:
@@ -111,7 +115,7 @@ def derive_slope(dims: int) -> ProvenBounds:
              "interpolation": slope_rounding(dims, gradients=False) / (NUMBER_ONE / 4), "scaling": SLOPE_UNIT / 2}
     fixed_error = sum(parts.values()) * SAFE
     return ProvenBounds(0.0, STEEPEST, lipschitz, cell_error, error, STEEPEST + error, fixed_error,
-                   STEEPEST + fixed_error, parts)
+                        STEEPEST + fixed_error, parts)
 
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
@@ -119,9 +123,18 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
     return {"number": 2.0**30} | interpolation_intermediates(NUMBER_ONE, dims)
 
 
-def largest_slope_intermediates(dims: int) -> dict[str, float]:
-    return slope_intermediates(2 * NUMBER_ONE, 0, dims)
+def largest_slope_intermediates(dims: int, gradient: Gradient | None) -> dict[str, float]:
+    return largest_intermediates(dims, gradient) | slope_intermediates(2 * NUMBER_ONE, 0, dims)
 
 
-def describe(dims: int, _: Gradient | None) -> dict[str, object]:
-    return {"error_from_cell_to_nearest": error_bound(dims, 0.5)}
+CASES = tuple((dims, None) for dims in (1, 2, 3, 4))
+VALUE = Proof(CASES, derive, largest_intermediates,
+              lambda dims, _: {"error_from_cell_to_nearest": error_bound(dims, 0.5)})
+VALUE_D = Proof(CASES, lambda dims, _: replace(derive(dims, None), slope=derive_slope(dims)),
+                largest_slope_intermediates,
+                lambda dims, _: {"slope_error_from_cell_to_nearest": slope_error_bound(dims, 0.5)})
+PROOFS = {
+    "value": VALUE,
+    "value_d": VALUE_D,
+    "value_vector": of_components(VALUE),
+    "value_vector_d": of_components(VALUE_D)}

@@ -46,10 +46,8 @@ from proof.bounds.integers import (
     spline_weight_error,
     splines,
 )
-from proof.bounds.noises import ProvenBounds
+from proof.bounds.noises import Proof, ProvenBounds
 from proof.bounds.noises.value import NUMBER_ONE, OFFSET
-
-CASES = tuple((dims, None) for dims in (1, 2, 3))
 
 TOLERANCE, LEVELS = 1e-4, {1: 16, 2: 12, 3: 9}
 
@@ -106,7 +104,7 @@ def derive(dims: int, _: Gradient | None) -> ProvenBounds:
              "interpolation": dims * spline_rounding() / NUMBER_ONE, "scaling": UNIT / 2}
     fixed_largest = 1 + parts["interpolation"] + parts["scaling"]
     return ProvenBounds(1.0, 1.0, lipschitz, cell_error, error, 1.0 + error, sum(parts.values()) * SAFE,
-                   fixed_largest * SAFE, parts)
+                        fixed_largest * SAFE, parts)
 
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
@@ -116,5 +114,5 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
     return {"number": 2.0**30, "part": part_intermediate(value, splines()), "blend": value + 128}
 
 
-def describe(dims: int, _: Gradient | None) -> dict[str, object]:
-    return {"error_from_cell_to_nearest": error_bound(dims, 0.5)}
+PROOFS = {"value_cubic": Proof(tuple((dims, None) for dims in (1, 2, 3)), derive, largest_intermediates,
+                               lambda dims, _: {"error_from_cell_to_nearest": error_bound(dims, 0.5)})}

@@ -1,13 +1,11 @@
-"""The noises. Each is a module of this package, under its name, with its two definitions side by side:
+"""The noises. Each module has noises that are alike, in NOISES, each with its two definitions side by side:
 
     exact(lattice, cell, f) -> tuple[Fraction, ...]         docs/reference/contract.md, sections 6, 9 to 11, 13, 14, 16
                                                             and 22; f are fractions
     fixed(lattice, cell, fraction) -> tuple[int, ...]       with HN_FIXED; fractions in units of 2^-20
 
-They return the value, and after it the derivatives along x, y, z, w of a noise that has them. A fixed value is
-in units of 2^-21, a fixed derivative in units of 2^-19. A module with other names of its results has OUTPUTS, one
-with other units UNITS. The gradients of a noise called ..._phase rotate, or its feature points do; of another that
-takes a phase the module has ROTATES.
+They return the value, and after it the derivatives along x, y, z, w of a noise that has them, unless it names other
+results. A fixed value is in units of 2^-21, a fixed derivative in units of 2^-19.
 """
 
 from __future__ import annotations
@@ -27,7 +25,6 @@ from proof.oracle.lattice import Choice, Lattice
 OUTPUTS = ("value", "dx", "dy", "dz", "dw")
 UNITS = (NOISE_UNIT, *(SLOPE_UNIT,) * 4)
 VECTOR = ("vx", "vy", "vz")  # the outputs of what returns a vector
-ROTATING = "_phase"
 
 
 @dataclass(frozen=True)
@@ -78,15 +75,24 @@ class Noise:
         return self.in_units(self.fixed_in_cell(self.lattice(knobs, seed, periods), cell, list(map(fraction_of, f))))
 
 
+def rotating(noise: Noise, name: str) -> Noise:
+    """The noise with gradients that rotate, or feature points that go round, by a phase."""
+    return replace(noise, name=name, phase=Fraction(0), rotates=True)
+
+
 @functools.cache  # golden files ask for thousands of noises
+def every() -> dict[str, Noise]:
+    modules = [importlib.import_module(f"{__name__}.{module.name}") for module in pkgutil.iter_modules(__path__)
+               if not module.name.endswith("_test")]
+    return {noise.name: noise for module in modules for noise in module.NOISES}
+
+
 def names() -> list[str]:
-    return [module.name for module in pkgutil.iter_modules(__path__) if not module.name.endswith("_test")]
+    return sorted(every())
 
 
 def find(name: str) -> Noise:
-    if name not in names():
-        raise LookupError(f"the oracle has no {name}: write tools/lib/proof/oracle/noises/{name}.py from docs/reference/contract.md")
-    module = importlib.import_module(f"{__name__}.{name}")
-    rotates = name.endswith(ROTATING) or getattr(module, "ROTATES", False)
-    return Noise(name, module.exact, module.fixed, getattr(module, "OUTPUTS", OUTPUTS), getattr(module, "UNITS", UNITS),
-                 Fraction(0) if rotates else None, rotates=rotates)
+    if name not in every():
+        raise LookupError(f"the oracle has no {name}: write it in tools/lib/proof/oracle/noises from "
+                          "docs/reference/contract.md, and name it in NOISES")
+    return every()[name]

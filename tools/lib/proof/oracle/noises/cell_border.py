@@ -10,8 +10,7 @@ from typing import TypeVar
 
 from proof.oracle.feature_points import EUCLIDEAN, BlockTooSmall, Field, Point, fixed_root, fixed_square, root, square
 from proof.oracle.lattice import Lattice
-
-UNITS = (2**16,)
+from proof.oracle.noises import Noise
 
 Border = TypeVar("Border", int, Fraction)
 
@@ -73,3 +72,6 @@ def fixed_between(nearest: Point, point: Point) -> int:
 def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int]:
     field = Field.fixed(lattice, cell, fraction, EUCLIDEAN)
     return (smallest(field, fixed_between, lambda border: 16 * (border + 1)),)
+
+
+NOISES = (Noise("cell_border", exact, fixed, units=(2**16,)),)

@@ -1,4 +1,4 @@
-"""Tests of cellular_d.py, cellular_smooth.py and cell_border.py by hand, and of cellular_phase.py by a naive search."""
+"""Tests of cellular.py and cell_border.py by hand, and of points that move by a naive search."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from proof.oracle.feature_points import BlockTooSmall, direction2, direction3
 from proof.oracle.integers import UNIT, cosine_and_sine
 from proof.oracle.lattice import Choice, Lattice
 from proof.oracle.nearest import NEAREST, OFFSET
-from proof.oracle.noises import Noise, cellular_d
+from proof.oracle.noises import Noise, cellular
 from proof.oracle.rotation import angle
 from proof.oracle.testing import FORMS, KNOBS
 
@@ -46,7 +46,7 @@ class ByHand(unittest.TestCase):
         for m, k in ((1, 131072), (3, 131072), (4, 32768), (31, 32768), (32, 4096), (127, 4096), (128, 1024),
                      (1023, 1024), (1024, 128), (4095, 128), (4096, 32), (32767, 32), (32768, 4), (131071, 4),
                      (131072, 1), (2**20, 1)):
-            self.assertEqual(cellular_d.enlarged((m // 2, -m)), (k * (m // 2), -k * m))
+            self.assertEqual(cellular.enlarged((m // 2, -m)), (k * (m // 2), -k * m))
 
     def test_a_border_knows_no_metric(self) -> None:
         # Nor do derivatives and the smooth one: they have none to choose. Points that move have the Euclidean one.

@@ -17,13 +17,12 @@ from proof.oracle.gradients import Real
 from proof.oracle.integers import NOISE_UNIT, part, signed
 from proof.oracle.kernels import Kernel
 from proof.oracle.lattice import Lattice
-from proof.oracle.noises import simplex
+from proof.oracle.noises import Noise, rotating, simplex
 from proof.oracle.words import MASK
 
 Number = TypeVar("Number", int, Fraction)
 
 OUTPUTS = ("value", "quadrature")
-ROTATES = True
 UNITS = (NOISE_UNIT,) * 2
 # By the number of dimensions. The lattices and t are as for simplex noise. In space the same weight falls twice as
 # fast, since t does.
@@ -105,3 +104,6 @@ def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tup
     kernel = KERNELS[len(cell)]
     weighted = [(kernel.weight.of_square(*powers), wave) for _, powers, wave in fixed_waves(lattice, cell, fraction)]
     return tuple(ramps.scaled(signed(total), kernel.scale) for total in summed(weighted, part))
+
+
+NOISES = (rotating(Noise("", exact, fixed, OUTPUTS, UNITS), "phasor"),)

@@ -9,12 +9,11 @@ from fractions import Fraction
 from proof.oracle import gradients, ramps
 from proof.oracle.integers import NOISE_UNIT, part, signed
 from proof.oracle.lattice import Lattice
-from proof.oracle.noises import phasor
+from proof.oracle.noises import Noise, phasor, rotating
 from proof.oracle.noises.phasor import KERNELS
 
 # A pair for the noise, and one along each axis: of the value, then of the quadrature.
 OUTPUTS = ("value", "quadrature", "dx", "qx", "dy", "qy", "dz", "qz")
-ROTATES = True
 UNITS = (NOISE_UNIT,) * 2 + (2**16,) * 6
 
 TWO_PI = Fraction(2 * gradients.PI, 2**gradients.SINE_BITS)
@@ -67,3 +66,6 @@ def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tup
         found += [signed(signed(a - part(signed(2**8 * quadrature), turn)) + 2**7) >> 8,
                   signed(signed(b + part(signed(2**8 * value), turn)) + 2**7) >> 8]
     return tuple(found)
+
+
+NOISES = (rotating(Noise("", exact, fixed, OUTPUTS, UNITS), "phasor_d"),)

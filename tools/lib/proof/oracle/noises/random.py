@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from proof.oracle.lattice import Lattice
+from proof.oracle.noises import Noise
 
-UNITS = (2**24,)
+UNIT = 2**24
 TINY = Fraction(1, 2**32)  # with HN_PRECISE a coordinate of a position below it counts as 0
 
 
@@ -25,7 +26,7 @@ def counted(c: int, f: Fraction) -> int:
 
 
 def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple[Fraction]:
-    return (Fraction(number(lattice, list(map(counted, cell, f))), *UNITS),)
+    return (Fraction(number(lattice, list(map(counted, cell, f))), UNIT),)
 
 
 # --- Fixed ------------------------------------------------------------------------------------------------------
@@ -33,3 +34,6 @@ def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple
 
 def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int]:
     return (number(lattice, cell),)
+
+
+NOISES = (Noise("random", exact, fixed, units=(UNIT,)),)

@@ -10,6 +10,7 @@ from fractions import Fraction
 
 from proof.oracle.integers import part, signed, word
 from proof.oracle.lattice import Lattice
+from proof.oracle.noises import Noise
 from proof.oracle.noises.value import fixed_number, number, rounded
 
 OFFSETS = (-1, 0, 1, 2)  # of the points that count, along each axis
@@ -66,3 +67,6 @@ def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tup
                   for i in range(count)]
     n, = values
     return (rounded(n),)
+
+
+NOISES = (Noise("value_cubic", exact, fixed),)

@@ -1,0 +1,337 @@
+"""The text of the library stays within the bounds of sums, and reaches a part of them: over floats that round in any
+direction and over integers, beside the same text over doubles. A sum of the catalog is tested as soon as it has
+bounds."""
+
+import functools
+import itertools
+import math
+import unittest
+from dataclasses import fields, replace
+from unittest import mock
+
+import numpy as np
+
+from base.thorough import THOROUGH, some
+from catalog.tables.functions import read_functions
+from proof.bounds import float_sums, gullies, jacobians, steps, sums, text_test
+from proof.bounds.floats import to_float
+from proof.bounds.gradients import OCTAHEDRAL, SINE
+from proof.bounds.rounded import EXACT, FIXED, NEAREST, Rounding, Text, along_axes, roundings
+from proof.bounds.sums import CATALOG, KINDS, SHIFTS, SLOPED, Sum
+from proof.bounds.table import bounds_of, read_gullies, slope_bounds_of
+
+ALL = (*KINDS, *SLOPED, *SHIFTS)
+COUNT = 200  # places
+FEWER_BITS = Rounding("nearest", lost_bits=10)
+
+
+# --- Functions and their arguments ------------------------------------------------------------------------------------
+
+@functools.cache
+def rows():
+    """From a position, from a cell, and in a tile. (The place of a position in a tile is a cell's.)"""
+    return {function.id: function for function in read_functions() if function.form == "sum" and function.bound in ALL
+            and (function.has_cell or not function.has_period)}
+
+
+@functools.cache
+def text(gradient, *macros):
+    macros += ("HN_GRADIENT=HN_GRADIENT_SINE",) * (gradient is SINE)
+    return Text([id for id, function in rows().items() if has(function, gradient)], *macros, optimized=True)
+
+
+def has(function, gradient):
+    return gradient is OCTAHEDRAL or function.axes in (2, 3) and function.bound in KINDS
+
+
+def at_position(function):
+    """The function from a position, beside which one from a cell has more roundings; in a tile it has none."""
+    return next((other for other in rows().values() if not other.has_cell and not function.has_period
+                 and (other.bound, other.axes, other.settings) == (function.bound, function.axes, function.settings)),
+                function)
+
+
+def random_sum(rng, function, fixed, **others):
+    """One in the domain of the bounds. A lacunarity is what the function takes from its place."""
+    low = 0 if fixed or function.has_cell else -3
+    octaves = int(rng.integers(1, 7))
+    arguments = {"p_max": 2.0**rng.integers(0, 8), "octaves": octaves,
+                 "gain": to_float(rng.uniform(0, 1 if fixed else 2)),
+                 "lacunarity": float(rng.integers(0, 4)) if function.has_period else to_float(rng.uniform(low, 3)),
+                 **others}
+    if "detail" in function.settings:
+        arguments["octaves"] = to_float(arguments["octaves"] - rng.choice((0.0, 1 - 2.0**-19, 0.5, rng.random())))
+    if "footprint" in function.settings:
+        arguments["footprint"] = to_float(rng.random() * 2.0**-rng.integers(-1, 8))
+    if CATALOG[function.bound].strength:
+        most = float(CATALOG[function.bound].strength.most)
+        name = "amplitude" if function.bound in SHIFTS else "strength"
+        arguments.setdefault(name, to_float(rng.choice((most, rng.uniform(0, min(most, 4)), rng.random()))))
+    s = Sum(function.bound, rotates=not function.has_period, from_cell=function.has_cell, **arguments)
+    bounded = function.bound in KINDS or jacobians.is_bounded(s)
+    return s if bounded else random_sum(rng, function, fixed, **others)
+
+
+def columns_of(function, s, p):
+    """At places whose cells and fractions are floats, too."""
+    place = along_axes("", p)
+    if function.has_cell:
+        place = along_axes("c", np.floor(p)) | along_axes("f", p - np.floor(p))
+    settings = {name: getattr(s, "octaves" if name == "detail" else name) for name in function.settings}
+    return place | along_axes("p", [0] * (function.axes * function.has_period)) | settings | {"seed": 0}
+
+
+# --- Errors -----------------------------------------------------------------------------------------------------------
+
+def tolerances(s, dims, gradient, fixed):
+    """Of each result."""
+    noise = CATALOG[s.kind].noise
+    own = bounds_of(noise, dims, gradient.name)
+    of_value = sums.fixed_octave_tolerance if fixed else float_sums.octave_tolerance
+    if s.kind in KINDS:
+        return [of_value(s, own)]
+    slope = slope_bounds_of(f"{noise.removesuffix('_d').removesuffix('_vector')}_d", dims)
+    of_jacobian = jacobians.TOLERANCES[s.kind][fixed](s, own, slope)
+    results = [of_jacobian] * (1 if s.kind == "eroded" else dims)
+    return [of_value(s, own), *results] if s.kind == "fbm_d" else results
+
+
+def ratios(kinds, simulated, *macros, forms=lambda function: True, gradient=OCTAHEDRAL, seed=2, **others):
+    """The largest error of a sum over its tolerance, by its kind."""
+    rng, worst, fixed = np.random.default_rng(seed), dict.fromkeys(kinds, 0.0), FIXED in macros
+    functions = [function for function in rows().values() if function.bound in kinds and has(function, gradient)]
+    for function, rounding in itertools.product(filter(forms, functions), simulated):
+        s = random_sum(rng, function, fixed, **others)
+        p = rng.integers(-2**23, 2**23, (function.axes, COUNT)) * (s.p_max / 2**23)
+        exact = at_position(function)
+        found = zip(text(gradient, *macros)(function.id, rounding, **columns_of(function, s, p)),
+                    text(gradient)(exact.id, EXACT, **columns_of(exact, s, p)),
+                    tolerances(s, function.axes, gradient, fixed), strict=True)
+        worst[s.kind] = max(worst[s.kind], *(abs(one - right).max() / tolerance for one, right, tolerance in found))
+    return worst
+
+
+class Sums(unittest.TestCase):
+    def within(self, least, *arguments, kinds=ALL, **others):
+        for gradient in (OCTAHEDRAL, SINE) if THOROUGH else (OCTAHEDRAL,):
+            some_kinds = [kind for kind in kinds if gradient is OCTAHEDRAL or kind in KINDS]
+            for kind, ratio in ratios(some_kinds, *arguments, gradient=gradient, **others).items():
+                with self.subTest(kind, gradient=gradient.name):
+                    self.assertTrue(least < ratio <= 1, ratio)
+
+    def test_floats(self):
+        for turn in range(8 if THOROUGH else 1):
+            self.within(1 / 200, some(roundings(turn), turn, 2), seed=turn)
+
+    def test_floats_of_an_octave(self):
+        """Where positions are exact, so that only the steps of the sum are left."""
+        self.within(1 / 60, some(roundings(3), 1, 2), octaves=1)
+
+    def test_integers(self):
+        for turn in range(8 if THOROUGH else 1):
+            self.within(1 / 60, [NEAREST] * 2, FIXED, seed=turn)
+
+    def test_integers_of_an_octave(self):
+        self.within(1 / 15, [NEAREST], FIXED, octaves=1)
+
+    def test_integers_at_the_ends_of_the_domain(self):
+        """Results of 8 and more, which lose bits, and Jacobians and steps that are as large as they may be."""
+        for gain, lacunarity, octaves in ((1.0, 1.0, 32), (1.0, 4.0, 3), (0.25, 252.0, 2), (0.75, 1.25, 20)):
+            self.within(0, [NEAREST], FIXED, octaves=octaves, gain=gain, lacunarity=lacunarity, p_max=4.0,
+                        kinds=SLOPED + SHIFTS, forms=lambda function: not function.has_period,
+                        amplitude=64.0 / max(1, gain * lacunarity))
+
+    def test_fewer_bits_are_noticed(self):
+        """Must-fail checks, of each kind: of mantissas, and of positions that are promised exact."""
+        usual = {"octaves": 3, "gain": 0.5, "p_max": 4.0}
+        for kind, ratio in ratios(ALL, [FEWER_BITS], **usual).items():
+            self.assertGreater(ratio, 1, kind)
+        for macros in ((), (FIXED,)):
+            found = ratios(("fbm", "ping_pong"), [NEAREST], *macros, exact_positions=True, p_max=4096.0, octaves=9,
+                           lacunarity=to_float(2.99), gain=1.0, strength=64.0,
+                           forms=lambda function: not function.has_period)
+            self.assertGreater(max(found.values()), 1)
+
+    def test_parts_that_are_left_out_are_noticed(self):
+        for name, kind in (("fixed_effects", "fbm_d"), ("fixed_fall_errors", "eroded"),
+                           ("fixed_shift_effects", "warp_progressive")):
+            with mock.patch.object(jacobians, name, lambda s, *_: [0.0] * s.count):
+                self.assertGreater(ratios((kind,), [NEAREST] * 4, FIXED, strength=16.0)[kind], 1, kind)
+
+    def test_without_octaves(self):
+        for kind, octaves, fixed in itertools.product(ALL, (0, -1), (False, True)):
+            if kind not in ("clouds", "billow"):  # which are not 0
+                found = tolerances(Sum(kind, 1.0, octaves, 2.0, 0.5, 1.0, 1.0), 2, OCTAHEDRAL, fixed)
+                self.assertEqual({*found}, {0.0}, kind)
+
+    def test_the_domain(self):
+        """Outside of it there is no bound, or that of the range."""
+        def last(kind, *arguments, fixed=False, **others):
+            s = Sum(kind, 1.0, *arguments, **({"strength": 1.0, "amplitude": 1.0} | others))
+            return tolerances(s, 2, OCTAHEDRAL, fixed)[-1]
+        for kind, arguments in itertools.product(ALL, ((33, 1.0, 0.5), (2, -1.0, 0.5), (2, 256.0, 0.1), (2, 2.0, 1.5))):
+            self.assertEqual(last(kind, *arguments, fixed=True), math.inf, (kind, arguments))
+        for kind in ALL:
+            self.assertEqual(last(kind, 2, 256.0, 1.0, from_cell=True), math.inf)
+        for kind, arguments in itertools.product(SLOPED + SHIFTS, ((6, 1e20, 1.0), (20, 2.0, 1e20))):
+            self.assertEqual(last(kind, *arguments), math.inf, (kind, arguments))
+        for kind, most in (("fbm", 2.001), ("billow", 2.001), ("ridged", 1.001), ("ping_pong", 2.002),
+                           ("weighted", 3.01)):
+            self.assertLess(last(kind, 200, 2.0, 0.5), most)
+        self.assertEqual(last("fbm", 20, 2.0, 1e20), math.inf)
+        self.assertGreaterEqual(last("warp", 3, 2.0, 0.5, amplitude=2.0**-98), 2.0**-98)  # HN_PRECISE: 0
+        for kind, arguments, amplitude, bounded in (
+                ("fbm_d", (6, 2.0, 1.0), 0, True), ("fbm_d", (7, 2.0, 1.0), 0, False),
+                ("fbm_d", (2, 63.0, 1.0), 0, True), ("fbm_d", (2, 64.0, 1.0), 0, False), ("warp_progressive", (6, 2.0, 1.0), 8.0, True),
+                ("warp_progressive", (6, 2.0, 1.0), 8.1, False), ("warp", (6, 2.0, 1.0), 64.0, True)):
+            self.assertEqual(jacobians.is_bounded(Sum(kind, 1.0, *arguments, amplitude=amplitude)), bounded)
+        with self.assertRaisesRegex(LookupError, "no proof of the sum fog"):
+            Sum("fog", 1.0, 1, 2.0, 0.5)
+        with self.assertRaisesRegex(LookupError, "bounds of derivatives"):
+            float_sums.octave_tolerance(Sum("eroded", 1.0, 1, 2.0, 0.5), bounds_of("perlin", 2, "octahedral"))
+
+
+# --- Gullies ----------------------------------------------------------------------------------------------------------
+
+GULLIES = "noise2d.gullies_cell_period_footprint"
+
+
+@functools.cache
+def text_of_gullies(*macros):
+    return Text([GULLIES], *macros, optimized=True)
+
+
+def of_gullies(octaves, lacunarity=2.0, gain=0.5, footprint=None):
+    return Sum("fbm", 0.0, octaves, lacunarity, gain, footprint=footprint, rotates=False, from_cell=True)
+
+
+CASES = tuple((s, depth, steep) for i, (s, depth, steep) in enumerate(itertools.product(
+    (of_gullies(1), of_gullies(2), of_gullies(3), of_gullies(5), of_gullies(3, 3.0, 0.25), of_gullies(2, 1.0, 1.0),
+     of_gullies(3, footprint=1 / 16)), (0.01, 0.1, 0.5), (0.0, 0.125, 1.0, 3.0, 8.0))) if i % 3 == 0)
+
+
+def ratios_of_gullies(rounding, tolerance_of, bounds, *macros):
+    """The largest errors of the height and of a slope, over their tolerances; slopes are about as long as that, or
+    short."""
+    rng, worst = np.random.default_rng(7), np.zeros(2)
+    for s, depth, steep in CASES:
+        angle, size = rng.uniform(0, 2 * np.pi, COUNT), steep * rng.uniform(0.99, 1, COUNT) + 1e-3 * (steep == 0)
+        slope = (size * [np.cos(angle), np.sin(angle)]).astype(np.float32).astype(float)
+        f = np.where(rng.random(COUNT) < 0.5, rng.random((2, COUNT)), rng.integers(0, 65, (2, COUNT)) / 64)
+        columns = (along_axes("c", rng.integers(-2**20, 2**20, (2, COUNT))) | along_axes("f", f)
+                   | along_axes("p", (0, 0)) | along_axes("e", slope) | {"footprint": s.footprint or 0.0, "octaves": s.octaves, "seed": 0,
+                                               "lacunarity": s.lacunarity, "gain": s.gain, "depth": depth})
+        found, exact = (np.array(of(GULLIES, how, **columns)) for of, how in (
+            (text_of_gullies(*macros), rounding), (text_of_gullies(), EXACT)))
+        errors = abs(found - exact)
+        for i in (errors[0].argmax(), errors[1:].max(axis=0).argmax()):
+            height, added = tolerance_of(s, np.hypot(*np.clip(slope[:, i], -8, 8)), depth, bounds)
+            worst = np.maximum(worst, [errors[0, i] / height, errors[1:, i].max() / added])
+    return worst
+
+
+class Gullies(unittest.TestCase):
+    def test_floats_and_integers(self):
+        in_floats = [(rounding, float_sums.gullies_tolerance, ()) for rounding in some(roundings(7), 0, 2)]
+        for rounding, tolerance, macros in (*in_floats, (NEAREST, gullies.fixed_tolerance, (FIXED,))):
+            worst = ratios_of_gullies(rounding, tolerance, read_gullies(), *macros)
+            self.assertTrue((worst < 1).all() and (worst > 1 / 30).all(), (rounding, worst))
+
+    def test_smaller_bounds_and_fewer_bits_are_noticed(self):
+        """Must-fail checks."""
+        proven = read_gullies()
+        smaller = replace(proven, **{field.name: getattr(proven, field.name) / 32 for field in fields(proven)})
+        for rounding, tolerance, bounds, macros in (
+                (Rounding("nearest", lost_bits=6), float_sums.gullies_tolerance, proven, ()),
+                (Rounding("random", 9), float_sums.gullies_tolerance, smaller, ()),
+                (NEAREST, gullies.fixed_tolerance, smaller, (FIXED,))):
+            self.assertGreater(ratios_of_gullies(rounding, tolerance, bounds, *macros).max(), 1, (rounding, macros))
+
+    def test_of_waves(self):
+        """None at random places is steeper, or changes faster, than proven; and some come near."""
+        rng, bounds, function = np.random.default_rng(1), read_gullies(), text_test.rows()["phasor_d", 2, "cell", "d"]
+        columns = text_test.columns_of(function)
+        angle, other = rng.uniform(0, 2 * np.pi, (2, len(columns["cx"])))
+        k, step = 1.5 * np.array([np.cos(angle), np.sin(angle)]), 1e-6 * np.array([np.cos(other), np.sin(other)])
+        (v, *g), (turned_v, *turned_g) = (np.array(text_test.text(OCTAHEDRAL)(
+            function.id, EXACT, **columns | along_axes("k", wave))) for wave in (k, k + step))
+        for seen, bound in ((np.hypot(*g), bounds.steepest), (abs(turned_v - v) / 1e-6, bounds.wave_rate),
+                            (np.hypot(*np.subtract(turned_g, g)) / 1e-6, bounds.slope_wave_rate)):
+            self.assertTrue(0.4 * bound < seen.max() < bound, (seen.max(), bound))
+
+    def test_growth_and_domain(self):
+        """From octave to octave, by less on steep ground; and no further than to the ends."""
+        bounds = read_gullies()
+
+        def floats(octaves, slope, depth):
+            return float_sums.gullies_tolerance(of_gullies(octaves), slope, depth, bounds)
+        steep, flat = ([floats(n, r, 0.1) for n in range(1, 12)] for r in (3.0, 0.0))
+        for a, b in itertools.chain(itertools.pairwise(steep), itertools.pairwise(flat)):
+            self.assertTrue(a[0] <= b[0] and a[1] <= b[1])
+        height, added = floats(30, 1.0, 8.0)
+        self.assertTrue(height <= 2 * 8 * 2.00001 and added <= 16.00001)
+        self.assertEqual([floats(5, 1.0, 0.0), floats(0, 1.0, 1.0)], [(0, 0)] * 2)
+        for s, depth, bounded in ((of_gullies(33), 0.1, False), (of_gullies(3, 300.0), 0.1, False),
+                                  (of_gullies(3, gain=1.5), 0.1, False), (of_gullies(7, 2.0, 1.0), 2.0, False),
+                                  (of_gullies(6, 2.0, 1.0), 2.0, True)):
+            self.assertEqual(gullies.fixed_tolerance(s, 1.0, depth, bounds)[0] < math.inf, bounded)
+
+
+# --- Steps ------------------------------------------------------------------------------------------------------------
+
+class Steps(unittest.TestCase):
+    def test_ridges(self):
+        """An error of every d, at its worst: the bound of r is reached but for a factor, and a count without that
+        it grows from octave to octave is exceeded."""
+        rng, size, count = np.random.default_rng(4), 2.0**-8, 6
+        d = rng.random((count, 500_000)) * (1 - size)
+        d[0] *= 2.0 ** -rng.uniform(0, 4, d.shape[1])
+        d[1:] = 1 - size - d[1:] * rng.choice((0.0, 0.05, 1.0), d.shape[1])
+        r, moved, bounds = 0.5, 0.5, steps.Ridge().fixed_errors([size - steps.WEIGHT_UNIT] * count, 0.0, 0.0)
+        for of_octave, bound in zip(d, bounds):
+            r, moved = (x**2 * np.minimum(2 * before, 1) for x, before in ((of_octave, r), (of_octave + size, moved)))
+            self.assertTrue(bound / 4 < (moved - r).max() < bound)
+        self.assertGreater((moved - r).max(), 2 * size)
+
+    def test_products_are_rounded_down(self):
+        rng = np.random.default_rng(3)
+        for a, b in (*rng.integers(0, 2**18 + 1, (1000, 2)).tolist(), (2**18, 2**18), (2**18, 511), (511, 2**18)):
+            self.assertEqual(sums.product(a, b), a * b >> 18)
+
+    def test_the_steepest_fall(self):
+        r = np.linspace(0, 14, 140_001)
+        for strength, reach in itertools.product((0.0, 0.001, 0.3, 1.0, 16.0), (0.1, 1.0, 13.9)):
+            fall = 1 / (1 + strength * r[r <= reach]**2)
+            seen, bound = abs(np.diff(fall)).max() / r[1], jacobians.steepest_fall(strength, reach)
+            self.assertTrue(0.99 * bound <= seen <= bound * (1 + 1e-9), (strength, reach, seen, bound))
+
+    def test_jacobians(self):
+        """The integers of the bounds are near the exact numbers."""
+        for dims, rotates in itertools.product((2, 3), (True, False)):
+            s = Sum("fbm_d", 1.0, 7, to_float(1.7), to_float(0.8), rotates=rotates)
+            for rounded, exactly in jacobians.jacobians(s, dims):
+                self.assertLess(abs(rounded - exactly).max(), 1e-3)
+
+    def test_nothing_wraps(self):
+        for dims in (2, 3):
+            self.assertLess(max(jacobians.largest_intermediates(dims).values()), 2**31)
+            self.assertLess(max(jacobians.largest_words(dims).values()), 2**32)
+        for limit, factor in (("LARGEST_GROWTH", 8), ("LARGEST_SHIFT", 8), ("LARGEST_RISE", 1.01)):
+            with mock.patch.object(jacobians, limit, factor * getattr(jacobians, limit)):
+                self.assertGreater(max(jacobians.largest_intermediates(3).values()), 2**31)
+        r, m = np.array([0, 2**24]), np.array([0, 31])
+        for part, name in ((r, "rotation"), (m, "rest of a rotation")):
+            made = [a * part[:, None] + b * part for a, b in ((25, -20), (20, 25), (29, -13), (13, 29))]
+            self.assertEqual(max(abs(x).max() for x in made), sums.largest_octave_intermediates(1.0)[name])
+
+    def test_the_slope_limit(self):
+        """Derivatives of an octave are cut off at the two ends of a range: beyond it there is no bound."""
+        noise, slope = bounds_of("phasor_d", 2, "none"), slope_bounds_of("phasor_d", 2)
+        for octaves, limit, bounded in ((4, 128.0, True), (32, 128.0, False), (4, 100.0, False)):
+            with mock.patch.object(jacobians, "SLOPE_LIMIT", limit):
+                tolerance = jacobians.fixed_slope_tolerance(Sum("fbm_d", 1.0, octaves, 2.0, 0.5), noise, slope)
+                self.assertEqual(tolerance < 2.0, bounded)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,255 @@
+"""The text of the library stays within the bounds of each noise, and reaches a part of them: over floats that round in
+any direction and over integers, beside the same text over doubles. A noise of the catalog is tested as soon as it has
+bounds."""
+
+import functools
+import unittest
+import zlib
+
+import numpy as np
+
+from base.thorough import THOROUGH, some
+from catalog.tables.functions import read_functions
+from proof.bounds import kernels, moving, noises, suprema
+from proof.bounds.floats import position_error
+from proof.bounds.gradients import OCTAHEDRAL, ROTATED, SINE
+from proof.bounds.noises import phasor
+from proof.bounds.noises.perlin.exact import SCALE
+from proof.bounds.rounded import EXACT, FIXED, NEAREST, Rounding, Text, along_axes, roundings
+from proof.bounds.table import bounds_of, slope_bounds_of
+
+COUNT = {1: 4000, 2: 3000, 3: 2000, 4: 1000}
+OF_GRADIENT = {OCTAHEDRAL: (), SINE: ("HN_GRADIENT=HN_GRADIENT_SINE",)}  # macros
+CLEAR = 2.0**-10  # how much farther the second point is than the first, where these do not change places
+FEWER_BITS = Rounding("nearest", lost_bits=8)
+COARSE = 2.0**-10  # of fractions and positions, where fixed arithmetic has more
+# Which part of a bound random points reach, in floats and in integers, where it is less than usual: a noise that jumps
+# has errors at few places, a border one of points that nearly touch, and errors of large numbers seldom add up.
+USUAL = (1 / 40, 1 / 15)
+PART = {"random": (0, 0), "cell_border": (1 / 40_000, 1 / 20_000)}
+
+
+# --- Functions and their arguments ------------------------------------------------------------------------------------
+
+@functools.cache
+def rows():
+    """Of each noise, dimension and kind of results, the functions with most arguments from a cell and from a
+    position."""
+    found = {}
+    for function in read_functions():
+        if function.bound in noises.names() and function.form in ("position", "cell") and function.type == "f64":
+            key = function.bound, function.axes, function.form, function.outputs[-1].name[0]
+            if key not in found or len(function.inputs) > len(found[key].inputs):
+                found[key] = function
+    return found
+
+
+@functools.cache
+def text(gradient, *macros):
+    ids = [function.id for function in rows().values() if has(function, gradient)]
+    return Text(ids, *OF_GRADIENT[gradient], *macros, optimized=True)
+
+
+def has(function, gradient):
+    return gradient is OCTAHEDRAL or (function.bound, function.axes) in (("perlin", 2), ("perlin", 3))
+
+
+def cases():
+    """With the kind of gradient, and a number."""
+    return [(turn, function, gradient) for gradient in OF_GRADIENT for turn, function in enumerate(rows().values())
+            if has(function, gradient)]
+
+
+def near(rng, count, ends, reach=0.5):
+    """Those, or numbers beside them."""
+    return rng.choice(ends, count) + rng.uniform(-reach, reach, count) * 2.0**-rng.integers(0, 26, count)
+
+
+ARGUMENTS = {  # by the names of columns
+    "c": lambda rng, count: rng.integers(-2**31, 2**31, count),
+    "f": lambda rng, count: np.where(rng.random(count) < 0.5, rng.random(count),
+                                     near(rng, count, (0.0, 0.5, 1.0))).clip(0, 1),
+    "p": lambda rng, count: np.zeros(count),
+    "position": lambda rng, count: near(rng, count, (0.0, 0.0, 0.5, -7.0)) * 2.0**rng.integers(-20, 12, count),
+    "k": lambda rng, count: np.where(rng.random(count) < 0.5, rng.choice((-16, 16, 32), count),
+                                     rng.uniform(-16, 16, count)),
+    "phase": lambda rng, count: near(rng, count, np.arange(-8, 9) / 8),
+    "jitter": lambda rng, count: np.where(rng.random(count) < 0.3, rng.random(count), 1.0),
+    "metric": lambda rng, count: rng.integers(1, 6, count),
+    "seed": lambda rng, count: rng.integers(0, 2**32, count)}
+
+
+def columns_of(function):
+    rng, columns = np.random.default_rng(zlib.crc32(function.id.encode())), {}
+    for one in function.inputs:
+        kind = one.name if one.name in ARGUMENTS else one.name[0] if len(one.name) == 2 else "position"
+        column = ARGUMENTS[kind](rng, COUNT[function.axes])
+        columns[one.name] = column.astype(np.float32).astype(float) if one.type == "f32" else column
+    return columns
+
+
+def coarse(columns):
+    return {name: np.floor(x / COARSE) * COARSE if name[0] == "f" or name in "xyzw" else x
+            for name, x in columns.items()}
+
+
+# --- Errors -----------------------------------------------------------------------------------------------------------
+
+def distances(function, columns):
+    """Of the nearest two points, if there are any."""
+    base = "cellular_phase" if function.has_phase else "cellular"
+    of = rows()[base, function.axes, function.form, "s"]
+    usual = {"jitter": 1.0, "metric": 1} | dict.fromkeys(("px", "py", "pz"), 0)
+    return text(OCTAHEDRAL)(of.id, EXACT, **{one.name: columns.get(one.name, usual.get(one.name)) for one in of.inputs})
+
+
+def weights_of(function, columns, kind):
+    """By which errors of a result of that kind count: 0 where it jumps nearby."""
+    if function.bound == "hex_tiling":
+        x, y = ((columns[f"f{axis}"] if function.has_cell else columns[axis] % 1) for axis in "xy")
+        return np.min([abs(at - np.rint(at)) for at in (2 * x + y, 2 * y, 2 * x - y)], axis=0) > 2.0**-18
+    if function.bound.startswith("cell") and kind in "od":
+        first, second = distances(function, columns)
+        # of a derivative, times the distance
+        return np.where(second - first > CLEAR, first if kind == "d" else 1.0, 0.0)
+    return 1.0
+
+
+def proven(function, name, gradient, fixed):
+    """The bound of a result's error, and the limit of its size."""
+    if name[0] in "oxy":  # of a vector to a point
+        return noises.find(function.bound).offset_error(function.axes, fixed), np.inf
+    if function.bound == "cellular_phase":  # the row has the larger bound, that of the vector
+        dims, limit = function.axes, moving.largest_distance(function.axes, 2)
+        error = moving.fixed_distance_error(dims) if fixed else moving.distance_error(dims, limit)
+        return error if fixed or function.has_cell else position_error(error, dims**0.5), limit + error
+    is_slope = name[0] == "d" and len(name) == 2
+    row = slope_bounds_of(function.bound, function.axes) if is_slope else bounds_of(
+        function.bound, function.axes, gradient.name)
+    if fixed:
+        return row.fixed_error, row.fixed_limit
+    return row.cell_error if function.has_cell else row.error, row.limit
+
+
+def ratios(function, gradient, simulated, *macros, columns=None, given=lambda columns: columns):
+    """The largest error of each result over its bound, and the largest size over its limit. Other arguments may be
+    given to the text that rounds."""
+    columns = columns or columns_of(function)
+    exact, found = text(gradient)(function.id, EXACT, **columns), []
+    for rounding in simulated:
+        results = text(gradient, *macros)(function.id, rounding, **given(columns))
+        for result, (one, right) in enumerate(zip(results, exact)):
+            name = function.outputs[result].name
+            error, limit = proven(function, name, gradient, FIXED in macros)
+            seen = (abs(one - right) * weights_of(function, columns, name[0])).max()
+            found.append((seen / error if error else float(seen > 0), abs(one).max() / limit))
+    return np.max(found, axis=0)
+
+
+class Noises(unittest.TestCase):
+    def within(self, function, gradient, simulated, *macros):
+        with self.subTest(function.id, gradient=gradient.name):
+            error, size = ratios(function, gradient, simulated, *macros)
+            self.assertTrue(PART.get(function.bound, USUAL)[FIXED in macros] <= error < 1, error)
+            self.assertLessEqual(size, 1)
+
+    def test_floats(self):
+        for turn, function, gradient in cases():
+            self.within(function, gradient, some(roundings(turn), turn, 3))
+
+    def test_integers(self):
+        for _, function, gradient in cases():
+            self.within(function, gradient, [NEAREST], FIXED)
+
+    def test_fewer_bits_are_noticed(self):
+        """Must-fail checks: of mantissas, and with fixed arithmetic of arguments."""
+        for turn, function, gradient in cases():
+            if function.bound not in PART and (THOROUGH or turn % 3 == 0):
+                with self.subTest(function.id, gradient=gradient.name):
+                    self.assertGreater(ratios(function, gradient, [FEWER_BITS])[0], 1)
+                    self.assertGreater(ratios(function, gradient, [NEAREST], FIXED, given=coarse)[0], 1)
+
+    def test_every_noise_is_tested(self):
+        tested = {(function.bound, function.axes) for function in rows().values() if function.has_cell}
+        self.assertEqual({(name, dims) for name in noises.names() for dims, _ in noises.find(name).cases
+                          if not name.endswith("_vector_d")}, tested)
+
+    def test_where_a_difference_of_ramps_wraps(self):
+        """In space, at corners without a weight, of 1 in 144 cells: its value then does not matter."""
+        for noise, result in (("perlin", "v"), ("perlin_d", "d")):
+            function = rows()[noise, 3, "cell", result]
+            columns = columns_of(function) | {"fx": 0.25, "fy": 1.0, "fz": 1.0}
+            self.assertLess(ratios(function, OCTAHEDRAL, [NEAREST], FIXED, columns=columns)[0], 1)
+
+    def test_differences(self):
+        """No noise changes faster than is proven, but for those that jump."""
+        for _, function, gradient in cases():
+            jumps = function.bound in ("random", "hex_tiling") or function.outputs[0].name[0] == "o"
+            if function.form != "position" or jumps:
+                continue
+            rng, axes, columns = np.random.default_rng(2), "xyzw"[:function.axes], columns_of(function)
+            count = len(columns["x"])
+            p = rng.uniform(-4, 4, (function.axes, count))
+            q = p + rng.choice((-1, 1), p.shape) * 10**rng.uniform(-5, -2, count)
+            both = [columns | dict(zip(axes, at)) for at in (p, q)]
+            a, b = (text(gradient)(function.id, EXACT, **of) for of in both)
+            for one, other, column in zip(a, b, function.outputs):
+                if column.name[0] == "d" and function.bound == "cellular_d":
+                    continue  # it jumps
+                row = bounds_of(function.bound, function.axes, gradient.name)
+                if column.name[0] == "d":
+                    row = slope_bounds_of(function.bound, function.axes)
+                fastest = (abs(one - other) / abs(p - q).max(axis=0)).max() / row.lipschitz
+                with self.subTest(function.id, column=column.name, gradient=gradient.name):
+                    self.assertTrue(0.2 < fastest < 1, fastest)
+
+
+def of_lattice(dims, gradient, slope, place):
+    """How large Perlin or value noise can be, or its derivatives."""
+    scale = SCALE[gradient][dims] if gradient else 1
+    return scale * suprema.steepest(suprema.SLOPE if slope else suprema.VALUE, gradient, place)
+
+
+def of_kernel(kernel, gradient, slope, place):
+    quantity = kernels.Quantity(((1.0,) + (0.0,) * (kernel.dims - 1),)) if slope else kernels.VALUE
+    attained = kernels.attained(kernel, quantity, gradient.support, place * kernel.steps)
+    return kernel.scale / 1024 * kernel.steps**slope * attained
+
+
+def of_waves(kernel, slope, place):
+    along = (float(slope), *(0.0,) * (kernel.dims - 1))
+    rate = phasor.rate_along(kernel, 1) if slope else 1.0
+    return kernel.scale / 1024 * kernel.steps**slope * phasor.attained(kernel, along, rate, place * kernel.steps)
+
+
+FORMULAS = {  # by which suprema are found
+    "perlin": (OCTAHEDRAL, of_lattice), "perlin_phase": (ROTATED, of_lattice), "value": (None, of_lattice),
+    "simplex": (OCTAHEDRAL, kernels.SIMPLEX), "simplex_smooth": (OCTAHEDRAL, kernels.SMOOTH),
+    "simplex_phase": (ROTATED, kernels.ROTATING), "phasor": (None, phasor.KERNELS)}
+
+
+class Formulas(unittest.TestCase):
+    def test_they_are_those_of_the_text(self):
+        """At some places of half a cell, of many: no value and no derivative along x is larger, and some are nearly as
+        large."""
+        rng = np.random.default_rng(3)
+        for (noise, dims, form, result), function in rows().items():
+            name = noise.replace("_d", "")
+            if form != "cell" or result not in "vqd" or name not in FORMULAS:
+                continue
+            gradient, of = FORMULAS[name]
+            columns, reached, slope = columns_of(function), [], result == "d"
+            for place in rng.uniform(0, 0.5 if dims > 2 or of is of_lattice else 0.25, (8, dims, 1)):
+                most = (of_lattice(dims, gradient, slope, place) if of is of_lattice
+                        else of_waves(of[dims], slope, place)
+                        if noise.startswith("phasor") else of_kernel(of[dims], gradient, slope, place))
+                waves = dict.fromkeys((name for name in columns if name[0] == "k"), 16.0)
+                found = text(OCTAHEDRAL)(function.id, EXACT, **columns | waves | along_axes("f", place))
+                seen = found[[one.name for one in function.outputs].index("dx" if slope else function.outputs[0].name)]
+                reached.append(abs(seen).max() / most[0])
+            with self.subTest(function.id):
+                self.assertTrue({1: 0.95, 2: 0.9, 3: 0.5, 4: 0.3}[dims] < max(reached) < 1 + 1e-7, max(reached))
+
+
+if __name__ == "__main__":
+    unittest.main()
