@@ -223,15 +223,6 @@ class Command(unittest.TestCase):
         self.assertIn("--hash custom --hash-function my_hash", refused.stderr)
         self.assertEqual(self.call("--out", "/dev/null/absent", "hash.glsl").returncode, 2)
 
-    def test_words_of_options(self):
-        """Options take the words that tools/pick takes for single functions, and the library's, in any case."""
-        one, *others = (self.call(*words.split(), "gradient.glsl").stdout for words in (
-            "--arithmetic fixed --hash pcg --gradient sine", "--arithmetic HN_FIXED --hash PCG --gradient SINE",
-            "--arithmetic Fixed --hash HN_HASH_PCG --gradient hn_gradient_sine"))
-        self.assertIn("HN_FIXED, HN_HASH_PCG and HN_GRADIENT_SINE", one)
-        self.assertEqual(others, [one, one])
-        self.assertIn("{fast,fixed}", self.call("--help").stdout)
-
     def test_import_path(self):
         one, other = (self.call(*arguments, "hash.glsl").stdout for arguments in ((), ("--import-path", "game::noise")))
         self.assertEqual(other, f"#define_import_path game::noise\n\n{one}")
