@@ -400,6 +400,8 @@ class Cli(unittest.TestCase):
 
     def test_every_option_is_in_the_documents(self):
         for command, page in (("run", "guide/conformance.md"), ("bench", "measured/measuring.md")):
+            if page.startswith("measured/") and not (ROOT / "tools" / "measure").exists():
+                continue  # measuring was deleted, with its pages
             options = set(re.findall(r"^  (?:-\w,)?(--[\w-]+)", self.call(command, "--help").stdout, re.MULTILINE))
             text = (ROOT / "docs" / page).read_text()
             self.assertEqual({option for option in options - {"--help"} if f"`{option}" not in text}, set(),

@@ -20,7 +20,7 @@ from translate.parsing.tokens import Unknown
 from translate.pick import comments
 from translate.pick.circuit import WIDEST, WIRING, Circuit, Gate, Lowering, Unrolled, at_place, width
 from translate.pick.evaluate import Module, dotted
-from translate.pick.program import not_summed, of_noise
+from translate.pick.program import chosen, not_summed, of_noise
 from translate.pick.typer import Typed
 from translate.pick.values import AXES, SIZES, WORD, Constant, Operation, Variable, begin_anew
 
@@ -476,6 +476,10 @@ class Made:
         rows |= {"latency": f"{self.pipeline.latency} clocks; a value leaves at each", "returns": self.facts.returns}
         given = ", ".join(f"{name} {value}" for name, value in self.constants.items())
         return comments.laid_out(self.facts.what + (f" Here {given}." if given else ""), rows, 118)
+
+
+def circuits(names: Sequence[str], choice: Choice, module: Module, library: Path) -> list[Made]:
+    return [Made(module, one, library, choice) for one in chosen(module, names)]
 
 
 def constants(text: str) -> dict[str, str]:

@@ -18,7 +18,7 @@ from pathlib import Path
 
 from base.png import read_png
 from base.renderer import Renderer
-from base.tree import ROOT
+from base.tree import GLSL, ROOT
 from translate.parsing.tokens import Unknown
 from translate.pick import command, verilog, verilog_bench
 from translate.pick.runners import ran
@@ -38,7 +38,8 @@ EXAMPLE = ROOT / "examples" / "silicon"
 
 
 def made(name: str, constants: str = "", noise: str = "", **choices: str) -> Made:
-    return command.circuits([name], command.Choice("verilog", "fixed", noise=noise, constants=constants, **choices))[0]
+    choice = command.Choice("verilog", "fixed", noise=noise, constants=constants, **choices)
+    return verilog.circuits([name], choice, command.read_library(GLSL, choice), GLSL)[0]
 
 
 def text(of: Made) -> str:
