@@ -73,14 +73,15 @@ class Library(unittest.TestCase):
                          [True, True, False, True, False])
         self.assertEqual(verdicts("detail/body_centred_lattice.glsl", "hn_i_square(dx.x, dy.x, dz.x, dw.x)",
                                   ("dx.x, dy.x", "dy.x, dx.x"), ("dw", "-dw"), ("dx", "f")), [True, True, False])
-        for text, verdict in (("hn_i_size(hn_i_octave(n))", True), ("hn_i_size(hn_i_bounded_octave(n))", True),
+        for text, verdict in (("hn_i_magnitude(hn_i_octave(n))", True),
+                              ("hn_i_magnitude(hn_i_bounded_octave(n))", True),
                               ("hn_i_ridge(hn_i_bounded_octave(n))", True),
                               ("hn_i_height(hn_i_bounded_octave(n))", False)):
             self.assertEqual(verdicts(octave, text, ("n", "-n")), [verdict], text)
         for function, verdict in (("turbulence", True), ("ridged", True), ("hybrid", False)):
             self.assertEqual(verdicts("octaves4d.glsl", f"hn_add_{function}(", ("n", "-n")), [verdict], function)
         self.assertEqual(verdicts(falloff, "hn_i_square_plus(hn_uint q", ("x", "-x")), [False])
-        self.assertEqual(verdicts(falloff, "ivec2(hn_i_size(x), hn_i_size(y))", ("x", "-x")), [True])
+        self.assertEqual(verdicts(falloff, "ivec2(hn_i_magnitude(x), hn_i_magnitude(y))", ("x", "-x")), [True])
 
     def test_an_equivalence_covers_nothing_else(self):
         source = "a = f(x - y);\nb = f(x - y) - x - y;\n"

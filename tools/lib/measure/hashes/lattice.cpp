@@ -94,7 +94,7 @@ void put(vec2 v, Out out) {
                        in[2 * N + 2]), out))
 OF(2)
 OF(3)
-EVALUATES(further2, 1, 1, put(hn_i_words_of_y(uvec4(*in)).x, out))
-EVALUATES(further3, 1, 2, put(hn_i_words_of_y(uvec4(*in)).x, out); put(hn_i_words_of_z(uvec4(*in)).x, out + 1))
+EVALUATES(further2, 1, 1, put(hn_i_hashes_of_y(uvec4(*in)).x, out))
+EVALUATES(further3, 1, 2, put(hn_i_hashes_of_y(uvec4(*in)).x, out); put(hn_i_hashes_of_z(uvec4(*in)).x, out + 1))
 EVALUATES(perlin_worley3, 5, 1, put(hn_perlin_worley(tile<3>(in, in[3]), 1, 2.0f, 1.0f, in[4]), out))
 // clang-format on

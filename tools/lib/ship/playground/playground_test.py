@@ -99,7 +99,7 @@ class Picks(unittest.TestCase):
         self.assertEqual(picks.own_pieces([[one, word], [one, step, second]]), [[word], [step, second]])
         self.assertEqual(picks.with_hash([one, word, other], [step, second]), [one, step, second, other])
         for small in ([[one, word], [other, second]], [[one, step], [one, word]]):
-            with self.assertRaisesRegex(ValueError, "differ in more than hn_i_word"):
+            with self.assertRaisesRegex(ValueError, "differ in more than hn_i_point_hash"):
                 picks.own_pieces(small)
         with self.assertRaises(ValueError):
             picks.with_hash([one], [word])
