@@ -21,17 +21,8 @@ const std::vector<Function>& functions() {
 }
 
 std::string_view name_of(WordType type) {
-  switch (type) {
-    case WordType::u32:
-      return "u32";
-    case WordType::i32:
-      return "i32";
-    case WordType::f32:
-      return "f32";
-    case WordType::f64:
-      break;
-  }
-  return "f64";
+  constexpr std::array<std::string_view, 4> kNames = {"u32", "i32", "f32", "f64"};
+  return kNames.at(static_cast<std::size_t>(type));
 }
 
 std::string columns_text(std::span<const Column> columns) {

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
+#include "gpu/evaluator.hpp"
 #include "gpu/spirv.hpp"
-#include "gpu/vulkan/dxc.hpp"
-#include "gpu/vulkan/evaluator.hpp"
-#include "gpu/vulkan/vkd3d.hpp"
+#include "gpu/vulkan/hlsl.hpp"
 #include "gpu/vulkan/vulkan_fixture.hpp"
 
 namespace hn {
