@@ -1,4 +1,4 @@
-"""Tests of the steps by which sums add octaves: what steps.py and tools/lib/proof/sums/bounds.cpp prove of a step holds
+"""Tests of the steps by which sums add octaves: what steps.py and conformance/sums/bounds.cpp prove of a step holds
 for what the oracle computes. A proof that somebody copied from a step with smaller slopes fails here, by its name."""
 
 import itertools
