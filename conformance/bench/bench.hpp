@@ -12,7 +12,7 @@
 #include "bench/subject.hpp"
 #include "bench/timing.hpp"
 #include "gpu/context_info.hpp"
-#include "library/edited.hpp"
+#include "library/source.hpp"
 
 namespace hn {
 
@@ -48,7 +48,6 @@ struct BenchReport {
 
 struct BenchOptions {
   int rounds = 9;
-  bool counts = true;
   // llvmpipe keeps the code of so many shaders and no more, some 400 of the subjects. It compiles what it has dropped
   // again at each draw, and that would be measured.
   std::size_t most_at_a_time = 128;

@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "base/file.hpp"
-#include "base/temporary_folder.hpp"
+#include "base/folder.hpp"
 #include "gpu/osmesa_fixture.hpp"
 
 namespace hn {
@@ -55,7 +55,7 @@ TEST_F(BenchRun, MeasuresEachBatchWithTheReferencesAndReportsAllInOrder) {
                                          subject("twice", noise + " + hn_perlin(p, 1u)"), subject("last", noise)};
   std::FILE* const nowhere = std::fopen("/dev/null", "w");
   const auto report = run_bench(*context_, SourceSet::embedded(), ReferenceCompiler(), subjects,
-                                {.rounds = 3, .counts = false, .most_at_a_time = 2}, nowhere);
+                                {.rounds = 3, .most_at_a_time = 2}, nowhere);
   std::fclose(nowhere);
   ASSERT_TRUE(report) << report.error().text();
   std::vector<std::string> ids;

@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdio>
 #include <cstring>
 #include <sstream>
 
 #include "base/file.hpp"
-#include "base/temporary_folder.hpp"
+#include "base/folder.hpp"
+#include "base/process.hpp"
 #include "bench/subject.hpp"
 #include "gpu/spirv.hpp"
 
@@ -17,16 +17,6 @@ namespace hn {
 namespace {
 
 using Words = std::vector<std::uint32_t>;
-
-// The output of a command; empty if it fails.
-std::string output_of(const std::string& command) {
-  std::FILE* const pipe = ::popen(command.c_str(), "r");
-  if (!pipe) return {};
-  std::string output;
-  std::array<char, 4096> part;
-  while (const std::size_t got = std::fread(part.data(), 1, part.size(), pipe)) output.append(part.data(), got);
-  return ::pclose(pipe) == 0 ? output : std::string();
-}
 
 std::int64_t count_disassembly(const std::string& text) {
   std::istringstream lines(text);
@@ -84,7 +74,7 @@ TEST_F(SpirvTools, AgreeOnTheNumberOfInstructions) {
     const auto optimised = optimise_spirv(words);
     ASSERT_TRUE(optimised) << optimised.error().text();
     for (const Words& some : {words, *optimised}) {
-      const std::string text = output_of("spirv-dis --no-color '" + file_of(some) + "'");
+      const std::string text = output_of("spirv-dis", {"--no-color", file_of(some)}).value_or("");
       ASSERT_FALSE(text.empty()) << "spirv-dis, of the package spirv-tools, fails";
       EXPECT_EQ(count_spirv(some), count_disassembly(text)) << subject.id;
       EXPECT_GT(count_spirv(some), 0) << subject.id;
@@ -98,7 +88,8 @@ TEST_F(SpirvTools, OptimiseTheSame) {
     const Words words = compile(subject);
     const auto optimised = optimise_spirv(words);
     ASSERT_TRUE(optimised) << optimised.error().text();
-    const std::string bytes = output_of("spirv-opt -O --target-env=vulkan1.0 '" + file_of(words) + "' -o -");
+    const std::string bytes =
+        output_of("spirv-opt", {"-O", "--target-env=vulkan1.0", file_of(words), "-o", "-"}).value_or("");
     ASSERT_EQ(bytes.size(), optimised->size() * sizeof(std::uint32_t)) << subject.id;
     EXPECT_EQ(std::memcmp(bytes.data(), optimised->data(), bytes.size()), 0) << subject.id;
   }
@@ -130,7 +121,7 @@ TEST_F(SpirvTools, CountWhatFunctionsDo) {
                 "OpReturn\n"  // 5
                 "OpFunctionEnd\n");
   const auto path = (folder_.path() / "shader.spvasm").string();
-  const std::string bytes = output_of("spirv-as --target-env spv1.0 '" + path + "' -o -");
+  const std::string bytes = output_of("spirv-as", {"--target-env", "spv1.0", path, "-o", "-"}).value_or("");
   ASSERT_FALSE(bytes.empty());
   Words words(bytes.size() / sizeof(std::uint32_t));
   std::memcpy(words.data(), bytes.data(), bytes.size());

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-#include "base/temporary_folder.hpp"
+#include "base/folder.hpp"
 #include "gpu/osmesa_fixture.hpp"
 
 namespace hn {

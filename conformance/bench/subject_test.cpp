@@ -62,7 +62,6 @@ class SubjectShaders : public OnOsmesa<> {
     sources_.add("against/value",
                  "float value_noise(vec2 p) { return fract(sin(dot(p, vec2(12.9, 78.2))) * 43758.5); }\n",
                  "/home/me/value.glsl");
-    sources_.add("against/broken", "float value_noise(vec2 p) {\n  return undeclared;\n}\n", "/home/me/broken.glsl");
   }
 
   Result<void> link(const std::string& fragment, std::string_view profile = "gl330") {
@@ -145,29 +144,11 @@ TEST_F(SubjectShaders, CostMoreThanTheEmptyOnes) {
   }
 }
 
-TEST_F(SubjectShaders, OfSomebodyElseCompile) {
-  const Subject subject = foreign_subject("value", "against/value", "value_noise(p) * 2.0 - 1.0", 2);
-  EXPECT_EQ(subject.id, "value2");
-  expect_shaders_work(subject);
-}
-
 TEST_F(SubjectShaders, OfSomebodyElseMustBeFloats) {
   for (const std::string_view expression :
        {"p", "vec3(p, 0.0)", "int(p.x)", "uint(p.x)", "p.x < 0.5", "ivec2(p)", ""}) {
     expect_refused(foreign_subject("value", "against/value", expression, 2), "the case's shader:");
   }
-}
-
-TEST_F(SubjectShaders, OfSomebodyElseNameTheLineThatIsWrong) {
-  expect_refused(foreign_subject("broken", "against/broken", "value_noise(p)", 2), "/home/me/broken.glsl:2");
-  // There is no value_noise(vec3).
-  expect_refused(foreign_subject("value", "against/value", "value_noise(p)", 3), "value_noise");
-  EXPECT_FALSE(link(loop_shader(foreign_subject("value", "against/absent", "1.0", 2))));
-}
-
-TEST_F(SubjectShaders, OfWrongSubjectsAreRefused) {
-  const Subject wrong{"wrong", 2, "#include \"noise2d.glsl\"\n", "hn_perlin(p, p, p)"};
-  expect_refused(wrong, "hn_perlin");
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <set>
 
-#include "bench/sampler.hpp"
+#include "bench/workbench.hpp"
 #include "expected/points.hpp"
 #include "gpu/osmesa_fixture.hpp"
 

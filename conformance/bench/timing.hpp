@@ -1,14 +1,35 @@
 // Times programs against each other: in rounds, so that what slows the machine down for a while slows all of them.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "base/ratio.hpp"
 #include "gpu/gpu.hpp"
 
 namespace hn {
+
+// Seconds of a piece of work, a sample per round.
+struct Timing {
+  std::vector<double> samples;
+
+  double median() const;
+  double spread() const;  // half the distance between the quartiles
+};
+
+// A quotient, and half the distance between the quartiles of its samples. NaN where it is unknown.
+struct Ratio {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  double spread = std::numeric_limits<double>::quiet_NaN();
+
+  bool known() const { return value == value; }
+};
+// "1.23 ± 0.04"
+std::string text_of(const Ratio& ratio);
+
+// The time of some work over that of the reference, round by round, after the time of what is empty is taken off both.
+Ratio ratio(const Timing& timing, const Timing& reference, const Timing& empty);
 
 // The work to time: a program drawn over a rectangle of pixels.
 struct Workload {

@@ -4,10 +4,12 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <exception>
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -15,7 +17,6 @@
 #include "cases/value_checks.hpp"
 
 namespace hn {
-
 namespace {
 
 Outcome run(Session& session, const GoldenKind& kind) { return check_golden(session, kind.evaluation); }
@@ -150,6 +151,32 @@ Result<std::vector<Case>> cases_with(std::span<const std::string> ids) {
     cases.push_back(*test->second);
   }
   return cases;
+}
+
+Case case_named(std::string_view id) {
+  const auto found = cases_with(std::array{std::string(id)});
+  if (!found) throw std::logic_error(found.error().text());
+  return found->front();
+}
+
+std::vector<Target> targets_of(const Configuration& configuration) {
+  std::vector<Target> targets;
+  const auto add = [&](const Profile& profile, Stage stage, bool main) { targets.push_back({&profile, stage, main}); };
+  add(main_profile(configuration, false), Stage::fragment, true);
+  add(main_profile(configuration, true), Stage::fragment, true);
+  const bool precise = configuration.arithmetic == Arithmetic::precise;
+  if (!precise) add(profile_named("gl140"), Stage::fragment, false);
+  add(main_profile(configuration, false), Stage::vertex, false);
+  if (!precise) add(profile_named("es300"), Stage::vertex, false);
+  add(profile_named("gl430"), Stage::compute, false);
+  if (!precise) add(profile_named("es310"), Stage::compute, false);
+  add(profile_named("vulkan"), Stage::compute, false);
+  add(profile_named("hlsl60"), Stage::compute, false);
+  // By way of vkd3d-compiler, which takes minutes over Jenkins' hash and drops `precise`.
+  if (!precise && configuration.default_but_for_arithmetic()) add(profile_named("hlsl50"), Stage::compute, false);
+  if (!precise) add(profile_named("msl"), Stage::compute, false);
+  if (!precise) add(profile_named("wgsl"), Stage::compute, false);
+  return targets;
 }
 
 }  // namespace hn

@@ -1,4 +1,5 @@
-// A case: one thing that a driver can get right or wrong, with its evidence.
+// A case: one thing that a driver can get right or wrong, with its evidence; and in which versions and stages the cases
+// evaluate functions.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +14,29 @@
 
 #include "base/result.hpp"
 #include "cases/session.hpp"
-#include "cases/targets.hpp"
 #include "expected/pairing.hpp"
 #include "expected/verdict.hpp"
+#include "library/functions.hpp"
+#include "library/profile.hpp"
 
 namespace hn {
+
+// Where a case belongs.
+enum class Extent {
+  every_driver,  // for each driver
+  one_driver,    // run --deal runs it on one of the drivers that can
+  thorough,      // run --thorough alone runs it
+};
+
+// A version and a stage in which functions are evaluated.
+struct Target {
+  const Profile* profile;
+  Stage stage;
+  bool main;  // one of the versions in which a configuration has most of its cases: of desktop OpenGL, or of ES
+};
+
+// The targets of a configuration: its main versions, GLSL without bit casts, the other stages, and Vulkan's.
+std::vector<Target> targets_of(const Configuration& configuration);
 
 // The kinds of cases. A kind is data, as far as it can be, so that a browser's page can run the same.
 
@@ -108,11 +127,20 @@ enum class Scope { covered, thorough };
 std::vector<Case> all_cases(Scope scope = Scope::thorough);
 std::vector<std::string> ids_of(const std::vector<Case>& cases);
 Result<std::vector<Case>> cases_with(std::span<const std::string> ids);
+Case case_named(std::string_view id);  // throws std::logic_error if there is none
 
 using Subjects = std::set<std::string_view>;  // ids of functions
 // The parts of all_cases, a file each.
 void add_compile_cases(std::vector<Case>& cases, Scope scope);
 void add_value_cases(std::vector<Case>& cases, Scope scope, const Subjects* subjects = nullptr);  // null: of all
 void add_bug_cases(std::vector<Case>& cases);                                                     // bugs/
+
+struct CheckDescription {
+  std::string_view check;  // the last part of a case's id
+  std::string_view text;   // sentences, in Markdown
+};
+
+// Every check, in the order of the page.
+std::span<const CheckDescription> check_descriptions();
 
 }  // namespace hn

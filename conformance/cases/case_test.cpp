@@ -7,7 +7,6 @@
 #include <set>
 #include <stdexcept>
 
-#include "cases/checks.hpp"
 #include "cases/value_checks.hpp"
 #include "gpu/osmesa_fixture.hpp"
 

@@ -17,8 +17,8 @@
 namespace hn {
 namespace {
 
-constexpr std::size_t kPoints = 2048;  // a quarter of what is costly
-constexpr std::uint32_t kFurthestCell = 64;
+constexpr std::size_t kCellularPoints = 2048;  // a quarter of what is costly
+constexpr std::uint32_t kFurthestCellularCell = 64;
 constexpr double kUnit = 0x1p-16;  // of places
 constexpr std::uint32_t kUnits = 65536;
 // So many places that may depend on far cells are tried to find some that do.
@@ -26,7 +26,7 @@ constexpr std::size_t kTries = 4096;
 constexpr std::size_t kFarPoints = 64;
 
 std::size_t points_of(const Session& session, const Function& function) {
-  return std::min(function.is_costly() ? kPoints / 4 : kPoints, session.most_points);
+  return std::min(function.is_costly() ? kCellularPoints / 4 : kCellularPoints, session.most_points);
 }
 
 using Places = std::vector<Place>;
@@ -35,7 +35,7 @@ Places random_places(const Function& function, Random& random) {
   Places places;
   for (int axis = 0; axis < function.axes; ++axis) {
     places.push_back(
-        {random_cell_of(function, kFurthestCell, random), static_cast<double>(random.below(kUnits)) * kUnit});
+        {random_cell_of(function, kFurthestCellularCell, random), static_cast<double>(random.below(kUnits)) * kUnit});
   }
   return places;
 }
@@ -293,7 +293,7 @@ Outcome check_cell_names(Session& session, const Evaluation& evaluation) {
   for (std::size_t i = 0; i < points; ++i) {
     Places places = random_places(function, random);
     for (Place& place : places) {
-      place.cell = random.below(2 * kFurthestCell) - kFurthestCell;
+      place.cell = random.below(2 * kFurthestCellularCell) - kFurthestCellularCell;
       if (random.below(4) == 0) place.fraction = 0.0;
     }
     all_places.push_back(places);

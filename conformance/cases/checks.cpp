@@ -1,6 +1,6 @@
-#include "cases/checks.hpp"
-
 #include <array>
+
+#include "cases/case.hpp"
 
 namespace hn {
 namespace {

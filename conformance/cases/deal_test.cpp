@@ -17,61 +17,44 @@ bool nothing(const Case&) { return false; }
 
 using Places = std::vector<std::vector<std::size_t>>;
 
-TEST(Deal, WhatEveryDriverMustShowIsForEachAndTheRestForOne) {
-  const std::vector<Case> cases = {case_of("a.a", "golden", Extent::every_driver),
-                                   case_of("a.b", "golden", Extent::one_driver),
-                                   case_of("a.c", "golden", Extent::one_driver)};
-  const std::vector<DealtDriver> drivers = {{anything, "a"}, {anything, "b"}};
-  EXPECT_EQ(deal(cases, drivers), (Places{{0, 2}, {0, 1}}));
-}
-
-TEST(Deal, OfOneRendererTheFirstDriverShowsWhatEachMustAndTheOthersHaveTheirShare) {
-  const std::vector<Case> cases = {case_of("a.a", "golden", Extent::every_driver),
-                                   case_of("a.b", "golden", Extent::one_driver),
-                                   case_of("a.c", "golden", Extent::one_driver)};
-  const std::vector<DealtDriver> drivers = {{anything, "a"}, {anything, "a"}, {anything, "b"}};
-  EXPECT_EQ(deal(cases, drivers), (Places{{0}, {1}, {0, 2}}));
-}
-
-TEST(Deal, WhatEveryDriverMustShowIsForThoseThatCan) {
-  const std::vector<Case> cases = {case_of("a.a", "golden", Extent::every_driver)};
-  const std::vector<DealtDriver> drivers = {{nothing, "a"}, {anything, "a"}};
-  EXPECT_EQ(deal(cases, drivers), (Places{{}, {0}}));
-}
-
-TEST(Deal, WhatSharesAProgramStaysTogether) {
-  const std::vector<Case> cases = {
-      case_of("a.a", "golden", Extent::one_driver), case_of("a.a", "twin", Extent::one_driver),
-      case_of("a.b", "golden", Extent::one_driver), case_of("a.b", "twin", Extent::one_driver)};
-  const std::vector<DealtDriver> drivers = {{anything, "a"}, {anything, "b"}};
-  EXPECT_EQ(deal(cases, drivers), (Places{{0, 1}, {2, 3}}));
-}
-
-TEST(Deal, ADriverHasAsManyTurnsAsPlanned) {
-  std::vector<Case> cases;
-  for (int i = 0; i < 8; ++i) cases.push_back(case_of("a." + std::to_string(i), "golden", Extent::one_driver));
-  const std::vector<DealtDriver> drivers = {{anything, "a", 3}, {anything, "b", 1}};
-  EXPECT_EQ(deal(cases, drivers), (Places{{0, 1, 2, 4, 5, 6}, {3, 7}}));
-}
-
-TEST(Deal, ACaseIsForADriverThatCanRunIt) {
-  std::vector<Case> cases;
-  for (int i = 0; i < 8; ++i) cases.push_back(case_of("a." + std::to_string(i), "golden", Extent::one_driver));
-  const std::vector<DealtDriver> drivers = {{nothing, "a"}, {anything, "b"}};
-  const auto dealt = deal(cases, drivers);
-  EXPECT_TRUE(dealt[0].empty());
-  EXPECT_EQ(dealt[1].size(), cases.size());
-}
-
-TEST(Deal, WithoutADriverThereIsNothingToDeal) {
-  const std::vector<Case> cases = {case_of("a.a", "golden", Extent::one_driver)};
-  EXPECT_TRUE(deal(cases, {}).empty());
-}
-
-TEST(Deal, WhatNoDriverCanRunIsNotLost) {
-  const std::vector<Case> cases = {case_of("a.a", "golden", Extent::one_driver)};
-  const std::vector<DealtDriver> drivers = {{nothing, "a"}, {nothing, "b"}};
-  EXPECT_EQ(deal(cases, drivers), (Places{{0}, {}}));
+TEST(Deal, GoesByWhatACaseIsForAndWhatADriverCan) {
+  const Case each = case_of("a.a", "golden", Extent::every_driver);
+  const Case second = case_of("a.b", "golden", Extent::one_driver);
+  const Case third = case_of("a.c", "golden", Extent::one_driver);
+  const Case twin = case_of("a.b", "twin", Extent::one_driver);
+  std::vector<Case> eight;
+  for (int i = 0; i < 8; ++i) eight.push_back(case_of("a." + std::to_string(i), "golden", Extent::one_driver));
+  const struct {
+    std::string_view what;
+    std::vector<Case> cases;
+    std::vector<DealtDriver> drivers;
+    Places places;
+  } rows[] = {
+      {"what every driver must show is for each, and the rest for one",
+       {each, second, third},
+       {{anything, "a"}, {anything, "b"}},
+       {{0, 2}, {0, 1}}},
+      {"of one renderer the first driver shows what each must, and the others have their share",
+       {each, second, third},
+       {{anything, "a"}, {anything, "a"}, {anything, "b"}},
+       {{0}, {1}, {0, 2}}},
+      {"what every driver must show is for those that can", {each}, {{nothing, "a"}, {anything, "a"}}, {{}, {0}}},
+      {"what shares a program stays together",
+       {second, twin, third},
+       {{anything, "a"}, {anything, "b"}},
+       {{0, 1}, {2}}},
+      {"a driver has as many turns as planned",
+       eight,
+       {{anything, "a", 3}, {anything, "b", 1}},
+       {{0, 1, 2, 4, 5, 6}, {3, 7}}},
+      {"a case is for a driver that can run it",
+       eight,
+       {{nothing, "a"}, {anything, "b"}},
+       {{}, {0, 1, 2, 3, 4, 5, 6, 7}}},
+      {"without a driver there is nothing to deal", {second}, {}, {}},
+      {"what no driver can run is not lost", {second}, {{nothing, "a"}, {nothing, "b"}}, {{0}, {}}},
+  };
+  for (const auto& row : rows) EXPECT_EQ(deal(row.cases, row.drivers), row.places) << row.what;
 }
 
 }  // namespace

@@ -15,9 +15,9 @@
 namespace hn {
 namespace {
 
-constexpr std::size_t kPoints = 512;
+constexpr std::size_t kDerivativePoints = 512;
 // Positions go no further, so that they have 10 bits of a fraction.
-constexpr std::uint32_t kFurthestCell = 1024;
+constexpr std::uint32_t kFurthestDerivativeCell = 1024;
 
 // The derivative at a place is the sum of values of the noise at others times their weights, but for an error.
 struct Stencil {
@@ -90,7 +90,7 @@ bool is_clear(const Function& function, const Configuration& configuration, std:
 
 // Fractions are multiples of 1/1024, from one end of the cell to the other.
 Place random_place(const Function& function, Random& random) {
-  const std::uint32_t cell = random_cell_of(function, kFurthestCell, random);
+  const std::uint32_t cell = random_cell_of(function, kFurthestDerivativeCell, random);
   // Each end, where derivatives of this cell and of the next meet, is as likely as a quarter of the inside.
   const std::uint32_t end = random.below(6);
   return {cell, end < 2 ? static_cast<double>(end) : static_cast<double>(random.below(1025)) / 1024.0};
@@ -125,7 +125,8 @@ Outcome check_derivative(Session& session, const Evaluation& evaluation) {
   const Function& plain = find_function(function.plain);
   const auto axes = static_cast<std::size_t>(function.axes);
   const double error = error_of(plain, configuration, 0);
-  const std::size_t points = std::max<std::size_t>(1, std::min(kPoints, session.most_points / (kNodes.size() * axes)));
+  const std::size_t points =
+      std::max<std::size_t>(1, std::min(kDerivativePoints, session.most_points / (kNodes.size() * axes)));
   Random random(session.seed, "derivative");
   Words inputs = random_points(function, points, random);
   std::vector<std::vector<Stencil>> stencils(points);

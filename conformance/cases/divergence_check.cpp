@@ -11,8 +11,8 @@
 namespace hn {
 namespace {
 
-constexpr std::size_t kPoints = 2048;
-constexpr std::uint32_t kFurthestCell = 1024;
+constexpr std::size_t kDivergencePoints = 2048;
+constexpr std::uint32_t kFurthestCurlCell = 1024;
 constexpr double kStep = 0x1p-8;
 // The measure goes from 0 to 1. With the twin hn_curl comes to 0.0005 in floats and to 0.0014 with fixed arithmetic, by
 // the roundings of values and by kinks of the derivatives within a step. With a wrong sign it comes to 1, and
@@ -31,14 +31,14 @@ double difference(std::span<const std::uint32_t> after, std::span<const std::uin
 Outcome check_divergence(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
   const auto axes = static_cast<std::size_t>(function.axes);
-  const std::size_t points = std::max<std::size_t>(1, std::min(kPoints, session.most_points / (2 * axes)));
+  const std::size_t points = std::max<std::size_t>(1, std::min(kDivergencePoints, session.most_points / (2 * axes)));
   Random random(session.seed, "divergence");
   const Words centres = random_points(function, points, random);
   Words inputs;  // of each point two along each axis: before it and after it
   for (std::size_t i = 0; i < points; ++i) {
     std::vector<Place> places;
     for (std::size_t axis = 0; axis < axes; ++axis) {
-      const std::uint32_t cell = random_cell_of(function, kFurthestCell, random);
+      const std::uint32_t cell = random_cell_of(function, kFurthestCurlCell, random);
       places.push_back({cell, static_cast<double>(random.below(1024)) / 1024.0});
     }
     for (std::size_t moves = 0; moves < 2 * axes; ++moves) {

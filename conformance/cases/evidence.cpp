@@ -5,11 +5,9 @@
 #include <bit>
 #include <cmath>
 
+#include "base/folder.hpp"
 #include "base/process.hpp"
-#include "base/temporary_folder.hpp"
 #include "cases/bugs/bugs.hpp"
-#include "cases/evidence_pictures.hpp"
-#include "cases/evidence_shader.hpp"
 #include "cases/value_checks.hpp"
 #include "expected/golden.hpp"
 #include "expected/points.hpp"

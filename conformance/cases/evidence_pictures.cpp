@@ -1,5 +1,3 @@
-#include "cases/evidence_pictures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "output/base64.hpp"
-#include "output/png.hpp"
+#include "cases/evidence.hpp"
+#include "output/encoding.hpp"
 
 namespace hn {
 namespace {

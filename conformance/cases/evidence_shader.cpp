@@ -1,5 +1,3 @@
-#include "cases/evidence_shader.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,10 +5,11 @@
 #include <set>
 #include <vector>
 
-#include "base/strings.hpp"
+#include "base/text.hpp"
+#include "cases/evidence.hpp"
 #include "cases/facets.hpp"
 #include "expected/compare.hpp"
-#include "fault/tokens.hpp"
+#include "fault/expression.hpp"
 
 namespace hn {
 namespace {

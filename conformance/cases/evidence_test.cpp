@@ -8,9 +8,7 @@
 #include <filesystem>
 #include <tuple>
 
-#include "base/temporary_folder.hpp"
-#include "cases/evidence_pictures.hpp"
-#include "cases/evidence_shader.hpp"
+#include "base/folder.hpp"
 #include "fault/faults.hpp"
 #include "gpu/osmesa_fixture.hpp"
 

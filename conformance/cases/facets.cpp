@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "base/strings.hpp"
+#include "base/text.hpp"
 #include "cases/bugs/bugs.hpp"
 #include "expected/verdict.hpp"
 #include "library/functions.hpp"

@@ -6,18 +6,22 @@
 
 #include <cstdlib>
 
-#include "cases/case_named.hpp"
+#include "cases/case.hpp"
 #include "gpu/osmesa_fixture.hpp"
 
 namespace hn {
 
-// A text of the library, in all places of a file, and its replacement.
-struct Replacement {
+// A fault of the library, and the case that must catch it: a text, in all places of a file, and its replacement; or a
+// macro at the end of the file, so that all code after its include sees it.
+struct LibraryFault {
   std::string_view id;
   std::string_view file;
-  std::string_view text;
+  std::string_view text;  // or kMacro
   std::string_view fault;
+
+  std::string_view check() const { return id.substr(id.rfind('.') + 1); }
 };
+inline constexpr std::string_view kMacro;
 
 class FaultyLibrary : public OnOsmesa<> {
  protected:
@@ -34,23 +38,23 @@ class FaultyLibrary : public OnOsmesa<> {
     return run(session, id);
   }
 
-  // A case passes (tried in thorough runs), and fails once the macro `fault` stands at the end of a file.
-  void expect_caught(std::string_view id, std::string_view file, std::string_view fault) {
-    expect_faultless_passes(id);
-    append(file, fmt::format("#define {}", fault));
-    expect_fails(id, fault);
+  // The case passes, and fails with the fault.
+  void expect_caught(const LibraryFault& fault) {
+    expect_faultless_passes(fault.id);
+    if (fault.text == kMacro) {
+      append(fault.file, fmt::format("#define {}", fault.fault));
+    } else {
+      replace(fault.file, fault.text, fault.fault);
+    }
+    expect_fails(fault.id, fault.fault);
   }
 
-  void expect_replaced_caught(const Replacement& fault) {
-    expect_faultless_passes(fault.id);
-    std::string text = SourceSet::embedded().find(fault.file)->text;
-    auto at = text.find(fault.text);
-    ASSERT_NE(at, std::string::npos) << fault.file << ": " << fault.text;
-    for (; at != std::string::npos; at = text.find(fault.text, at + fault.fault.size())) {
-      text.replace(at, fault.text.size(), fault.fault);
-    }
-    sources_.add(std::string(fault.file), text, std::string(fault.file));
-    expect_fails(fault.id, fault.fault);
+  void replace(std::string_view file, std::string_view before, std::string_view after) {
+    std::string text = SourceSet::embedded().find(file)->text;
+    auto at = text.find(before);
+    ASSERT_NE(at, std::string::npos) << file << ": " << before;
+    for (; at != std::string::npos; at = text.find(before, at + after.size())) text.replace(at, before.size(), after);
+    sources_.add(std::string(file), text, std::string(file));
   }
 
   // A run of the cases shows it as well, and a driver takes as long to compile this as what follows.

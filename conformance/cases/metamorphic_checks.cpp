@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "cases/targets.hpp"
+#include "cases/case.hpp"
 #include "cases/value_checks.hpp"
 #include "expected/pairing.hpp"
 

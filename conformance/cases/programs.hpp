@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/targets.hpp"
+#include "cases/case.hpp"
 #include "library/functions.hpp"
 
 namespace hn {

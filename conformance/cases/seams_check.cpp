@@ -14,8 +14,8 @@
 namespace hn {
 namespace {
 
-constexpr std::size_t kPoints = 4096;
-constexpr std::uint32_t kFurthestCell = 64;
+constexpr std::size_t kSeamPoints = 4096;
+constexpr std::uint32_t kFurthestSeamCell = 64;
 // The unit of places, which positions of this size, their fractions and fixed arithmetic hold exactly.
 constexpr double kUnit = 0x1p-16;
 constexpr std::uint32_t kUnits = 65536;
@@ -119,14 +119,14 @@ Outcome check_seams(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   const auto axes = static_cast<std::size_t>(function.axes);
   Random random(session.seed, "seams");
-  Words before = random_points(function, std::min(kPoints, session.most_points), random);
+  Words before = random_points(function, std::min(kSeamPoints, session.most_points), random);
   Words after = before;
   std::vector<double> distances;
   for (std::size_t i = 0; i < before.size(); i += kInputWords) {
     const Crossing crossing = random_crossing(function, random);
     const std::uint32_t sides = random.below(3);  // 0: both
     for (std::size_t axis = 0; axis < axes; ++axis) {
-      const Place place{random_cell_of(function, kFurthestCell, random), crossing.fractions[axis]};
+      const Place place{random_cell_of(function, kFurthestSeamCell, random), crossing.fractions[axis]};
       const bool crosses = axis == crossing.axis;
       const auto put_into = [&](Words& words, double by) {
         put(function, std::span(words).subspan(i, kInputWords), axis, moved(place, crosses ? by : 0.0));

@@ -12,14 +12,15 @@
 namespace hn {
 namespace {
 
-constexpr std::size_t kPoints = 2048;
+constexpr std::size_t kSlopeSumPoints = 2048;
 // Few octaves near the origin, so that differences mean something: those of values are off by the errors of these.
 constexpr std::uint32_t kMostOctaves = 3;
-constexpr std::uint32_t kFurthestCell = 16;
+constexpr std::uint32_t kFurthestSlopeSumCell = 16;
 
 // Fractions are multiples of 1/1024, a step from the ends of the cell.
 Place random_place(Random& random) {
-  return {random.below(2 * kFurthestCell) - kFurthestCell, (64.0 + static_cast<double>(random.below(897))) / 1024.0};
+  return {random.below(2 * kFurthestSlopeSumCell) - kFurthestSlopeSumCell,
+          (64.0 + static_cast<double>(random.below(897))) / 1024.0};
 }
 
 double float_input(const Function& function, std::span<const std::uint32_t> inputs, std::string_view name) {
@@ -55,7 +56,7 @@ Outcome check_slope_sum(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   const Function& plain = find_function(function.plain);
   const auto axes = static_cast<std::size_t>(function.axes);
-  const std::size_t points = std::max<std::size_t>(1, std::min(kPoints, session.most_points / (2 * axes)));
+  const std::size_t points = std::max<std::size_t>(1, std::min(kSlopeSumPoints, session.most_points / (2 * axes)));
   Random random(session.seed, "slope sum");
   Words inputs = random_points(function, points, random);
   Words sides;                  // of the plain sum: for each point and axis, before and behind

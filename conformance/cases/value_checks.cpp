@@ -12,7 +12,7 @@
 #include "expected/points.hpp"
 #include "expected/tolerance.hpp"
 #include "expected/twin.hpp"
-#include "output/checksum.hpp"
+#include "output/encoding.hpp"
 
 namespace hn {
 

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "cases/case.hpp"
-#include "cases/targets.hpp"
 #include "expected/compare.hpp"
 #include "library/functions.hpp"
 

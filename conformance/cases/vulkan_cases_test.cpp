@@ -1,9 +1,9 @@
 // The cases on a device of Vulkan: that they notice a wrong library in each language, and which are not for them.
 #include <fmt/format.h>
 
-#include "cases/case_named.hpp"
+#include "cases/case.hpp"
 #include "cases/evidence.hpp"
-#include "gpu/vulkan/evaluator.hpp"
+#include "gpu/evaluator.hpp"
 #include "gpu/vulkan/vulkan_fixture.hpp"
 
 namespace hn {

@@ -1,33 +1,41 @@
-// hn-conform bench
+// hn-conform bench and spirv
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
 
+#include "base/console.hpp"
 #include "base/file.hpp"
-#include "base/output_folder.hpp"
+#include "base/folder.hpp"
 #include "base/text.hpp"
 #include "bench/foreign.hpp"
 #include "cli/command.hpp"
-#include "run/filter.hpp"
+#include "run/selection.hpp"
 
 namespace hn {
 namespace {
 
-struct Selection {
+struct SubjectSelection {
   std::vector<Subject> subjects;
   std::vector<Foreign> foreigns;
 };
 
-Result<Selection> select(const BenchCommand& options, SourceSet& sources) {
-  Selection selection{library_subjects(), {}};
-  std::erase_if(selection.subjects, [&](const Subject& s) { return !matches_any(s.id, options.filters); });
-  if (selection.subjects.empty()) {
-    return fail(
-        fmt::format("no subject matches --filter '{}'; ids are like noise2d.perlin.lattice, and * stands for any part",
-                    fmt::join(options.filters, "' '")));
-  }
+std::vector<Subject> subjects_with(const std::vector<std::string>& filters) {
+  std::vector<Subject> subjects = library_subjects();
+  std::erase_if(subjects, [&](const Subject& subject) { return !matches_any(subject.id, filters); });
+  return subjects;
+}
+
+tl::unexpected<Error> no_subject(const std::vector<std::string>& filters) {
+  return fail(
+      fmt::format("no subject matches --filter '{}'; ids are like noise2d.perlin.lattice, and * stands for any part",
+                  fmt::join(filters, "' '")));
+}
+
+Result<SubjectSelection> select(const BenchCommand& options, SourceSet& sources) {
+  SubjectSelection selection{subjects_with(options.filters), {}};
+  if (selection.subjects.empty()) return no_subject(options.filters);
   std::set<std::string> names;
   for (const std::string& argument : options.against) {
     HN_TRY(auto foreign, read_foreign(argument, sources));
@@ -39,7 +47,7 @@ Result<Selection> select(const BenchCommand& options, SourceSet& sources) {
 }
 
 // Adds the subjects of the foreign expressions. False, after messages, if there is one that does not compile.
-bool add_foreigns(const Context& context, const SourceSet& sources, Selection& selection) {
+bool add_foreigns(const Context& context, const SourceSet& sources, SubjectSelection& selection) {
   if (selection.foreigns.empty()) return true;
   Workbench workbench(context, sources);
   bool good = true;
@@ -72,9 +80,24 @@ int conclude(const BenchReport& report, const std::string& out) {
   return status;
 }
 
+// The matching subjects of the library, then the foreign ones. The empty shaders come first: the cost of each is
+// subtracted from the others.
+Result<std::vector<Subject>> subjects_of(const SpirvCommand& options, SourceSet& sources,
+                                         const ReferenceCompiler& reference) {
+  std::vector<Subject> subjects = subjects_with(options.filters);
+  if (subjects.empty() && options.against.empty()) return no_subject(options.filters);
+  subjects.insert(subjects.begin(), {empty_subject(2), empty_subject(3)});
+  for (const std::string& argument : options.against) {
+    HN_TRY(const auto foreign, read_foreign(argument, sources));
+    HN_TRY(auto found, foreign_subjects(sources, reference, foreign));
+    for (Subject& subject : found) subjects.push_back(std::move(subject));
+  }
+  return subjects;
+}
+
 }  // namespace
 
-int bench_command(const BenchCommand& options, Interruption& interruption) {
+int run(const BenchCommand& options, Interruption& interruption) {
   auto sources = library_sources(options.glsl);
   if (!sources) return usage_error(sources.error().text());
   auto selection = select(options, *sources);
@@ -99,6 +122,32 @@ int bench_command(const BenchCommand& options, Interruption& interruption) {
     return kNotAsExpected;
   }
   return conclude(*report, options.out);
+}
+
+int run(const SpirvCommand& options, Interruption&) {
+  auto sources = library_sources(options.glsl);
+  if (!sources) return usage_error(sources.error().text());
+  const ReferenceCompiler reference;
+  const auto subjects = subjects_of(options, *sources, reference);
+  if (!subjects) return usage_error(subjects.error().text());
+  const auto folder = OutputFolder::prepare(options.out, {});
+  if (!folder) return usage_error(folder.error().text());
+  std::size_t failed = 0;
+  Progress progress(stderr, subjects->size());
+  for (std::size_t i = 0; i < subjects->size(); ++i) {
+    const Subject& subject = (*subjects)[i];
+    progress.show(i, failed, subject.id);
+    const auto written = optimised_spirv(*sources, reference, subject).and_then([&](const auto& words) {
+      return write_spirv(options.out, subject.id, words);
+    });
+    if (written) {
+      say(fmt::format("{} {}\n", subject.id, subject.dimensions));
+    } else {
+      complain(fmt::format("{}: {}", subject.id, written.error().text()));
+      ++failed;
+    }
+  }
+  return failed == 0 ? 0 : kNotAsExpected;
 }
 
 }  // namespace hn

@@ -1,22 +1,16 @@
-#include "cli/child.hpp"
-
+// The process that runs the cases of one driver.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdlib>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "base/file.hpp"
 #include "base/process.hpp"
 #include "base/worker.hpp"
-#include "bench/subject.hpp"
-#include "bench/timings.hpp"
 #include "cases/evidence.hpp"
 #include "cli/command.hpp"
-#include "cli/data_folder.hpp"
 #include "gpu/vulkan/device.hpp"
 #include "run/job.hpp"
 #include "run/results.hpp"
@@ -28,17 +22,6 @@ namespace {
 void run_reference_cases(const Suite& suite, const std::vector<Case>& cases) {
   report({{"ready", to_json(ContextInfo{"Khronos", "glslang", reference_compiler_version(), "", {}})}});
   for (const Case& test : cases) report({{"result", to_json(run_case(suite, test))}});
-}
-
-// The subjects of the benchmark that these cases are about.
-std::set<std::string> subjects_of(const std::vector<Case>& cases) {
-  std::set<std::string> ids;
-  for (const Case& test : cases) {
-    if (const Evaluation* evaluation = test.evaluation()) {
-      ids.insert(subject_id(evaluation->function, evaluation->configuration));
-    }
-  }
-  return ids;
 }
 
 // A lost context costs the process.
@@ -136,11 +119,7 @@ int run_on_driver(const Job& job, const Driver& driver) {
     report({{"absent", evaluator.error().text()}});
     return EXIT_SUCCESS;
   }
-  if (job.task == Task::timings) {
-    report(timings_report(*(*evaluator)->context(), *sources, reference, subjects_of(*cases)));
-  } else {
-    run_driver_cases(suite, std::move(*evaluator), driver, *cases, *examined);
-  }
+  run_driver_cases(suite, std::move(*evaluator), driver, *cases, *examined);
   return EXIT_SUCCESS;
 }
 

@@ -1,42 +1,22 @@
 #!/usr/bin/env python3
-"""hn-conform as its user meets it: exit statuses and messages. Usage: cli_test.py PATH-OF-HN-CONFORM"""
+"""hn-conform as its user meets it: exit statuses and messages."""
 
 import fnmatch
-import json
-import os
-import pathlib
 import re
 import shutil
-import subprocess
-import sys
-import tempfile
 import unicodedata
 import unittest
 import xml.etree.ElementTree
 
-PROGRAM = ""
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+from program import CHEAP, ROOT, ProgramTest
+
 BYTES = b"\xff\x1b[2J\x00\x9b1m\xc2\x9b\x07\r\x7f" * 300
 ONE_CASE = "noise2d.perlin.lattice.fast.fragment.gl330.golden"
-CHEAP_CASE = "bugs.abs_of_int.any.exact.fragment.gl330.defined"  # needs no list of the cases of all functions
 
 
-class Cli(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.out = self.folder / "out"
-
-    def call(self, *arguments, environment=None):
-        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True,
-                              env={**os.environ, **(environment or {})}, check=False)
-
+class Cli(ProgramTest):
     def run_case(self, *arguments, case=ONE_CASE, environment=None):
         return self.call("run", "--out", self.out, "--filter", case, *arguments, environment=environment)
-
-    def results(self):
-        return json.loads((self.out / "results.json").read_text())
 
     def cases(self):
         return {case["id"]: case for run in self.results()["runs"] for case in run["cases"]}
@@ -108,20 +88,6 @@ class Cli(unittest.TestCase):
         self.assertEqual((suite.get("tests"), suite.get("failures")), ("2", "2"))
         self.assertIn(first["inputs"], suite.find(f"testcase[@name='{ONE_CASE}']/failure").text)
 
-    def test_merging_tells_the_same_again(self):
-        for shard in ("1/2", "2/2"):
-            out = self.folder / shard[0]
-            self.call("run", "--out", out, "--filter", "bugs.*_of_int*.gl330.defined", "--shard", shard)
-        done = self.call("merge", self.folder / "1", self.folder / "2", "--out", self.out)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("All as expected: 3 cases", self.page())
-        self.assertEqual(self.suites()["osmesa"].get("tests"), "3")
-        self.assertEqual(len(self.results()["runs"][0]["commands"]), 2)
-        self.call("merge", self.folder / "1", "--out", self.out)
-        self.assertIn("cases are missing; not all of its shards are here", self.page())
-        run = self.results()["runs"][0]
-        self.assertEqual((run["as_expected"], run["missing"], len(run["cases"])), (False, 1, 2))
-
     def test_list_filters(self):
         done = self.call("list", "--thorough", "--filter", "noise2d.perlin.lattice.fast.fragment.*.golden")
         self.assertEqual(done.returncode, 0)
@@ -136,6 +102,9 @@ class Cli(unittest.TestCase):
         damaged = self.folder / "damaged"
         damaged.mkdir()
         (damaged / "journal.jsonl").write_bytes(BYTES + b"\n")
+        other = self.folder / "other"
+        other.mkdir()
+        (other / "other.golden").write_text("")
         for arguments, expected in (
             (["run", "--driver", "voodoo"], "osmesa, egl"),
             (["run", "--filter", "nothing*"], "hn-conform list shows the ids"),
@@ -158,25 +127,22 @@ class Cli(unittest.TestCase):
             (["merge", taken], "results.json: Is a directory; merge wants files results.json"),
             (["merge", self.folder / "bytes"], "bytes: the file is not a results.json: "),
             (["run", "--inject", "abs_imt"], "there are: modulo_sign"),
-            (["run", "--seed", "many"], "many"),
-            (["run", "--seed", "-1"], "-1"),
-            (["run", "--frobnicate"], "frobnicate"),
-            (["run", "list"], "list"),
+            (["web", "--filter", "nothing*"], "--filter"),
+            (["web", "--out", self.folder / "file"], "file: Not a directory; --out wants a folder"),
+            (["web", "--golden", other, "--out", self.out], ".golden: No such file or directory; it is a golden file"),
             (["run", "--driver", "osmesa", "drivers"], "drivers"),
-            (["dance"], "drivers, list, run, merge, bench, spirv, paper or web"),
             ([], "drivers, list, run, merge, bench, spirv, paper or web"),
         ):
             with self.subTest(arguments=arguments):
                 done = self.call(*arguments)
-                self.assertEqual(done.returncode, 2, done.stderr)
-                self.assertIn(expected, done.stderr + done.stdout)
+                self.assert_refused(done, expected)
                 self.assert_printable(done.stderr + done.stdout)
 
     def test_an_injected_fault_turns_the_run_red_and_names_what_suffers(self):
-        self.assertEqual(self.run_case(case=CHEAP_CASE).returncode, 0)
-        done = self.run_case("--inject", "abs_int", case=CHEAP_CASE)
+        self.assertEqual(self.run_case(case=CHEAP).returncode, 0)
+        done = self.run_case("--inject", "abs_int", case=CHEAP)
         self.assertEqual(done.returncode, 1)
-        self.assertIn(CHEAP_CASE, done.stdout)
+        self.assertIn(CHEAP, done.stdout)
         self.assertIn("emulate_abs_int_function", done.stdout)
         self.assertEqual(self.run_case("--inject", "abs_int").returncode, 0)  # the noise takes abs of floats alone
         done = self.run_case("--inject", "integers_16_bits")
@@ -196,7 +162,7 @@ class Cli(unittest.TestCase):
 
     def test_what_the_specification_leaves_open_is_a_warning(self):
         bug = "bugs.modulo_of_negative.any.exact.fragment.gl330.undefined"
-        done = self.run_case("--filter", CHEAP_CASE, case=bug)
+        done = self.run_case("--filter", CHEAP, case=bug)
         self.assertEqual(done.returncode, 0, done.stdout)
         case = next(case for case in self.results()["runs"][0]["cases"] if case["id"] == bug)
         self.assertEqual(case["status"], "warning")
@@ -213,9 +179,9 @@ class Cli(unittest.TestCase):
         return {"LD_LIBRARY_PATH": str(self.folder)}
 
     def test_a_driver_that_is_not_here_is_status_3(self):
-        self.assertEqual(self.run_case(case=CHEAP_CASE).returncode, 0)
+        self.assertEqual(self.run_case(case=CHEAP).returncode, 0)
         broken = self.without_osmesa()
-        done = self.run_case(case=CHEAP_CASE, environment=broken)
+        done = self.run_case(case=CHEAP, environment=broken)
         self.assertEqual(done.returncode, 3, done.stderr)
         self.assertIn("the driver osmesa is not here", done.stderr)
         run, = self.results()["runs"]  # those of the run before are gone
@@ -253,8 +219,8 @@ class Cli(unittest.TestCase):
         for group in (
             (
                 (f"{perlin}.range", "detail/direction.glsl", "n, 1831)", "n, 3173)"),
-                (f"{perlin}.seeds", "detail/cell2d.glsl", "box.upper, hn_i_seed_join(s), hn_i_odd(box.lower, s), 0u)",
-                 "box.upper, 0u, hn_i_odd(box.lower, 0u), 0u)"),
+                (f"{perlin}.seeds", "detail/cell2d.glsl", "corners.upper, hn_i_seed_join(s), hn_i_odd(corners.lower, s), 0u)",
+                 "corners.upper, 0u, hn_i_odd(corners.lower, 0u), 0u)"),
                 ("fbm.fbm2.*.fast.*.other_noise", "detail/octave.glsl",
                  "hn_i_summed(s.value, n, weight)", "hn_i_summed(s.value, n, HN_I_WEIGHT_ONE)"),
                 ("fbm.ridged2_cell_period.*.fixed.*.other_noise",),
@@ -307,14 +273,14 @@ class Cli(unittest.TestCase):
         profiles = ("gl140", "gl330", "es300")
         broken = [argument for profile in profiles
                   for argument in ("--filter", f"noise2d.all.lattice.fast.fragment.{profile}.*")]
-        done = self.run_case("--glsl", glsl, "--thorough", *broken, case=CHEAP_CASE)
+        done = self.run_case("--glsl", glsl, "--thorough", *broken, case=CHEAP)
         self.assertEqual(done.returncode, 1)
         cases = self.cases()
         for profile in profiles:
             for check in ("glslang", "driver"):
                 message = cases[f"noise2d.all.lattice.fast.fragment.{profile}.{check}"]["message"]
                 self.assertIn(f"{glsl}/noise2d.glsl:{line + 1}", message)
-        self.assertEqual(cases[CHEAP_CASE]["status"], "pass")
+        self.assertEqual(cases[CHEAP]["status"], "pass")
 
     def test_whatever_a_golden_file_is_its_case_is_an_error_that_can_be_printed(self):
         golden = self.golden_copy()
@@ -400,6 +366,8 @@ class Cli(unittest.TestCase):
 
     def test_every_option_is_in_the_documents(self):
         for command, page in (("run", "guide/conformance.md"), ("bench", "measured/measuring.md")):
+            if page.startswith("measured/") and not (ROOT / "tools" / "measure").exists():
+                continue  # measuring was deleted, with its pages
             options = set(re.findall(r"^  (?:-\w,)?(--[\w-]+)", self.call(command, "--help").stdout, re.MULTILINE))
             text = (ROOT / "docs" / page).read_text()
             self.assertEqual({option for option in options - {"--help"} if f"`{option}" not in text}, set(),
@@ -450,10 +418,7 @@ class Cli(unittest.TestCase):
         points = 3 * 2**20 + 5  # a grid has 2^20
         self.assertEqual(self.run_case("--thorough", "--points", points, case=case).returncode, 0)
         self.assertEqual([case["samples"] for case in self.results()["runs"][0]["cases"]], [points, points])
-        for wrong in ("0", "-1", "1e8", "10000000001", "many"):
-            self.assertEqual(self.run_case("--points", wrong, case=case).returncode, 2, wrong)
 
 
 if __name__ == "__main__":
-    PROGRAM = sys.argv.pop(1)
     unittest.main()

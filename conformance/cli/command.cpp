@@ -1,6 +1,7 @@
 #include "cli/command.hpp"
 
 #include <cstdlib>
+#include <system_error>
 
 #include "base/console.hpp"
 
@@ -48,6 +49,14 @@ tl::expected<OpenDriver, int> open_driver(const std::string& name, const std::st
   }
   Provenance provenance{now(), command_line, name, describe(**context)};
   return OpenDriver{std::move(*context), std::move(provenance)};
+}
+
+std::filesystem::path data_folder_of(const std::filesystem::path& program) {
+  std::error_code error;
+  const auto folder = std::filesystem::canonical(program, error).parent_path();
+  const auto built = folder / HN_BUILT_DATA;
+  if (std::filesystem::is_directory(built, error)) return built;
+  return (folder / HN_INSTALLED_DATA).lexically_normal();
 }
 
 }  // namespace hn

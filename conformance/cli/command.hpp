@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -35,15 +36,23 @@ struct Selection {
 };
 Result<Selection> select_cases(const std::vector<std::string>& filters, bool thorough);
 
-// They only note a signal while they do something that they must finish themselves, so that files are whole.
-int drivers_command(Interruption& interruption);
-int list_command(const ListCommand& options);
-int run_command(const RunCommand& run, Interruption& interruption);
-int merge_command(const MergeCommand& options, Interruption& interruption);
-int bench_command(const BenchCommand& options, Interruption& interruption);
-int spirv_command(const SpirvCommand& options);
-int paper_command(const PaperCommand& options, Interruption& interruption);
-int web_command(const WebCommand& options, Interruption& interruption);
+// The commands. They only note a signal while they do something that they must finish themselves, so that files are
+// whole. Each returns the exit status of the program.
+int run(const DriversCommand& command, Interruption& interruption);
+int run(const ListCommand& command, Interruption& interruption);
+int run(const RunCommand& command, Interruption& interruption);
+int run(const MergeCommand& command, Interruption& interruption);
+int run(const BenchCommand& command, Interruption& interruption);
+int run(const SpirvCommand& command, Interruption& interruption);
+int run(const PaperCommand& command, Interruption& interruption);
+int run(const WebCommand& command, Interruption& interruption);
+// The process that runs the cases of one driver: the hidden subcommand "child JOB" with the path of the job.
+int child_command(const std::filesystem::path& job);
+
+// The folder that holds the folders golden/ and expect/. It is found from the program's own path, so that both can be
+// moved. It is the folder beside the program, as in a build; if that is missing, it is the folder of an installed
+// program.
+std::filesystem::path data_folder_of(const std::filesystem::path& program);
 
 // A context, and the provenance that stands above every result. Without a context: the exit status, after a message.
 struct OpenDriver {

@@ -6,9 +6,8 @@
 #include <cstdlib>
 #include <utility>
 
-#include "gpu/metal/evaluator.hpp"
+#include "gpu/evaluator.hpp"
 #include "gpu/vulkan/device.hpp"
-#include "gpu/vulkan/evaluator.hpp"
 #include "gpu/vulkan_drivers.hpp"
 
 namespace hn {

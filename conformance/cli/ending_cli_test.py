@@ -1,11 +1,7 @@
 #!/usr/bin/env python3
-"""hn-conform that is ended, stopped, started twice, or has no room for its results.
-
-Usage: ending_cli_test.py PATH-OF-HN-CONFORM
-"""
+"""hn-conform that is ended, stopped, started twice, or has no room for its results."""
 
 import contextlib
-import json
 import os
 import pathlib
 import pty
@@ -15,14 +11,13 @@ import shlex
 import shutil
 import signal
 import subprocess
-import sys
-import tempfile
 import time
 import unittest
 
-PROGRAM = ""
-HAS_PAPER = (pathlib.Path(__file__).parents[1] / "paper").is_dir()  # it can be deleted
-ONE = ("--filter", "bugs.abs_of_int.any.exact.fragment.gl330.defined")  # the cheapest that draws
+from program import CHEAP, PROGRAM, ROOT, ProgramTest
+
+HAS_PAPER = (ROOT / "conformance" / "paper").is_dir()  # it can be deleted
+ONE = ("--filter", CHEAP)
 # Some seconds, and more than 100,000 bytes of journal. The cases are of one noise, so new noises do not change them.
 MANY = ("--filter", "noise?d.perlin.*.fragment.gl*.golden", "--filter", "noise?d.perlin_cell.*.fragment.gl*.golden",
         "--filter", "noise?d.perlin*.fragment.gl*.twin", "--filter", "noise?d.perlin.*.gl*.range")
@@ -66,12 +61,9 @@ def displays_of(session):
     return found - {None}
 
 
-class Ending(unittest.TestCase):
+class Ending(ProgramTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.out = self.folder / "out"
+        super().setUp()
         self.journal = self.out / "journal.jsonl"
         self.temporary = self.folder / "tmp"
         self.temporary.mkdir()
@@ -118,7 +110,7 @@ class Ending(unittest.TestCase):
         self.assertIn(f"NOT THE WHOLE RUN: {self.out}/index.html", process.out)
         self.assertEqual({path.name for path in self.out.iterdir()},
                          {"results.json", "junit.xml", "index.html", "journal.jsonl"})
-        runs = json.loads((self.out / "results.json").read_text())["runs"]
+        runs = self.results()["runs"]
         self.assertTrue(any(run["cases"] for run in runs))
         for run in runs:
             self.assertEqual({case["status"] for case in run["cases"]} - {"pass", "unsupported"}, set())
@@ -145,8 +137,8 @@ class Ending(unittest.TestCase):
                 self.assertGreaterEqual(before, 20)
                 done = self.call("run", "--out", self.out, "--jobs", 2, *MANY, "--resume")
                 self.assertEqual(done.returncode, 0, done.err)
-                listed = self.call("list", *MANY).out.split()
-                run, = json.loads((self.out / "results.json").read_text())["runs"]
+                listed = self.listed(*MANY)
+                run, = self.results()["runs"]
                 self.assertEqual([case["id"] for case in run["cases"]], listed)
                 self.assertFalse(self.journal.exists())
 
@@ -217,16 +209,6 @@ class Ending(unittest.TestCase):
                     self.assertEqual(list(self.out.iterdir()), [])
                     self.out.rmdir()
 
-    def test_an_ended_measurement_of_times_is_resumed(self):
-        process = self.start("run", "--out", self.out, "--timings", *ONE)
-        wait_until((self.out / "job.json").exists, "the times are measured")
-        self.ended(process, signal.SIGINT)
-        self.assertEqual(process.returncode, -signal.SIGINT)
-        self.assertIn("SIGINT ended the run; the functions could not be timed on osmesa", process.err)
-        self.assertFalse((self.out / "job.json").exists())
-        self.assertEqual(self.call("run", "--out", self.out, "--timings", "--resume", *ONE).returncode, 0)
-        self.assertIn("timings", json.loads((self.out / "results.json").read_text())["runs"][0])
-
     def test_a_stop_costs_no_case(self):
         process = self.start("run", "--out", self.out, "--timeout", 2, *MANY)
         self.wait_for_cases(20)
@@ -294,5 +276,4 @@ class Ending(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PROGRAM = sys.argv.pop(1)
     unittest.main()

@@ -8,47 +8,26 @@
 #include <string_view>
 
 #include "base/console.hpp"
+#include "base/folder.hpp"
 #include "base/interruption.hpp"
 #include "base/process.hpp"
-#include "base/temporary_folder.hpp"
 #include "bench/shader_statistics.hpp"
-#include "cli/child.hpp"
 #include "cli/command.hpp"
-#include "cli/data_folder.hpp"
 #include "cli/options.hpp"
 #include "fault/faults.hpp"
 #include "run/job.hpp"
 
-namespace {
-
-int run(const hn::DriversCommand&, hn::Interruption& interruption) { return hn::drivers_command(interruption); }
-int run(const hn::ListCommand& command, hn::Interruption&) { return hn::list_command(command); }
-int run(const hn::RunCommand& command, hn::Interruption& interruption) {
-  return hn::run_command(command, interruption);
-}
-int run(const hn::MergeCommand& command, hn::Interruption& interruption) {
-  return hn::merge_command(command, interruption);
-}
-int run(const hn::BenchCommand& command, hn::Interruption& interruption) {
-  return hn::bench_command(command, interruption);
-}
-int run(const hn::SpirvCommand& command, hn::Interruption&) { return hn::spirv_command(command); }
-#if __has_include("paper/laboratory.hpp")
-int run(const hn::PaperCommand& command, hn::Interruption& interruption) {
-  return hn::paper_command(command, interruption);
-}
-#else
-int run(const hn::PaperCommand&, hn::Interruption&) { return hn::usage_error("conformance/paper was deleted"); }
+#if !__has_include("paper/laboratory.hpp")
+int hn::run(const PaperCommand&, Interruption&) { return usage_error("conformance/paper was deleted"); }
 #endif
-int run(const hn::WebCommand& command, hn::Interruption& interruption) {
-  return hn::web_command(command, interruption);
-}
+
+namespace {
 
 int dispatch(int argc, char** argv, hn::Interruption& interruption) {
   const auto data = hn::data_folder_of(hn::own_program());
   const auto command = hn::parse_options(
       argc, argv, {.golden = data / "golden", .expect = data / "expect", .faults = hn::fault_names()});
-  if (command) return std::visit([&](const auto& chosen) { return run(chosen, interruption); }, *command);
+  if (command) return std::visit([&](const auto& chosen) { return hn::run(chosen, interruption); }, *command);
   fmt::print("{}", command.error().out);
   fmt::print(stderr, "{}", command.error().err);
   return command.error().status;

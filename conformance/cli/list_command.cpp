@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "cases/checks.hpp"
+#include "cases/case.hpp"
 #include "cli/command.hpp"
-#include "run/filter.hpp"
+#include "run/selection.hpp"
 
 namespace hn {
 namespace {
@@ -32,7 +32,7 @@ Result<Selection> select_cases(const std::vector<std::string>& filters, bool tho
                           fmt::join(filters, "' '")));
 }
 
-int list_command(const ListCommand& options) {
+int run(const ListCommand& options, Interruption&) {
   if (options.checks) {
     say(page_of_checks());
     return 0;

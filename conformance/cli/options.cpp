@@ -9,8 +9,8 @@
 #include <string_view>
 #include <thread>
 
-#include "base/command_line.hpp"
-#include "base/version.hpp"
+#include "base/text.hpp"
+#include "library/source.hpp"
 
 namespace hn {
 namespace {
@@ -138,8 +138,6 @@ void add_run(CLI::App& app, RunCommand& run, const std::string& faults) {
               "Make the driver behave as if it had a fault, to see which cases fail; \"list\" describes the faults: {}",
               faults))
       ->type_name("FAULT");
-  command.add_flag("--timings", run.output.timings,
-                   "Also time the functions of the cases, as multiples of Perlin/Float");
 }
 
 void add_merge(CLI::App& app, MergeCommand& options) {

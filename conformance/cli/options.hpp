@@ -49,8 +49,7 @@ struct RunExecution {
 struct RunOutput {
   std::string out = "out";
   bool resume = false;  // what is there
-  bool timings = false;
-  std::string line;  // the command line
+  std::string line;     // the command line
 };
 
 struct RunCommand {

@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "base/file.hpp"
-#include "base/output_folder.hpp"
+#include "base/folder.hpp"
 #include "cli/command.hpp"
 #include "paper/laboratory.hpp"
 
@@ -21,7 +21,7 @@ constexpr Part kParts[] = {
 
 }  // namespace
 
-int paper_command(const PaperCommand& options, Interruption& interruption) {
+int run(const PaperCommand& options, Interruption& interruption) {
   const auto sources = library_sources(options.glsl);
   if (!sources) return usage_error(sources.error().text());
   const auto folder = OutputFolder::prepare(options.out, {"table.csv", "values.csv", "period.csv", "bandwidth.csv"});

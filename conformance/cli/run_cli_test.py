@@ -1,8 +1,5 @@
 #!/usr/bin/env python3
-"""hn-conform run on several drivers, and what becomes of it when processes are killed, stopped and split.
-
-Usage: run_cli_test.py PATH-OF-HN-CONFORM
-"""
+"""hn-conform run on several drivers, and what becomes of it when processes are killed, stopped and split."""
 
 import json
 import os
@@ -10,14 +7,11 @@ import pathlib
 import shutil
 import signal
 import subprocess
-import sys
-import tempfile
 import time
 import unittest
 
-PROGRAM = ""
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-CHEAP = "bugs.abs_of_int.any.exact.fragment.gl330.defined"  # needs no list of the cases of all functions
+from program import CHEAP, PROGRAM, ROOT, ProgramTest
+
 SOME = ("--thorough", "--filter", "hash.*.fragment.gl330.golden")  # many that are compiled quickly
 
 
@@ -45,13 +39,7 @@ def children(pid):
     return found
 
 
-class Run(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.out = self.folder / "out"
-
+class Run(ProgramTest):
     def start(self, *arguments, out=None, environment=None):
         command = [PROGRAM, "run", "--out", out or self.out, *arguments]
         process = subprocess.Popen(list(map(str, command)), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
@@ -71,10 +59,6 @@ class Run(unittest.TestCase):
 
     def statuses(self, driver, out=None):
         return {case["id"]: case["status"] for case in self.runs(out)[driver]["cases"]}
-
-    def listed(self, *arguments):
-        done = subprocess.run([PROGRAM, "list", *arguments], capture_output=True, text=True, check=True)
-        return done.stdout.split()
 
     def wait_for_cases(self, count):
         """Waits until the journal has so many results."""
@@ -146,22 +130,25 @@ class Run(unittest.TestCase):
         for shard in ("1/3", "2/3", "3/3"):
             shards.append(self.folder / shard[0])
             self.assertEqual(self.run_program(*filters, "--shard", shard, out=shards[-1]).returncode, 0)
-        merge = [PROGRAM, "merge", "--out", self.out]
-        done = subprocess.run([*merge, *shards[:2]], capture_output=True, text=True, check=False)
+        merge = ("merge", "--out", self.out)
+        done = self.call(*merge, *shards[:2])
         self.assertEqual(done.returncode, 1)
         self.assertIn("cases are missing", done.stderr + done.stdout)
-        done = subprocess.run([*merge, *shards], capture_output=True, text=True, check=False)
+        self.assertIn("cases are missing; not all of its shards are here", (self.out / "index.html").read_text())
+        self.assertTrue(any(run.get("missing") and not run["as_expected"] for run in self.runs().values()))
+        done = self.call(*merge, *shards)
         self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("All as expected: ", (self.out / "index.html").read_text())
+        self.assertTrue((self.out / "junit.xml").exists())
         whole, merged = self.runs(self.folder / "whole"), self.runs()
         self.assertEqual(set(whole), {"osmesa", "glslang"})
+        self.assertEqual(len(merged["osmesa"]["commands"]), 3)
         for driver, run in whole.items():
             for case in [*run["cases"], *merged[driver]["cases"]]:
                 for measured in ("seconds", "processor_seconds"):
                     case.pop(measured, None)
             self.assertEqual(merged[driver]["cases"], run["cases"])
-        done = subprocess.run([*merge, *shards, shards[0]], capture_output=True, text=True, check=False)
-        self.assertEqual(done.returncode, 2)
-        self.assertIn("twice", done.stderr)
+        self.assert_refused(self.call(*merge, *shards, shards[0]), "twice")
 
     def test_drivers_are_named_globbed_and_may_be_missing(self):
         one = ("--filter", CHEAP.replace("gl330", "es300"))
@@ -254,5 +241,4 @@ class Run(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    PROGRAM = sys.argv.pop(1)
     unittest.main(verbosity=2)

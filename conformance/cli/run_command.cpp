@@ -9,21 +9,19 @@
 #include <set>
 
 #include "base/file.hpp"
-#include "base/temporary_folder.hpp"
+#include "base/folder.hpp"
 #include "base/text.hpp"
 #include "base/worker.hpp"
 #include "cases/deal.hpp"
 #include "cli/command.hpp"
-#include "expected/exact_sets.hpp"
 #include "expected/golden.hpp"
 #include "fault/faults.hpp"
 #include "report/report.hpp"
 #include "run/expectation.hpp"
-#include "run/filter.hpp"
 #include "run/journal.hpp"
 #include "run/merge.hpp"
 #include "run/scheduler.hpp"
-#include "run/shard.hpp"
+#include "run/selection.hpp"
 #include "web/suite.hpp"
 
 namespace hn {
@@ -32,8 +30,6 @@ namespace {
 constexpr int kNotWritten = -1;  // of conclude, and no exit status
 
 constexpr std::chrono::milliseconds kDescribeLimit{60000};
-// 25 times what all functions and configurations take on two cores with llvmpipe.
-constexpr std::chrono::milliseconds kTimingsLimit{1000000};
 
 // Asks drivers in processes of their own: what is loaded to find out could crash.
 class Inquiry {
@@ -214,26 +210,6 @@ Result<Journal> open_journal(const RunOutput& output, const nlohmann::json& plan
   return Journal::create(output.out, plan);
 }
 
-bool can_be_timed(const Run& run) {
-  const auto driver = find_driver(run.driver);
-  return run.absent.empty() && driver && driver->has_context();
-}
-
-void add_timings(std::vector<Run>& runs, const RunPlan& plan, const std::filesystem::path& out) {
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (!can_be_timed(runs[i])) continue;
-    const Job job{.task = Task::timings, .driver = runs[i].driver, .suite = plan.suite, .ids = plan.drivers[i].ids};
-    const auto report = report_of(job, out, kTimingsLimit, plan.stop_fd);
-    if (!report && can_be_read(plan.stop_fd)) return;
-    if (report && report->contains("timings")) {
-      runs[i].timings = report->at("timings").dump();
-    } else {
-      complain(fmt::format("the functions cannot be timed on {}: {}", runs[i].driver,
-                           report ? "its process sent an unexpected report" : report.error().text()));
-    }
-  }
-}
-
 // "Linux", "macOS": without a version.
 std::string system_name() {
   utsname names{};
@@ -304,16 +280,6 @@ bool note_what_was_not_run(const RunPlan& plan, const std::vector<Run>& runs, co
   return true;
 }
 
-bool note_what_was_not_timed(const std::vector<Run>& runs, const std::string& why, std::vector<std::string>& problems) {
-  bool any = false;
-  for (const Run& run : runs) {
-    if (!can_be_timed(run) || !run.timings.empty()) continue;
-    problems.push_back(fmt::format("{}the functions could not be timed on {}", why, run.driver));
-    any = true;
-  }
-  return any;
-}
-
 Result<std::vector<Expectation>> load_expectations(const std::string& directory) {
   HN_TRY(auto expectations, read_expectations(directory));
   // All cases take longer to list than most expectations need: a thorough run has those of a default run, too.
@@ -373,7 +339,6 @@ std::string reason_to_end(const Journal& journal, int signal) {
 int run_to_the_end(const RunPlan& plan, const RunOutput& output, const RunInputs& inputs, const DriverChoice& choice,
                    Journal& journal, const Interruption& interruption) {
   auto [runs, problems] = run_plan(plan, output.out, journal, stderr);
-  if (output.timings && journal.problem().empty()) add_timings(runs, plan, output.out);
   for (Run& run : runs) {
     if (run.info.system.empty()) run.info.system = system_name();
     if (!run.is_reference()) run.golden = inputs.golden;
@@ -387,8 +352,7 @@ int run_to_the_end(const RunPlan& plan, const RunOutput& output, const RunInputs
   problems.insert(problems.end(), choice.problems.begin(), choice.problems.end());
   const int signal = interruption.signal();
   const std::string reason = reason_to_end(journal, signal);
-  bool whole = !note_what_was_not_run(plan, runs, reason, problems);
-  whole = !(output.timings && note_what_was_not_timed(runs, reason, problems)) && whole;
+  const bool whole = !note_what_was_not_run(plan, runs, reason, problems);
   const int status = conclude(runs, output.out, problems);
   const bool ended_early = !whole && !reason.empty();
   if (ended_early || status == kNotWritten) {
@@ -407,7 +371,7 @@ int ended_before_results(const Interruption& interruption) {
 
 }  // namespace
 
-int drivers_command(Interruption& interruption) {
+int run(const DriversCommand&, Interruption& interruption) {
   interruption.note_the_first();
   const Inquiry inquiry(interruption.fd());
   bool usable = false;
@@ -430,8 +394,8 @@ int drivers_command(Interruption& interruption) {
   return usable ? 0 : kNoDriver;
 }
 
-int run_command(const RunCommand& run, Interruption& interruption) {
-  const auto& [selection, execution, output] = run;
+int run(const RunCommand& command, Interruption& interruption) {
+  const auto& [selection, execution, output] = command;
   if (execution.suite.inject == "list") {
     fmt::print("{}", fault_list());
     return 0;
@@ -452,7 +416,7 @@ int run_command(const RunCommand& run, Interruption& interruption) {
   return run_to_the_end(*plan, output, *inputs, *choice, *journal, interruption);
 }
 
-int merge_command(const MergeCommand& options, Interruption& interruption) {
+int run(const MergeCommand& options, Interruption& interruption) {
   const auto expectations = load_expectations(options.expect);
   if (!expectations) return usage_error(expectations.error().text());
   auto merged = merge_files(options.inputs, ids_of(all_cases()));

@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include "base/file.hpp"
-#include "base/output_folder.hpp"
+#include "base/folder.hpp"
 #include "cli/command.hpp"
 #include "expected/golden.hpp"
-#include "run/filter.hpp"
+#include "run/selection.hpp"
 #include "web/suite.hpp"
 
 namespace hn {
@@ -15,7 +15,7 @@ constexpr std::string_view kPage = "index.html";
 
 }  // namespace
 
-int web_command(const WebCommand& options, Interruption& interruption) {
+int run(const WebCommand& options, Interruption& interruption) {
   const auto sources = library_sources(options.glsl);
   if (!sources) return usage_error(sources.error().text());
   if (const auto golden = check_golden_folder(options.golden); !golden) return usage_error(golden.error().text());

@@ -422,12 +422,6 @@ CellularValue searched(const Function& function, const Configuration& configurat
   return result;
 }
 
-FeaturePoint feature_point(const Function& function, const Configuration& configuration, std::span<const Word> inputs,
-                           const std::array<std::int64_t, 3>& cell) {
-  const Place place = place_of(function, configuration, inputs);
-  return point_of(place, seen_from(place, cell));
-}
-
 std::vector<FeaturePoint> feature_points(const Function& function, const Configuration& configuration,
                                          std::span<const Word> inputs) {
   const Place place = place_of(function, configuration, inputs);

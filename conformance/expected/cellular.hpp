@@ -40,10 +40,6 @@ CellularValue searched(const Function& function, const Configuration& configurat
 std::vector<FeaturePoint> feature_points(const Function& function, const Configuration& configuration,
                                          std::span<const std::uint32_t> inputs);
 
-// The point of one cell, from the cell of a point with these inputs.
-FeaturePoint feature_point(const Function& function, const Configuration& configuration,
-                           std::span<const std::uint32_t> inputs, const std::array<std::int64_t, 3>& cell);
-
 // The least that two distances must differ by for it to be clear, with rounded floats, which is the smaller one. It is
 // a hundred times the error of a distance.
 inline constexpr double kClearMargin = 0x1p-12;

@@ -2,7 +2,7 @@
 //
 //   hn-frozen COUNT [FUNCTION...]     all functions that have such values, or those
 //
-// It prints a line for each set of exact_sets.hpp, FUNCTION,SETTING,POINTS,VALUES: CRC-32 of the words that go in at so
+// It prints a line for each set of exact_sets(), FUNCTION,SETTING,POINTS,VALUES: CRC-32 of the words that go in at so
 // many points and of those that come out of the C++ header, point by point, each little-endian.
 #include <fmt/format.h>
 
@@ -18,11 +18,10 @@
 #include <utility>
 #include <vector>
 
-#include "expected/exact_sets.hpp"
 #include "expected/golden.hpp"
 #include "expected/points.hpp"
 #include "expected/twin.hpp"
-#include "output/checksum.hpp"
+#include "output/encoding.hpp"
 
 namespace {
 

@@ -7,10 +7,12 @@
 #include <charconv>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "library/digest.hpp"
+#include "output/encoding.hpp"
 
 namespace hn {
 namespace {
@@ -21,17 +23,7 @@ constexpr std::string_view kNoValues = "-";
 constexpr std::size_t kMostRows = 1u << 20;
 constexpr std::size_t kMostDigestPoints = 1u << 20;
 
-int hex_digits(WordType type) {
-  switch (type) {
-    case WordType::u32:
-    case WordType::i32:
-    case WordType::f32:
-      break;
-    case WordType::f64:
-      return 16;
-  }
-  return 8;
-}
+int hex_digits(WordType type) { return type == WordType::f64 ? 16 : 8; }
 
 bool is_float(std::uint64_t bits) {
   const auto value = std::bit_cast<double>(bits);
@@ -297,5 +289,38 @@ Result<Golden> parse_golden(std::string_view text, std::string_view path, const 
 }
 
 std::uint64_t fnv1a64(const std::vector<std::uint32_t>& words) { return fnv1a64(bytes_of(std::span(words))); }
+
+namespace {
+
+std::vector<ExactSet> make_exact_sets() {
+  std::vector<const Function*> functions;
+  for (const Function& function : all_functions()) functions.push_back(&function);
+  std::ranges::sort(functions, {}, &Function::id);
+  std::vector<ExactSet> sets;
+  for (const Function* function : functions) {
+    for (const GoldenSetting& setting : golden_settings(*function)) {
+      if (has_exact_values(*function, *setting.configuration)) sets.push_back({function->id, setting.name});
+    }
+  }
+  return sets;
+}
+
+}  // namespace
+
+const std::vector<ExactSet>& exact_sets() {
+  static const std::vector<ExactSet> kSets = make_exact_sets();
+  return kSets;
+}
+
+std::string golden_checksum(const std::filesystem::path& directory) {
+  std::set<std::string> names;
+  std::error_code none;  // a folder that is missing is an error of each case
+  for (const auto& entry : std::filesystem::directory_iterator(directory, none)) {
+    if (entry.path().extension() == ".golden") names.insert(entry.path().filename().string());
+  }
+  std::uint32_t checksum = 0;
+  for (const std::string& name : names) checksum = crc32_of(read_file(directory / name).value_or(""), checksum);
+  return fmt::format("{:08x}", checksum);
+}
 
 }  // namespace hn

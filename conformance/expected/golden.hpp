@@ -69,4 +69,16 @@ Result<Golden> parse_golden(std::string_view text, std::string_view path, const 
 // FNV-1a, 64 bit, of words as little-endian bytes.
 std::uint64_t fnv1a64(const std::vector<std::uint32_t>& words);
 
+// A setting in a golden file: exact in any arithmetic, or exact with HN_FIXED.
+struct ExactSet {
+  std::string_view function;
+  std::string setting;  // "lattice+fixed:fixed"
+};
+
+// By the names of the functions, and then in the order of the settings of their files.
+const std::vector<ExactSet>& exact_sets();
+
+// CRC-32 of all golden files of a folder in the order of their names, as eight hexadecimal digits.
+std::string golden_checksum(const std::filesystem::path& directory);
+
 }  // namespace hn

@@ -89,6 +89,14 @@ std::vector<std::uint32_t> inputs_for(const Function& other, const Function& fun
 
 namespace {
 
+// Against another function, as it is at the same words.
+Pairing pairing_with(const Evaluation& evaluation, const Function& function, Words inputs, bool exact,
+                     std::size_t most_words = kOutputWords) {
+  Words others = inputs_for(function, evaluation.function, inputs);
+  return pairing_of(evaluation, {function, evaluation.configuration, evaluation.profile}, std::move(inputs),
+                    std::move(others), exact, most_words);
+}
+
 // --- Periods ---
 
 // As many octaves as keep the cells of fixed arithmetic within an int, below 9 * 48 * 3^14 and a little more for the
@@ -440,7 +448,6 @@ Pairing whole_detail_pairing(const Evaluation& evaluation, std::uint64_t seed, s
 // contract the two in other ways.
 Pairing small_footprint_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
-  const Evaluation other{without(function, "footprint"), evaluation.configuration, evaluation.profile};
   Random random(seed, "small footprint");
   Words inputs = random_points(function, points, random);
   for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
@@ -453,33 +460,26 @@ Pairing small_footprint_pairing(const Evaluation& evaluation, std::uint64_t seed
     const float footprint = random.below(4) == 0 ? 0.0f : random.below(2) == 0 ? most : random.uniform(0.0f, most);
     put_float(function, here, "footprint", footprint);
   }
-  Words others = inputs_for(other.function, function, inputs);
-  return pairing_of(evaluation, other, std::move(inputs), std::move(others),
-                    has_exact_values(function, evaluation.configuration));
+  return pairing_with(evaluation, without(function, "footprint"), std::move(inputs),
+                      has_exact_values(function, evaluation.configuration));
 }
 
 // Every octave is divided by 1 then, and a number below 0 counts as 0. With floats a division by 1 may round.
 Pairing zero_strength_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
-  const Evaluation other{find_function(function.plain), evaluation.configuration, evaluation.profile};
   Random random(seed, "zero strength");
   Words inputs = random_points(function, points, random);
   for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
     put_float(function, std::span(inputs).subspan(i, kInputWords), "strength", random.below(4) == 0 ? -1.0f : 0.0f);
   }
-  Words others = inputs_for(other.function, function, inputs);
-  return pairing_of(evaluation, other, std::move(inputs), std::move(others),
-                    has_exact_values(function, evaluation.configuration));
+  return pairing_with(evaluation, find_function(function.plain), std::move(inputs),
+                      has_exact_values(function, evaluation.configuration));
 }
 
 Pairing derivative_value_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
-  const Function& function = evaluation.function;
-  const Evaluation other{find_function(function.plain), evaluation.configuration, evaluation.profile};
   // Cellular noise has a second distance where this has a derivative.
-  Words inputs = points_for(evaluation, seed, points);
-  Words others = inputs_for(other.function, function, inputs);
-  return pairing_of(evaluation, other, std::move(inputs), std::move(others),
-                    has_same_bits(function, evaluation.configuration), 1);
+  return pairing_with(evaluation, find_function(evaluation.function.plain), points_for(evaluation, seed, points),
+                      has_same_bits(evaluation.function, evaluation.configuration), 1);
 }
 
 }  // namespace hn

@@ -18,69 +18,120 @@ TEST(Points, TheSameSeedGivesTheSamePoints) {
   EXPECT_NE(random_points(function, 100, Random(7, "a")), random_points(function, 100, Random(7, "b")));
 }
 
-TEST(Points, PositionsAreNearNegativeFarAndOnLatticeLines) {
-  const auto words = random_points(find_function("noise2d.perlin"), 10000, Random(1, "test"));
-  int near = 0, negative = 0, far = 0, on_line = 0;
-  for (std::size_t i = 0; i < words.size(); i += kInputWords) {
-    const float x = std::bit_cast<float>(words[i]);
-    ASSERT_TRUE(std::isfinite(x));
-    ASSERT_LT(std::fabs(x), 8388608.0f);
-    near += x > 0 && x < 64;
-    negative += x < 0;
-    far += std::fabs(x) >= 1048576.0f;
-    on_line += x == std::floor(x) && std::fabs(x) <= 64;
-  }
-  for (const int count : {near, negative, far, on_line}) EXPECT_GT(count, 500);
-}
-
-TEST(Points, NoPositionIsSubnormal) {
-  const auto words = random_points(find_function("noise3d.perlin"), 100000, Random(1, "test"));
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i % kInputWords < 3) {
-      ASSERT_NE(std::fpclassify(std::bit_cast<float>(words[i])), FP_SUBNORMAL);
-    }
-  }
-}
-
-// Counts the coordinates of 10,000 points for which a predicate holds.
-template <typename Predicate>
-int count_coordinates(std::string_view id, Extremes extremes, Predicate predicate) {
+// The values of a column at 10,000 points.
+std::vector<std::uint32_t> column_of(std::string_view id, std::string_view name, Extremes extremes = Extremes::none) {
   const Function& function = find_function(id);
   const auto words = random_points(function, 10000, Random(1, "test"), extremes);
-  int count = 0;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const std::size_t column = i % kInputWords;
-    if (column >= function.inputs.size() || function.inputs[column].type != WordType::f32) continue;
-    const bool setting = static_cast<int>(column) > function.input("octaves") && function.is_octave_sum();
-    if (!setting && predicate(std::bit_cast<float>(words[i]))) ++count;
+  std::vector<std::uint32_t> column;
+  for (auto i = static_cast<std::size_t>(function.input(name)); i < words.size(); i += kInputWords) {
+    column.push_back(words[i]);
   }
-  return count;
+  return column;
 }
 
-TEST(Points, ExtremesAreSubnormalTinyMinusZeroAndHuge) {
-  for (const std::string_view id : {"noise2d.perlin", "noise3d.perlin"}) {
-    for (const Extremes extremes : {Extremes::floats, Extremes::integers}) {
-      const auto count = [&](auto predicate) { return count_coordinates(id, extremes, predicate); };
-      EXPECT_GT(count([](float x) { return std::fpclassify(x) == FP_SUBNORMAL; }), 300);
-      EXPECT_GT(count([](float x) { return std::isnormal(x) && std::fabs(x) < 0x1p-32f; }), 300);
-      EXPECT_GT(count([](float x) { return std::fabs(x) >= 0x1p-32f && std::fabs(x) < 0x1p-20f; }), 100);
-      EXPECT_GT(count([](float x) { return x == 0.0f && std::signbit(x); }), 300);
-      for (const float threshold :
-           {0x1p-32f, std::nextafter(0x1p-32f, 0.0f), 0x1p-126f, std::nextafter(0x1p-126f, 0.0f)}) {
-        EXPECT_GT(count([&](float x) { return x == threshold; }), 20);
-        EXPECT_GT(count([&](float x) { return x == -threshold; }), 20);
-      }
-      EXPECT_GT(count([](float x) { return x > 1e30f; }), 50);
-      EXPECT_GT(count([](float x) { return x < -1e30f; }), 50);
-      EXPECT_EQ(count([](float x) { return !std::isfinite(x); }), 0);
+bool is_subnormal(float x) { return std::fpclassify(x) == FP_SUBNORMAL; }
+float from_whole(float x) { return std::fabs(x - std::round(x)); }
+
+// How many of the 10,000 values are such ones, at the least; or, with 0, none is.
+struct Share {
+  std::string_view id;
+  std::string_view column;
+  Extremes extremes;
+  bool (*is_such)(float);
+  int least;
+};
+
+TEST(Points, AreOfAllKinds) {
+  constexpr Extremes kNone = Extremes::none, kFloats = Extremes::floats, kIntegers = Extremes::integers;
+  std::vector<Share> shares = {
+      // Positions are near, negative, far and on lattice lines.
+      {"noise2d.perlin", "x", kNone, [](float x) { return x > 0 && x < 64; }, 500},
+      {"noise2d.perlin", "x", kNone, [](float x) { return x < 0; }, 500},
+      {"noise2d.perlin", "x", kNone, [](float x) { return std::fabs(x) >= 1048576.0f; }, 500},
+      {"noise2d.perlin", "x", kNone, [](float x) { return x == std::floor(x) && std::fabs(x) <= 64; }, 500},
+      {"noise2d.perlin", "x", kNone, [](float x) { return !(std::fabs(x) < 8388608.0f); }, 0},
+      {"noise3d.perlin", "z", kNone, is_subnormal, 0},
+      // Extremes of floats overflow no octave, and only those of integers lie beside their cell.
+      {"fbm.fbm3", "y", kFloats, [](float x) { return std::fabs(x) >= 0x1p96f; }, 0},
+      {"fbm.fbm3", "y", kIntegers, [](float x) { return std::fabs(x) >= 0x1p96f; }, 50},
+      {"noise2d.perlin_cell", "fx", kFloats, [](float f) { return f < 0.0f || f > 1.0f; }, 0},
+      {"noise2d.perlin_cell", "fx", kIntegers, [](float f) { return f < 0.0f || f > 1.0f; }, 250},
+      {"noise3d.perlin_cell", "fz", kFloats, is_subnormal, 150},
+      // Fractions reach both ends.
+      {"noise2d.perlin_cell", "fx", kNone, [](float f) { return f < 0.0f || f > 1.0f; }, 0},
+      {"fbm.ridged3_cell", "fy", kNone, [](float f) { return f == 0.0f; }, 50},
+      {"fbm.ridged3_cell", "fy", kNone, [](float f) { return f == 1.0f; }, 50},
+      // Footprints are of all sizes; one below 0 has no value in floats.
+      {"fbm.fbm3_footprint", "footprint", kNone, [](float f) { return f == 0.0f; }, 300},
+      {"fbm.fbm3_footprint", "footprint", kNone, [](float f) { return f == 3.0f; }, 300},
+      {"fbm.fbm3_footprint", "footprint", kNone, [](float f) { return f > 0.25f && f <= 1.0f; }, 1000},
+      {"fbm.fbm3_footprint", "footprint", kNone, [](float f) { return f > 0.0f && f < 0x1p-7f; }, 1000},
+      {"fbm.fbm3_footprint", "footprint", kNone, [](float f) { return f < 0.0f; }, 0},
+      {"fbm.fbm3_footprint", "footprint", kIntegers, [](float f) { return f < 0.0f; }, 100},
+      // Details are whole, nearly whole and between.
+      {"fbm.fbm2_detail", "detail", kNone, [](float d) { return from_whole(d) == 0.0f; }, 2000},
+      {"fbm.fbm2_detail", "detail", kNone, [](float d) { return from_whole(d) > 0.0f && from_whole(d) < 0x1p-12f; },
+       1000},
+      {"fbm.fbm2_detail", "detail", kNone, [](float d) { return from_whole(d) > 0.1f; }, 2000},
+      {"fbm.fbm2_detail", "detail", kNone, [](float d) { return d > 6.0f; }, 300},
+      {"fbm.fbm2_detail", "detail", kNone, [](float d) { return d == 0.0f; }, 200},
+      {"fbm.fbm2_detail", "detail", kNone, [](float d) { return d == -1.0f; }, 200},
+      {"fbm.fbm2_detail", "detail", kNone, [](float d) { return d > 7.0f || d < -1.0f; }, 0},
+      {"fbm.fbm2_detail", "detail", kIntegers, [](float d) { return d == 33.5f; }, 5},
+      // Strengths lie in their range, at its ends and beyond.
+      {"fbm.ping_pong2", "strength", kNone, [](float s) { return s >= 0.0f && s <= 4.0f; }, 6000},
+      {"fbm.ping_pong2", "strength", kNone, [](float s) { return s == 2.0f; }, 500},
+      {"fbm.ping_pong2", "strength", kNone, [](float s) { return s == 0.0f; }, 500},
+      {"fbm.ping_pong2", "strength", kNone, [](float s) { return s == 64.0f; }, 500},
+      {"fbm.ping_pong2", "strength", kNone, [](float s) { return s == -1.0f; }, 500},
+      {"fbm.ping_pong2", "strength", kNone, [](float s) { return s == 100.0f; }, 500},
+      {"fbm.ping_pong2", "strength", kNone, [](float s) { return std::fabs(s) > 100.0f; }, 0},
+      {"fbm.weighted3_cell_period", "strength", kNone, [](float s) { return s >= 0.0f && s <= 1.0f; }, 6000},
+      {"fbm.weighted3_cell_period", "strength", kNone, [](float s) { return s == 1.0f; }, 500},
+      {"fbm.weighted3_cell_period", "strength", kNone, [](float s) { return s == 0.0f; }, 500},
+      {"fbm.weighted3_cell_period", "strength", kNone, [](float s) { return s == -1.0f; }, 500},
+      {"fbm.weighted3_cell_period", "strength", kNone, [](float s) { return s == 2.0f; }, 500},
+      {"fbm.weighted3_cell_period", "strength", kIntegers, [](float s) { return s > 1e20f; }, 10},
+  };
+  // Gullies run down hills and flat ground.
+  for (const std::string_view id : {"noise2d.gullies", "noise2d.gullies_cell_period_footprint"}) {
+    shares.push_back({id, "depth", kNone, [](float d) { return d > 0.0f && d <= 0.5f; }, 8000});
+    shares.push_back({id, "depth", kNone, [](float d) { return d == 0.0f; }, 100});
+    shares.push_back({id, "depth", kNone, [](float d) { return d == 8.0f; }, 100});
+    shares.push_back({id, "depth", kNone, [](float d) { return d == 9.0f; }, 100});
+    shares.push_back({id, "depth", kNone, [](float d) { return d == -1.0f; }, 100});
+    for (const std::string_view axis : {"ex", "ey"}) {
+      shares.push_back({id, axis, kNone, [](float e) { return std::fabs(e) <= 3.0f; }, 8000});
+      shares.push_back({id, axis, kNone, [](float e) { return e == 0.0f; }, 1000});
+      shares.push_back({id, axis, kNone, [](float e) { return std::fabs(e) > 8.0f; }, 200});
+      shares.push_back({id, axis, kFloats, [](float e) { return std::fabs(e) > 1e20f; }, 50});
     }
   }
-}
-
-TEST(Points, ExtremesOfFloatsOverflowNoOctave) {
-  const auto too_large = [](float x) { return std::fabs(x) >= 0x1p96f; };
-  EXPECT_EQ(count_coordinates("fbm.fbm3", Extremes::floats, too_large), 0);
-  EXPECT_GT(count_coordinates("fbm.fbm3", Extremes::integers, too_large), 50);
+  // Extremes are subnormal, tiny, -0 and huge, and at the thresholds of precise arithmetic and of normal numbers.
+  for (const std::string_view id : {"noise2d.perlin", "noise3d.perlin"}) {
+    for (const Extremes extremes : {kFloats, kIntegers}) {
+      shares.push_back({id, "y", extremes, is_subnormal, 150});
+      shares.push_back({id, "y", extremes, [](float x) { return std::isnormal(x) && std::fabs(x) < 0x1p-32f; }, 150});
+      shares.push_back(
+          {id, "y", extremes, [](float x) { return std::fabs(x) >= 0x1p-32f && std::fabs(x) < 0x1p-20f; }, 50});
+      shares.push_back({id, "y", extremes, [](float x) { return x == 0.0f && std::signbit(x); }, 150});
+      shares.push_back({id, "y", extremes, [](float x) { return x == 0x1p-32f; }, 10});
+      shares.push_back({id, "y", extremes, [](float x) { return x == std::nextafter(-0x1p-32f, 0.0f); }, 10});
+      shares.push_back({id, "y", extremes, [](float x) { return x == -0x1p-126f; }, 10});
+      shares.push_back({id, "y", extremes, [](float x) { return x == std::nextafter(0x1p-126f, 0.0f); }, 10});
+      shares.push_back({id, "y", extremes, [](float x) { return x > 1e30f; }, 25});
+      shares.push_back({id, "y", extremes, [](float x) { return x < -1e30f; }, 25});
+      shares.push_back({id, "y", extremes, [](float x) { return !std::isfinite(x); }, 0});
+    }
+  }
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const Share& share = shares[i];
+    const auto count =
+        std::ranges::count_if(column_of(share.id, share.column, share.extremes),
+                              [&](std::uint32_t word) { return share.is_such(std::bit_cast<float>(word)); });
+    EXPECT_TRUE(share.least == 0 ? count == 0 : count > share.least)
+        << "share " << i << ", of " << share.column << " of " << share.id << ": " << count << ", not " << share.least;
+  }
 }
 
 // Counts the points of an octave sum whose lacunarity is huge, and those of them with a subnormal coordinate.
@@ -106,22 +157,7 @@ TEST(Points, OnlyTinyPositionsOfFloatsHaveAHugeLacunarity) {
     EXPECT_GT(subnormal, 400);
     EXPECT_EQ(count_steep(id, Extremes::none).first, 0);
   }
-}
-
-// The values of a column at 10,000 points.
-std::vector<std::uint32_t> column_of(std::string_view id, std::string_view name, Extremes extremes = Extremes::none) {
-  const Function& function = find_function(id);
-  const auto words = random_points(function, 10000, Random(1, "test"), extremes);
-  std::vector<std::uint32_t> column;
-  for (auto i = static_cast<std::size_t>(function.input(name)); i < words.size(); i += kInputWords) {
-    column.push_back(words[i]);
-  }
-  return column;
-}
-
-template <typename Predicate>
-std::ptrdiff_t count_floats(const std::vector<std::uint32_t>& column, Predicate predicate) {
-  return std::ranges::count_if(column, [&](std::uint32_t word) { return predicate(std::bit_cast<float>(word)); });
+  EXPECT_EQ(count_steep("noise2d.gullies", Extremes::floats).first, 0);
 }
 
 TEST(Points, OctaveSumsStartFromCellsAnywhereWithAllTheirOctaves) {
@@ -138,80 +174,6 @@ TEST(Points, OctaveSumsStartFromCellsAnywhereWithAllTheirOctaves) {
   EXPECT_GT(far, 500);
   EXPECT_GT(many_far, 50);
   EXPECT_EQ(std::ranges::max(octaves), 5u);
-  const auto fractions = column_of("fbm.ridged3_cell", "fy");
-  for (const float end : {0.0f, 1.0f}) {
-    EXPECT_GT(count_floats(fractions, [&](float f) { return f == end; }), 50) << end;
-  }
-}
-
-TEST(Points, StrengthsLieInTheirRangeAtItsEndsAndBeyond) {
-  struct {
-    std::string_view id;
-    float most;
-    std::vector<float> values;
-  } const kSums[] = {{"fbm.ping_pong2", 4.0f, {2.0f, 0.0f, 64.0f, -1.0f, 100.0f}},
-                     {"fbm.weighted3_cell_period", 1.0f, {1.0f, 0.0f, -1.0f, 2.0f}}};
-  for (const auto& [id, most, values] : kSums) {
-    const auto strengths = column_of(id, "strength");
-    EXPECT_GT(count_floats(strengths, [&](float s) { return s >= 0.0f && s <= most; }), 6000) << id;
-    for (const float value : values) EXPECT_GT(count_floats(strengths, [&](float s) { return s == value; }), 500) << id;
-    EXPECT_EQ(count_floats(strengths, [](float s) { return std::fabs(s) > 100.0f; }), 0) << id;
-    EXPECT_GT(count_floats(column_of(id, "strength", Extremes::integers), [](float s) { return s > 1e20f; }), 10) << id;
-  }
-}
-
-TEST(Points, GulliesRunDownHillsAndFlatGround) {
-  for (const std::string_view id : {"noise2d.gullies", "noise2d.gullies_cell_period_footprint"}) {
-    const auto depths = column_of(id, "depth");
-    EXPECT_GT(count_floats(depths, [](float d) { return d > 0.0f && d <= 0.5f; }), 8000) << id;
-    for (const float value : {0.0f, 8.0f, 9.0f, -1.0f}) {
-      EXPECT_GT(count_floats(depths, [&](float d) { return d == value; }), 100) << id;
-    }
-    for (const std::string_view axis : {"ex", "ey"}) {
-      const auto slopes = column_of(id, axis);
-      EXPECT_GT(count_floats(slopes, [](float e) { return std::fabs(e) <= 3.0f; }), 8000) << id;
-      EXPECT_GT(count_floats(slopes, [](float e) { return e == 0.0f; }), 1000) << id;
-      EXPECT_GT(count_floats(slopes, [](float e) { return std::fabs(e) > 8.0f; }), 200) << id;
-      EXPECT_GT(count_floats(column_of(id, axis, Extremes::floats), [](float e) { return std::fabs(e) > 1e20f; }), 50);
-    }
-    EXPECT_EQ(count_steep(id, Extremes::floats).first, 0) << id;
-  }
-}
-
-TEST(Points, FootprintsAreOfAllSizes) {
-  const auto footprints = column_of("fbm.fbm3_footprint", "footprint");
-  for (const float value : {0.0f, 3.0f}) {
-    EXPECT_GT(count_floats(footprints, [&](float f) { return f == value; }), 300) << value;
-  }
-  EXPECT_GT(count_floats(footprints, [](float f) { return f > 0.25f && f <= 1.0f; }), 1000);
-  EXPECT_GT(count_floats(footprints, [](float f) { return f > 0.0f && f < 0x1p-7f; }), 1000);
-  EXPECT_EQ(count_floats(footprints, [](float f) { return f < 0.0f; }), 0);  // that has no value in floats
-  const auto extreme = column_of("fbm.fbm3_footprint", "footprint", Extremes::integers);
-  EXPECT_GT(count_floats(extreme, [](float f) { return f < 0.0f; }), 100);
-}
-
-TEST(Points, DetailsAreWholeNearlyWholeAndBetween) {
-  const auto details = column_of("fbm.fbm2_detail", "detail");
-  const auto from_whole = [](float d) { return std::fabs(d - std::round(d)); };
-  EXPECT_GT(count_floats(details, [&](float d) { return from_whole(d) == 0.0f; }), 2000);
-  EXPECT_GT(count_floats(details, [&](float d) { return from_whole(d) > 0.0f && from_whole(d) < 0x1p-12f; }), 1000);
-  EXPECT_GT(count_floats(details, [&](float d) { return from_whole(d) > 0.1f; }), 2000);
-  EXPECT_GT(count_floats(details, [](float d) { return d > 6.0f; }), 300);
-  for (const float value : {0.0f, -1.0f}) {
-    EXPECT_GT(count_floats(details, [&](float d) { return d == value; }), 200) << value;
-  }
-  EXPECT_EQ(count_floats(details, [](float d) { return d > 7.0f || d < -1.0f; }), 0);
-  const auto extreme = column_of("fbm.fbm2_detail", "detail", Extremes::integers);
-  EXPECT_GT(count_floats(extreme, [](float d) { return d == 33.5f; }), 5);
-}
-
-TEST(Points, OnlyExtremesOfIntegersLieBesideTheirCell) {
-  const auto beside = [](float f) { return f < 0.0f || f > 1.0f; };
-  for (const std::string_view id : {"noise2d.perlin_cell", "noise3d.perlin_cell"}) {
-    EXPECT_EQ(count_coordinates(id, Extremes::floats, beside), 0);
-    EXPECT_GT(count_coordinates(id, Extremes::integers, beside), 500);
-    EXPECT_GT(count_coordinates(id, Extremes::floats, [](float f) { return std::fpclassify(f) == FP_SUBNORMAL; }), 300);
-  }
 }
 
 // The periods of an axis, and how many of the points lie in the last cell before a multiple of theirs.
@@ -263,19 +225,6 @@ TEST(Points, ItemsAreOfAnyNumberAndAmongThemOrBeyond) {
     EXPECT_EQ(counts.count(n), 1u) << n;
   }
   for (const int count : {last, first_beyond, among_many, beyond}) EXPECT_GT(count, 200);
-}
-
-TEST(Points, FractionsReachBothEnds) {
-  const auto words = random_points(find_function("noise2d.perlin_cell"), 10000, Random(1, "test"));
-  bool zero = false, one = false;
-  for (std::size_t i = 2; i < words.size(); i += kInputWords) {
-    const float f = std::bit_cast<float>(words[i]);
-    ASSERT_GE(f, 0.0f);
-    ASSERT_LE(f, 1.0f);
-    zero |= f == 0.0f;
-    one |= f == 1.0f;
-  }
-  EXPECT_TRUE(zero && one);
 }
 
 TEST(Random, UniformStaysBelowItsEnd) {

@@ -25,43 +25,23 @@ struct UniformBounds {
   double value, slope, reach, coefficient;
   double fixed_value, fixed_slope, fixed_reach, fixed_coefficient;
 };
-const std::vector<NoiseBounds> kNoiseBounds = {
-#define NOISE_BOUNDS(...) NoiseBounds{__VA_ARGS__},
-#define SLOPE_BOUNDS(...)
-#define SINE_BOUNDS(error, fixed_error)
-#define UNIFORM_BOUNDS(...)
-#define GULLIES_BOUNDS(...)
-#include "expected/bounds.inc"
-#undef NOISE_BOUNDS
-#undef SLOPE_BOUNDS
-#undef SINE_BOUNDS
-#undef UNIFORM_BOUNDS
-#undef GULLIES_BOUNDS
+struct Bounds {
+  std::vector<NoiseBounds> noise;
+  std::vector<NoiseBounds> slope;
+  double sine_error;
+  UniformBounds uniform;
+  GulliesBounds gullies;
 };
-const std::vector<NoiseBounds> kSlopeBounds = {
-#define NOISE_BOUNDS(...)
-#define SLOPE_BOUNDS(...) NoiseBounds{__VA_ARGS__},
-#define SINE_BOUNDS(error, fixed_error)
-#define UNIFORM_BOUNDS(...)
-#define GULLIES_BOUNDS(...)
+const Bounds kBounds = [] {
+  Bounds bounds{};
+#define NOISE_BOUNDS(...) bounds.noise.push_back({__VA_ARGS__});
+#define SLOPE_BOUNDS(...) bounds.slope.push_back({__VA_ARGS__});
+#define SINE_BOUNDS(error, fixed_error) bounds.sine_error = error;
+#define UNIFORM_BOUNDS(...) bounds.uniform = {__VA_ARGS__};
+#define GULLIES_BOUNDS(...) bounds.gullies = {__VA_ARGS__};
 #include "expected/bounds.inc"
-#undef NOISE_BOUNDS
-#undef SLOPE_BOUNDS
-#undef SINE_BOUNDS
-#undef UNIFORM_BOUNDS
-#undef GULLIES_BOUNDS
-};
-#define NOISE_BOUNDS(...)
-#define SLOPE_BOUNDS(...)
-#define SINE_BOUNDS(error, fixed_error) constexpr double kSineError = error;
-#define UNIFORM_BOUNDS(...) constexpr UniformBounds kUniformBounds{__VA_ARGS__};
-#define GULLIES_BOUNDS(...) constexpr GulliesBounds kGulliesBounds{__VA_ARGS__};
-#include "expected/bounds.inc"
-#undef NOISE_BOUNDS
-#undef SLOPE_BOUNDS
-#undef SINE_BOUNDS
-#undef UNIFORM_BOUNDS
-#undef GULLIES_BOUNDS
+  return bounds;
+}();
 
 // The components of the shift between octaves (docs/reference/contract.md); 2D uses the first two.
 constexpr std::array kShift = {11.0 / 32.0, 19.0 / 32.0, 23.0 / 32.0, 27.0 / 32.0};
@@ -71,7 +51,7 @@ constexpr double kCosine = 25.0 / 32.0;
 constexpr double kSine = 20.0 / 32.0;
 constexpr double kSecondCosine = 29.0 / 32.0;
 constexpr double kSecondSine = 13.0 / 32.0;
-constexpr double kWhole = 0x1p-24;  // the unit of whole positions
+constexpr double kWhole = 0x1p-24;  // the unit of fixed-point positions
 
 constexpr std::string_view kPerlinWorley = "perlin_worley";
 
@@ -207,7 +187,7 @@ double gullies_output_tolerance(const Function& function, std::span<const std::u
   const GulliesTolerance found =
       gullies_tolerance({octave_arguments(function, inputs), std::hypot(slope("ex"), slope("ey")),
                          float_input(inputs, function.input("depth"))},
-                        kGulliesBounds);
+                        kBounds.gullies);
   return function.is_slope(output) ? found.slope : found.height;
 }
 
@@ -225,21 +205,21 @@ double octave_sum_tolerance(const Function& function, Gradient gradient, std::sp
 double distribution_tolerance(const Function& function, std::span<const std::uint32_t> inputs, std::size_t output) {
   const std::string_view name = function.outputs[output].name;
   const double reach = std::clamp(float_input(inputs, function.input("reach")), 0.0625, 3.0);
-  if (name == "value") return kUniformBounds.value;
-  if (name == "slope") return kUniformBounds.slope / reach;
-  if (name == "reach") return kUniformBounds.reach * reach;
-  if (name == "a" || name == "b" || name == "c") return kUniformBounds.coefficient;
+  if (name == "value") return kBounds.uniform.value;
+  if (name == "slope") return kBounds.uniform.slope / reach;
+  if (name == "reach") return kBounds.uniform.reach * reach;
+  if (name == "a" || name == "b" || name == "c") return kBounds.uniform.coefficient;
   throw std::logic_error(fmt::format("{}: nothing is proven of its {}", function.id, name));
 }
 
 }  // namespace
 
 const NoiseBounds& noise_bounds(std::string_view noise, int axes, Gradient gradient) {
-  return bounds_in(kNoiseBounds, noise, axes, gradient);
+  return bounds_in(kBounds.noise, noise, axes, gradient);
 }
 
 const NoiseBounds& slope_bounds(std::string_view noise, int axes, Gradient gradient) {
-  return bounds_in(kSlopeBounds, noise, axes, gradient);
+  return bounds_in(kBounds.slope, noise, axes, gradient);
 }
 
 namespace {
@@ -253,7 +233,7 @@ std::string_view summed_noise(const Function& function) {
 }  // namespace
 
 const NoiseBounds& bounds_of(const Function& function, const Configuration& configuration, std::size_t output) {
-  const auto& table = function.is_slope(output) ? kSlopeBounds : kNoiseBounds;
+  const auto& table = function.is_slope(output) ? kBounds.slope : kBounds.noise;
   if (function.is_octave_sum()) {
     return bounds_in(table, summed_noise(function), function.axes, configuration.gradient);
   }
@@ -348,7 +328,7 @@ double perlin_worley_tolerance(OctaveArguments arguments) {
 double tolerance(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs,
                  std::size_t output) {
   if (has_exact_values(function, configuration)) return 0.0;
-  if (function.family == Family::sine_gradient) return kSineError;
+  if (function.family == Family::sine_gradient) return kBounds.sine_error;
   if (function.is_octave_sum()) {
     return octave_sum_tolerance(function, configuration.gradient, inputs, output);
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <limits>
 
 namespace hn {
@@ -12,23 +13,9 @@ constexpr std::uint64_t kMostUlpsTold = 1000;
 }  // namespace
 
 std::string_view name_of(Status status) {
-  switch (status) {
-    case Status::pass:
-      return "pass";
-    case Status::warning:
-      return "warning";
-    case Status::fail:
-      return "fail";
-    case Status::unsupported:
-      return "unsupported";
-    case Status::crash:
-      return "crash";
-    case Status::timeout:
-      return "timeout";
-    case Status::error:
-      break;
-  }
-  return "error";
+  constexpr std::array kNames = {"pass", "warning", "fail", "unsupported", "crash", "timeout", "error"};
+  static_assert(kNames.size() == kStatuses.size(), "a name for each, in their order");
+  return kNames.at(static_cast<std::size_t>(status));
 }
 
 std::optional<Status> status_named(std::string_view name) {
@@ -39,18 +26,7 @@ std::optional<Status> status_named(std::string_view name) {
 }
 
 bool is_bad(Status status) {
-  switch (status) {
-    case Status::pass:
-    case Status::warning:
-    case Status::unsupported:
-      return false;
-    case Status::fail:
-    case Status::crash:
-    case Status::timeout:
-    case Status::error:
-      break;
-  }
-  return true;
+  return status != Status::pass && status != Status::warning && status != Status::unsupported;
 }
 
 std::string measure_of(const Outcome& outcome) {

@@ -1,4 +1,4 @@
-// Expressions of GLSL as trees.
+// GLSL as a row of tokens, and its expressions as trees.
 #pragma once
 
 #include <cstddef>
@@ -6,9 +6,19 @@
 #include <string_view>
 #include <vector>
 
-#include "fault/tokens.hpp"
-
 namespace hn {
+
+struct Token {
+  enum class Kind { word, number, symbol, directive, end };
+  Kind kind = Kind::end;
+  std::string space;  // between the token before and this one: blanks, line ends, comments
+  std::string text;   // of a directive: the whole line, and those that a backslash adds
+
+  bool is(std::string_view what) const { return text == what && kind != Kind::directive; }
+};
+
+// The last token is an end, with the rest behind the others as its space.
+std::vector<Token> tokenize(std::string_view text);
 
 struct Expression {
   enum class Kind {

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "fault/rewriter.hpp"
 #include "fault/shims.hpp"
@@ -37,5 +38,9 @@ Result<void> inject(const Fault& fault, const Profile& profile, ShaderText& shad
 
 // Every shader that is expanded from the set from now on has the fault of that name. An error if there is none.
 Result<void> inject_into(SourceSet& sources, std::string_view name);
+
+void add_integer_faults(std::vector<Fault>& faults);
+void add_float_faults(std::vector<Fault>& faults);
+void add_flow_faults(std::vector<Fault>& faults);
 
 }  // namespace hn

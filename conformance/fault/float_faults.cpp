@@ -1,7 +1,7 @@
 // Faults of floats, of built-in functions and of conversions.
 #include <fmt/format.h>
 
-#include "fault/table.hpp"
+#include "fault/faults.hpp"
 
 namespace hn {
 namespace {

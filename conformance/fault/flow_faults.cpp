@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "fault/table.hpp"
+#include "fault/faults.hpp"
 
 namespace hn {
 namespace {

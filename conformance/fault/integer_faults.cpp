@@ -1,7 +1,7 @@
 // Faults of integers.
 #include <fmt/format.h>
 
-#include "fault/table.hpp"
+#include "fault/faults.hpp"
 
 namespace hn {
 namespace {

@@ -2,6 +2,7 @@
 // that look at values do not know which.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -12,6 +13,7 @@
 #include "base/result.hpp"
 #include "gpu/context_info.hpp"
 #include "gpu/driver/driver.hpp"
+#include "gpu/reference_compiler.hpp"
 #include "library/profile.hpp"
 #include "library/shaders.hpp"
 #include "library/source.hpp"
@@ -54,5 +56,11 @@ class Evaluator {
 // On a context that lives longer, or on one of its own.
 std::unique_ptr<Evaluator> evaluator_on(const Context& context);
 std::unique_ptr<Evaluator> evaluator_on(std::unique_ptr<Context> context);
+
+// On the device of that number. An error names the part that this machine lacks.
+Result<std::unique_ptr<Evaluator>> create_vulkan_evaluator(int number, const ReferenceCompiler& compiler);
+
+// An error names the part that this machine lacks.
+Result<std::unique_ptr<Evaluator>> create_metal_evaluator();
 
 }  // namespace hn

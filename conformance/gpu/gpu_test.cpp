@@ -156,12 +156,6 @@ TEST_F(Gpu, AContextWithoutComputeShadersSaysSo) {
   EXPECT_EQ(unsupported_reason(gl, Stage::vertex), "");
 }
 
-TEST_F(Gpu, AnErrorInALibraryFileNamesItsLine) {
-  const auto program = build("#define hn_i_mix 1\n#include \"hash.glsl\"\nvoid main() {}\n");
-  ASSERT_FALSE(program);
-  EXPECT_NE(program.error().log.find("glsl/hashnoise/detail/word.glsl:"), std::string::npos) << program.error().log;
-}
-
 TEST_F(Gpu, AProgramThatDoesNotLinkIsAnError) {
   EXPECT_FALSE(build("float f();\nout vec4 o;\nvoid main() { o = vec4(f()); }\n"));
 }

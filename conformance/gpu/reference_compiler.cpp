@@ -5,7 +5,7 @@
 #include <glslang/Public/ShaderLang.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 
-#include "base/strings.hpp"
+#include "base/text.hpp"
 #include "gpu/spirv.hpp"
 
 namespace hn {

@@ -14,19 +14,6 @@ Result<void> check(std::string_view profile, std::string_view text, Stage stage 
   return shader ? compiler.check(*shader, profile_named(profile), stage) : tl::unexpected(shader.error());
 }
 
-TEST(ReferenceCompiler, AcceptsTheLibrary) {
-  const auto done = check("vulkan",
-                          "#include \"hashnoise.glsl\"\nlayout(location = 0) out vec4 o;\n"
-                          "void main() { o = vec4(hn_perlin(vec2(0.5))); }\n");
-  EXPECT_TRUE(done) << done.error().text();
-}
-
-TEST(ReferenceCompiler, AnErrorInALibraryFileNamesItsLine) {
-  const auto done = check("gl450", "#define hn_i_mix 1\n#include \"hash.glsl\"\nvoid main() {}\n");
-  ASSERT_FALSE(done);
-  EXPECT_NE(done.error().log.find("glsl/hashnoise/detail/word.glsl:"), std::string::npos) << done.error().log;
-}
-
 TEST(ReferenceCompiler, AWarningIsAnError) {
   // glslang warns of precision qualifiers without a default precision when it makes SPIR-V.
   const auto done = check("vulkan", "void main() { highp float x = 1.0; }\n");

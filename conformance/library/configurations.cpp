@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "base/entry_named.hpp"
 
 namespace hn {
@@ -17,15 +19,8 @@ constexpr Configuration kConfigurations[] = {
 }  // namespace
 
 std::string_view name_of(Arithmetic arithmetic) {
-  switch (arithmetic) {
-    case Arithmetic::fast:
-      return "fast";
-    case Arithmetic::precise:
-      return "precise";
-    case Arithmetic::fixed:
-      break;
-  }
-  return "fixed";
+  constexpr std::array<std::string_view, 3> kNames = {"fast", "precise", "fixed"};
+  return kNames.at(static_cast<std::size_t>(arithmetic));
 }
 
 std::string_view Configuration::name_without_arithmetic() const {

@@ -21,17 +21,8 @@ const std::vector<Function>& functions() {
 }
 
 std::string_view name_of(WordType type) {
-  switch (type) {
-    case WordType::u32:
-      return "u32";
-    case WordType::i32:
-      return "i32";
-    case WordType::f32:
-      return "f32";
-    case WordType::f64:
-      break;
-  }
-  return "f64";
+  constexpr std::array<std::string_view, 4> kNames = {"u32", "i32", "f32", "f64"};
+  return kNames.at(static_cast<std::size_t>(type));
 }
 
 std::string columns_text(std::span<const Column> columns) {
@@ -67,25 +58,25 @@ std::string id_without(std::string_view text, std::string_view part) {
 
 bool Function::is_noise() const {
   return is_gradient_noise() || is_simplex_noise() || is_cellular() ||
-         is_one_of(family, {Family::lattice_noise, Family::further_lattice_noise});
+         is_one_of(family, {Family::lattice_noise, Family::extended_lattice_noise});
 }
 
-bool Function::is_cellular() const { return is_one_of(family, {Family::cellular, Family::further_cellular}); }
+bool Function::is_cellular() const { return is_one_of(family, {Family::cellular, Family::extended_cellular}); }
 
 bool Function::is_gradient_noise() const {
-  return is_one_of(family, {Family::gradient_noise, Family::further_gradient_noise, Family::octahedral_noise}) ||
+  return is_one_of(family, {Family::gradient_noise, Family::extended_gradient_noise, Family::octahedral_noise}) ||
          (is_simplex_noise() && !takes_wave());
 }
 
 bool Function::is_octave_sum() const {
-  return is_one_of(family, {Family::octave_sum, Family::further_octave_sum, Family::octahedral_octave_sum});
+  return is_one_of(family, {Family::octave_sum, Family::extended_octave_sum, Family::octahedral_octave_sum});
 }
 
 bool Function::is_further() const {
   return is_one_of(family,
-                   {Family::further_gradient_noise, Family::octahedral_noise, Family::further_lattice_noise,
-                    Family::further_octave_sum, Family::octahedral_octave_sum, Family::simplex_noise, Family::curl,
-                    Family::cellular, Family::further_cellular, Family::utility, Family::distribution});
+                   {Family::extended_gradient_noise, Family::octahedral_noise, Family::extended_lattice_noise,
+                    Family::extended_octave_sum, Family::octahedral_octave_sum, Family::simplex_noise, Family::curl,
+                    Family::cellular, Family::extended_cellular, Family::utility, Family::distribution});
 }
 
 bool Function::is_derived() const { return bound.ends_with("_d") || bound.ends_with("_d_phase"); }

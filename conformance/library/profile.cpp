@@ -39,29 +39,13 @@ constexpr std::array kRefused = {
 }  // namespace
 
 std::string_view name_of(Stage stage) {
-  switch (stage) {
-    case Stage::vertex:
-      return "vertex";
-    case Stage::compute:
-      return "compute";
-    case Stage::fragment:
-      break;
-  }
-  return "fragment";
+  constexpr std::array<std::string_view, 3> kNames = {"fragment", "vertex", "compute"};
+  return kNames.at(static_cast<std::size_t>(stage));
 }
 
 std::string_view name_of(Platform platform) {
-  switch (platform) {
-    case Platform::vulkan:
-      return "Vulkan";
-    case Platform::metal:
-      return "Metal";
-    case Platform::webgpu:
-      return "WebGPU";
-    case Platform::opengl:
-      break;
-  }
-  return "OpenGL";
+  constexpr std::array<std::string_view, 4> kNames = {"OpenGL", "Vulkan", "Metal", "WebGPU"};
+  return kNames.at(static_cast<std::size_t>(platform));
 }
 
 Platform Profile::platform() const {

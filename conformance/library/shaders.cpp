@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <vector>
 
 #include "base/entry_named.hpp"
-#include "base/strings.hpp"
+#include "base/text.hpp"
 #include "library/files.hpp"
 #include "library/source.hpp"
 
@@ -85,26 +86,13 @@ std::string running_preamble(const Profile& profile) {
 
 // The names of the shader's case, for the preprocessor.
 std::string case_names(const Evaluation& evaluation) {
-  const auto name_of_shape = [](Shape shape) -> std::string_view {
-    switch (shape) {
-      case Shape::inlined:
-        return "#define CASE_INLINED\n";
-      case Shape::in_loop:
-        return "#define CASE_IN_LOOP\n";
-      case Shape::constant:
-        return "#define CASE_CONSTANT\n";
-      case Shape::called:
-        break;
-    }
-    return "";
-  };
-  const auto name_of_seed = [](SeedFrom seed) -> std::string_view {
-    if (seed == SeedFrom::constant) return "#define CASE_CONSTANT_SEED\n";
-    return seed == SeedFrom::uniform ? "#define CASE_UNIFORM_SEED\n" : "";
-  };
+  constexpr std::array kShapes = {"", "#define CASE_INLINED\n", "#define CASE_IN_LOOP\n", "#define CASE_CONSTANT\n"};
+  constexpr std::array kSeeds = {"", "#define CASE_CONSTANT_SEED\n", "#define CASE_UNIFORM_SEED\n"};
+  const ShaderVariant& variant = evaluation.variant;
   return fmt::format("#define CASE_{}\n{}{}{}", in_upper_case(name_of(evaluation.stage)),
-                     name_of_shape(evaluation.variant.shape), name_of_seed(evaluation.variant.seed_from),
-                     evaluation.variant.periods.empty() ? "" : "#define CASE_CONSTANT_PERIOD\n");
+                     kShapes.at(static_cast<std::size_t>(variant.shape)),
+                     kSeeds.at(static_cast<std::size_t>(variant.seed_from)),
+                     variant.periods.empty() ? "" : "#define CASE_CONSTANT_PERIOD\n");
 }
 
 // Whether points and results are in buffers, and uniforms as well.

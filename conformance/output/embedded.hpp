@@ -5,6 +5,8 @@
 #include <span>
 #include <string_view>
 
+#include "base/entry_named.hpp"
+
 namespace hn {
 
 struct EmbeddedFile {
@@ -13,6 +15,8 @@ struct EmbeddedFile {
 };
 
 // The text of one of the files, which must be among them.
-std::string_view text_of(std::span<const EmbeddedFile> files, std::string_view name);
+inline std::string_view text_of(std::span<const EmbeddedFile> files, std::string_view name) {
+  return entry_named(files, &EmbeddedFile::name, name, "embedded file").text;
+}
 
 }  // namespace hn

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/bench.hpp"
-#include "bench/sampler.hpp"
+#include "bench/workbench.hpp"
 #include "paper/algorithm.hpp"
 
 namespace hn {

@@ -1,5 +1,3 @@
-#include "report/junit.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +5,8 @@
 #include <sstream>
 
 #include "base/text.hpp"
-#include "base/version.hpp"
+#include "library/source.hpp"
+#include "report/report.hpp"
 
 namespace hn {
 namespace {

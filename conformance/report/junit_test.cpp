@@ -1,10 +1,9 @@
-#include "report/junit.hpp"
-
 #include <gtest/gtest.h>
 
 #include <pugixml.hpp>
 
-#include "base/version.hpp"
+#include "library/source.hpp"
+#include "report/report.hpp"
 #include "run/result_support.hpp"
 
 namespace hn {

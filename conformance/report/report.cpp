@@ -8,7 +8,6 @@
 #include <set>
 
 #include "base/file.hpp"
-#include "base/strings.hpp"
 #include "base/text.hpp"
 #include "run/failures.hpp"
 

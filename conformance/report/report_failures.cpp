@@ -9,7 +9,7 @@
 #include "base/text.hpp"
 #include "cases/facets.hpp"
 #include "library/shaders.hpp"
-#include "report/report_page.hpp"
+#include "report/report.hpp"
 #include "run/failures.hpp"
 
 namespace hn {

@@ -1,5 +1,3 @@
-#include "report/report_page.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,11 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "base/ratio.hpp"
 #include "base/text.hpp"
 #include "output/files.hpp"
 #include "output/page.hpp"
 #include "report/files.hpp"
+#include "report/report.hpp"
 
 namespace hn {
 namespace {
@@ -179,36 +177,6 @@ Json page_counts(const std::vector<const Run*>& here) {
   return {{"drivers", names_of(here)}, {"rows", rows}};
 }
 
-// --- Timings ---------------------------------------------------------------------------------------------------------
-
-// The functions that a driver was timed on, with a bar as long as each takes.
-Json timed_rows(const Run& run) {
-  Json rows = Json::array();
-  const Json timings = Json::parse(run.timings, nullptr, false);
-  if (!timings.is_object() || !timings.contains("functions")) return rows;
-  double longest = 0.0;
-  for (const Json& function : timings.at("functions")) {
-    if (!function.contains("ratio") || !function.at("ratio").is_number()) continue;
-    const Json& spread = function.at("spread");
-    const Ratio ratio = {function.at("ratio").get<double>(), spread.is_number() ? spread.get<double>() : 0.0};
-    longest = std::max(longest, ratio.value);
-    rows.push_back({{"id", function.at("id").get<std::string>()}, {"text", text_of(ratio)}, {"part", ratio.value}});
-  }
-  for (Json& row : rows) {
-    const double part = std::max(row.at("part").get<double>(), 0.0) / std::max(longest, 1e-9);
-    row["part"] = fmt::format("{:.1f}", 100.0 * part);
-  }
-  return rows;
-}
-
-Json page_timings(const std::vector<const Run*>& here) {
-  Json drivers = Json::array();
-  for (const Run* run : here) {
-    if (Json rows = timed_rows(*run); !rows.empty()) drivers.push_back({{"driver", run->driver}, {"rows", rows}});
-  }
-  return {{"any", !drivers.empty()}, {"drivers", drivers}};
-}
-
 // --- To see it again -------------------------------------------------------------------------------------------------
 
 Json page_origin(const Run& run) {
@@ -254,7 +222,6 @@ Result<std::string> report_page(const std::vector<Run>& runs, const std::vector<
                      {"warnings", page_warnings(runs)},
                      {"excused", page_excused(runs)},
                      {"unsupported", page_unsupported(runs)},
-                     {"timings", page_timings(here)},
                      {"counts", page_counts(here)},
                      {"origins", origins}};
   return render_page(text_of(kReportFiles, "report.mustache"), data);

@@ -3,25 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
-#include "base/file.hpp"
-#include "base/temporary_folder.hpp"
+#include "base/folder.hpp"
 #include "run/result_support.hpp"
 
 namespace hn {
 namespace {
-
-TEST(Output, AFolderThatCannotBeWrittenIsAnError) {
-  const TemporaryFolder folder;
-  folder.write("file", "");
-  const auto inside_a_file = prepare_results(folder.path() / "file" / "out");
-  ASSERT_FALSE(inside_a_file);
-  EXPECT_NE(inside_a_file.error().message.find("file"), std::string::npos);
-  std::filesystem::create_directories(folder.path() / "taken" / "results.json");
-  EXPECT_FALSE(prepare_results(folder.path() / "taken"));
-}
 
 TEST(Output, ResultsOfAnEarlierRunAreGone) {
   const TemporaryFolder folder;
@@ -33,18 +20,6 @@ TEST(Output, ResultsOfAnEarlierRunAreGone) {
     EXPECT_FALSE(std::filesystem::exists(folder.path() / name));
   }
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "other.txt"));
-}
-
-TEST(Output, ResultsAreWrittenWhole) {
-  const TemporaryFolder folder;
-  const auto out = folder.path() / "a" / "b";
-  ASSERT_TRUE(prepare_results(out));
-  ASSERT_TRUE(write_results(out, {run_of({result("a", Status::pass)})}));
-  std::ifstream in(out / "results.json");
-  EXPECT_EQ(nlohmann::json::parse(in)["runs"].size(), 1u);
-  for (const auto& entry : std::filesystem::directory_iterator(out)) EXPECT_NE(entry.path().extension(), ".part");
-  EXPECT_TRUE(std::filesystem::exists(out / "junit.xml"));
-  EXPECT_TRUE(std::filesystem::exists(out / "index.html"));
 }
 
 TEST(Summary, NamesWhatFailedAndWhatIsUnsupported) {

@@ -8,7 +8,7 @@
 #include <libfccp/csv.h>
 
 #include "base/file.hpp"
-#include "run/filter.hpp"
+#include "run/selection.hpp"
 
 namespace hn {
 namespace {

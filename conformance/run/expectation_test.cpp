@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/temporary_folder.hpp"
+#include "base/folder.hpp"
 #include "run/result_support.hpp"
 
 namespace hn {

@@ -28,19 +28,9 @@ constexpr std::size_t kToldOfGroup = 4;
 enum class End { failed, passed, warned, excused };
 
 std::optional<End> end_of(const CaseResult& result) {
-  switch (result.outcome.status) {
-    case Status::unsupported:
-      return std::nullopt;  // it did not run
-    case Status::pass:
-      return End::passed;
-    case Status::warning:
-      return End::warned;
-    case Status::fail:
-    case Status::crash:
-    case Status::timeout:
-    case Status::error:
-      break;
-  }
+  const Status status = result.outcome.status;
+  if (status == Status::unsupported) return std::nullopt;  // it did not run
+  if (!is_bad(status)) return status == Status::pass ? End::passed : End::warned;
   return result.excuse.empty() ? End::failed : End::excused;
 }
 

@@ -15,91 +15,78 @@ CaseResult wrong(std::string id) {
 
 CaseResult right(std::string id) { return result(std::move(id), Status::pass); }
 
-std::vector<std::string> common_in(std::vector<CaseResult> cases) {
-  return failures_of(run_of(std::move(cases))).common;
-}
-
 using Sentences = std::vector<std::string>;
 
+Sentences common_in(std::vector<CaseResult> cases) { return failures_of(run_of(std::move(cases))).common; }
+
+struct Row {
+  const char* about;
+  std::vector<const char*> wrong;
+  std::vector<const char*> right;
+  Sentences common;
+};
+
 TEST(Common, IsWhatAllFailuresAreAndOthersAreNot) {
-  EXPECT_EQ(
-      common_in(
-          {wrong("noise2d.perlin.pcg.fast.fragment.gl330.golden"), wrong("fbm.fbm2.lattice.fixed.vertex.es300.twin"),
-           right("noise3d.perlin.pcg.fast.fragment.gl330.golden"), right("fbm.fbm3.lattice.fixed.vertex.es300.twin")}),
-      (Sentences{"Begin with noise2d.perlin, the lowest layer that fails: 1 of 1 other failures may follow.",
-                 "Every failing case is in 2D; all 2 in 3D pass."}));
-}
-
-TEST(Common, NamesKnobs) {
-  const std::vector<CaseResult> cases = {wrong("noise2d.perlin.lattice.fixed.fragment.gl330.golden"),
-                                         wrong("fbm.fbm3.lattice+sine.fixed.vertex.es300.twin"),
-                                         right("noise2d.perlin.lattice.fast.fragment.gl330.golden"),
-                                         right("fbm.fbm3.lattice+sine.precise.vertex.es300.twin"),
-                                         right("hash.word.pcg.exact.vertex.es300.twin")};
-  EXPECT_EQ(common_in(cases),
-            Sentences{"Every failing case is with HN_FIXED; all 2 with HN_FAST or with HN_PRECISE pass."})
-      << "the arithmetic does not matter to the hash, which is not counted";
-  EXPECT_EQ(common_in({wrong("noise2d.value_cell_period.lattice.fast.fragment.gl330.golden"),
-                       wrong("noise3d.perlin_cell_period.lattice.fixed.vertex.es300.twin"),
-                       right("noise2d.value.lattice.fast.fragment.gl330.golden"),
-                       right("noise3d.perlin_cell.lattice.fixed.vertex.es300.twin"),
-                       right("gradient.lattice3.lattice.exact.vertex.es300.twin")}),
-            Sentences{"Every failing case is with a period; all 2 without a period pass."});
-}
-
-TEST(Common, IsSaidOneAfterTheOtherWhileItTellsMore) {
-  EXPECT_EQ(common_in({wrong("noise2d.perlin.lattice.fast.vertex.gl330.golden"),
-                       wrong("noise2d.perlin.fnv1.precise.vertex.es300.twin"),
-                       right("noise2d.perlin.lattice.fast.fragment.gl330.golden"),
-                       right("noise2d.perlin.fnv1.precise.fragment.es300.twin"),
-                       right("noise2d.perlin.fnv1.fixed.fragment.gl330.golden"),
-                       right("noise3d.value.lattice.fast.vertex.gl330.golden"),
-                       right("noise3d.value.fnv1.precise.vertex.es300.twin")}),
-            (Sentences{"Every failing case is in the vertex stage; all 3 in the fragment stage pass.",
-                       "Every failing case is of perlin noise; all 2 of value noise pass."}));
-}
-
-TEST(Common, CallsManyTheOthers) {
-  std::vector<CaseResult> cases = {
-      wrong("hash.lattice2.pcg.exact.fragment.gl330.golden"), wrong("hash.lattice2.murmur.exact.fragment.es300.golden"),
-      right("hash.lattice1.pcg.exact.fragment.gl330.golden"), right("hash.lattice3.pcg.exact.fragment.es300.golden"),
-      right("noise3d.value.murmur.fast.fragment.es300.golden")};
-  EXPECT_EQ(common_in(cases), Sentences{"Every failing case is in 2D; all 3 in 1D or in 3D pass."});
-  cases.push_back(right("hash.lattice4.pcg.exact.fragment.gl330.golden"));
-  EXPECT_EQ(common_in(cases), Sentences{"Every failing case is in 2D; all 4 in 1D, in 3D or in 4D pass."});
-  cases.push_back(right("hash.word.pcg.exact.fragment.gl330.golden"));
-  EXPECT_EQ(common_in(cases), Sentences{"Every failing case is in 2D; all 4 in 1D, in 3D or in 4D pass."})
-      << "it has no dimension";
-}
-
-TEST(Common, MayBeWhatNoneOfThemIs) {
-  std::vector<CaseResult> cases;
-  for (const char* kind : {"hash.lattice1.pcg.exact", "gradient.lattice2.pcg.exact", "noise2d.perlin.fnv1.fast",
-                           "noise3d.value.murmur.precise", "fbm.fbm3.lattice+sine.fast"}) {
-    for (const char* profile : {"gl330", "gl140", "es300", "es310"}) {
-      const std::string id = std::string(kind) + ".fragment." + profile + ".golden";
-      const bool fails = std::string_view(kind) != "fbm.fbm3.lattice+sine.fast";
-      cases.push_back(fails ? wrong(id) : right(id));
-    }
+  const Row rows[] = {
+      {"dimensions",
+       {"noise2d.perlin.pcg.fast.fragment.gl330.golden", "fbm.fbm2.lattice.fixed.vertex.es300.twin"},
+       {"noise3d.perlin.pcg.fast.fragment.gl330.golden", "fbm.fbm3.lattice.fixed.vertex.es300.twin"},
+       {"Begin with noise2d.perlin, the lowest layer that fails: 1 of 1 other failures may follow.",
+        "Every failing case is in 2D; all 2 in 3D pass."}},
+      {"an arithmetic, which does not matter to the hash: it is not counted",
+       {"noise2d.perlin.lattice.fixed.fragment.gl330.golden", "fbm.fbm3.lattice+sine.fixed.vertex.es300.twin"},
+       {"noise2d.perlin.lattice.fast.fragment.gl330.golden", "fbm.fbm3.lattice+sine.precise.vertex.es300.twin",
+        "hash.word.pcg.exact.vertex.es300.twin"},
+       {"Every failing case is with HN_FIXED; all 2 with HN_FAST or with HN_PRECISE pass."}},
+      {"a form",
+       {"noise2d.value_cell_period.lattice.fast.fragment.gl330.golden",
+        "noise3d.perlin_cell_period.lattice.fixed.vertex.es300.twin"},
+       {"noise2d.value.lattice.fast.fragment.gl330.golden", "noise3d.perlin_cell.lattice.fixed.vertex.es300.twin",
+        "gradient.lattice3.lattice.exact.vertex.es300.twin"},
+       {"Every failing case is with a period; all 2 without a period pass."}},
+      {"one after the other, while it separates more",
+       {"noise2d.perlin.lattice.fast.vertex.gl330.golden", "noise2d.perlin.fnv1.precise.vertex.es300.twin"},
+       {"noise2d.perlin.lattice.fast.fragment.gl330.golden", "noise2d.perlin.fnv1.precise.fragment.es300.twin",
+        "noise2d.perlin.fnv1.fixed.fragment.gl330.golden", "noise3d.value.lattice.fast.vertex.gl330.golden",
+        "noise3d.value.fnv1.precise.vertex.es300.twin"},
+       {"Every failing case is in the vertex stage; all 3 in the fragment stage pass.",
+        "Every failing case is of perlin noise; all 2 of value noise pass."}},
+      {"two others",
+       {"hash.lattice2.pcg.exact.fragment.gl330.golden", "hash.lattice2.murmur.exact.fragment.es300.golden"},
+       {"hash.lattice1.pcg.exact.fragment.gl330.golden", "hash.lattice3.pcg.exact.fragment.es300.golden",
+        "noise3d.value.murmur.fast.fragment.es300.golden"},
+       {"Every failing case is in 2D; all 3 in 1D or in 3D pass."}},
+      {"three others, and one that has no dimension",
+       {"hash.lattice2.pcg.exact.fragment.gl330.golden", "hash.lattice2.murmur.exact.fragment.es300.golden"},
+       {"hash.lattice1.pcg.exact.fragment.gl330.golden", "hash.lattice3.pcg.exact.fragment.es300.golden",
+        "hash.lattice4.pcg.exact.fragment.gl330.golden", "hash.word.pcg.exact.fragment.gl330.golden"},
+       {"Every failing case is in 2D; all 3 in 1D, in 3D or in 4D pass."}},
+      {"what none of them is",
+       {"hash.lattice1.pcg.exact.fragment.gl330.golden", "gradient.lattice2.pcg.exact.fragment.es300.golden",
+        "noise2d.perlin.fnv1.fast.fragment.gl330.golden", "noise3d.value.murmur.precise.fragment.es300.golden"},
+       {"fbm.fbm3.lattice+sine.fast.fragment.gl330.golden", "fbm.fbm3.lattice+sine.fast.fragment.es300.golden"},
+       {"No failing case is of octave sums; all 2 such cases pass."}},
+      {"nothing",
+       {"noise2d.perlin.pcg.fast.fragment.gl330.golden", "fbm.fbm3.lattice.fixed.vertex.es300.twin",
+        "hash.lattice1.fnv1.exact.compute.gl430.golden"},
+       {"noise2d.perlin.lattice.fixed.vertex.es300.twin", "hash.lattice1.fnv1.exact.fragment.gl330.golden"},
+       {"The names of the failing cases have nothing in common."}},
+      {"nothing, of a single group",
+       {"noise2d.perlin.pcg.fast.fragment.gl330.golden", "noise2d.perlin.fnv1.fixed.vertex.es300.twin"},
+       {"noise2d.perlin.pcg.fixed.vertex.es300.twin", "noise2d.perlin.fnv1.fast.fragment.gl330.golden"},
+       {}},
+      {"nothing of one case",
+       {"noise2d.perlin.pcg.fast.fragment.gl330.golden"},
+       {"noise3d.perlin.pcg.fast.fragment.gl330.golden"},
+       {}},
+      {"nothing without a case", {}, {}, {}},
+  };
+  for (const Row& row : rows) {
+    std::vector<CaseResult> cases;
+    for (const char* id : row.wrong) cases.push_back(wrong(id));
+    for (const char* id : row.right) cases.push_back(right(id));
+    EXPECT_EQ(common_in(cases), row.common) << row.about;
   }
-  EXPECT_EQ(common_in(cases), Sentences{"No failing case is of octave sums; all 4 such cases pass."});
-}
-
-TEST(Common, IsNotClaimedWhereThereIsNone) {
-  EXPECT_EQ(common_in({wrong("noise2d.perlin.pcg.fast.fragment.gl330.golden"),
-                       wrong("fbm.fbm3.lattice.fixed.vertex.es300.twin"),
-                       wrong("hash.lattice1.fnv1.exact.compute.gl430.golden"),
-                       right("noise2d.perlin.lattice.fixed.vertex.es300.twin"),
-                       right("hash.lattice1.fnv1.exact.fragment.gl330.golden")}),
-            Sentences{"The names of the failing cases have nothing in common."});
-}
-
-TEST(Common, IsNotDeniedOfASingleGroup) {
-  EXPECT_EQ(common_in({wrong("noise2d.perlin.pcg.fast.fragment.gl330.golden"),
-                       wrong("noise2d.perlin.fnv1.fixed.vertex.es300.twin"),
-                       right("noise2d.perlin.pcg.fixed.vertex.es300.twin"),
-                       right("noise2d.perlin.fnv1.fast.fragment.gl330.golden")}),
-            Sentences{});
 }
 
 // A case with which the sentence would be false takes it away.
@@ -156,12 +143,6 @@ TEST(Common, CountsOnlyWhatTheFaultWouldShowIn) {
       << "where inlined fails, it shows the fault";
 }
 
-struct Beginning {
-  const char* about;
-  std::vector<const char*> wrong;
-  std::string sentence;  // or nothing
-};
-
 TEST(Common, BeginsWithTheLowestLayerThatFails) {
   const char* const hash2 = "hash.lattice2.lattice.exact.fragment.gl330.golden";
   const char* const hash3 = "hash.lattice3.lattice.exact.vertex.es300.twin";
@@ -171,7 +152,11 @@ TEST(Common, BeginsWithTheLowestLayerThatFails) {
   const char* const noise4 = "noise4d.perlin.pcg.fast.fragment.gl330.twin";
   const char* const sum2 = "fbm.fbm2.lattice.fixed.fragment.gl330.golden";
   const char* const bug = "bugs.abs_of_int.any.exact.fragment.gl330.defined";
-  const std::vector<Beginning> table = {
+  const struct {
+    const char* about;
+    std::vector<const char*> wrong;
+    std::string sentence;  // or nothing
+  } rows[] = {
       {"one function",
        {sum2, noise2, hash2},
        "Begin with hash.lattice2, the lowest layer that fails: 2 of 2 other failures may follow."},
@@ -193,7 +178,7 @@ TEST(Common, BeginsWithTheLowestLayerThatFails) {
       {"another dimension", {hash3, noise2, noise4}, ""},
       {"a single layer", {hash2, hash3}, ""},
   };
-  for (const Beginning& row : table) {
+  for (const auto& row : rows) {
     std::vector<CaseResult> cases = {right("hash.lattice4.fnv1.exact.fragment.gl330.golden")};
     for (const char* id : row.wrong) cases.push_back(wrong(id));
     const Failures failures = failures_of(run_of(cases));
@@ -202,13 +187,6 @@ TEST(Common, BeginsWithTheLowestLayerThatFails) {
     if (row.sentence.empty()) continue;
     EXPECT_NE(row.sentence.find(failures.groups.front().title), std::string::npos) << row.about << ": it comes first";
   }
-}
-
-TEST(Common, IsNothingOfOneCase) {
-  EXPECT_EQ(common_in({wrong("noise2d.perlin.pcg.fast.fragment.gl330.golden"),
-                       right("noise3d.perlin.pcg.fast.fragment.gl330.golden")}),
-            Sentences{});
-  EXPECT_EQ(common_in({}), Sentences{});
 }
 
 TEST(Groups, AreByFunctionWhereValuesAreWrong) {

@@ -17,15 +17,11 @@ namespace hn {
 enum class Task {
   describe,  // report what the driver is
   cases,     // run cases
-  timings,   // time the functions of cases
   devices,   // report how many EGL devices there are
   vulkan,    // report how many devices of Vulkan there are
 };
-NLOHMANN_JSON_SERIALIZE_ENUM(Task, {{Task::describe, "describe"},
-                                    {Task::cases, "cases"},
-                                    {Task::timings, "timings"},
-                                    {Task::devices, "devices"},
-                                    {Task::vulkan, "vulkan"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(
+    Task, {{Task::describe, "describe"}, {Task::cases, "cases"}, {Task::devices, "devices"}, {Task::vulkan, "vulkan"}})
 
 // The settings that change what a case does; the same for every process of a run.
 struct SuiteOptions {
@@ -70,7 +66,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LanguageSupport, gl_version, es_version, gl13
 //   {"evidence": {...}, "id": ID}     then; null in place of an object if there is none
 //   {"alive": true}                   from a case that takes long: the limit of its time starts again
 //   {"lost": true}                    after these: the context or device is lost, and the process ends
-//   {"timings": ...} {"devices": N}   from these tasks; the latter from both that count
+//   {"devices": N}                    from the tasks that count
 //   {"error": "why"}                  a task cannot be done
 
 }  // namespace hn

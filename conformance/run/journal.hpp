@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/file_descriptor.hpp"
+#include "base/file.hpp"
 #include "run/results.hpp"
 
 namespace hn {

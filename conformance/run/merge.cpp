@@ -8,7 +8,7 @@
 #include <map>
 
 #include "base/file.hpp"
-#include "run/shard.hpp"
+#include "run/selection.hpp"
 
 namespace hn {
 namespace {
@@ -40,7 +40,6 @@ Result<void> append_cases(Run& to, Run& from) {
                   std::make_move_iterator(from.cases.end()));
   to.not_run += from.not_run;
   if (to.golden != from.golden) to.golden.clear();
-  if (to.timings.empty()) to.timings = from.timings;
   to.date = std::max(to.date, from.date);  // of the same length, so in the order of time
   to.commands.merge(from.commands);
   return {};

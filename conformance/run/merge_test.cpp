@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "base/file.hpp"
-#include "base/temporary_folder.hpp"
+#include "base/folder.hpp"
 #include "run/result_support.hpp"
-#include "run/shard.hpp"
+#include "run/selection.hpp"
 
 namespace hn {
 namespace {

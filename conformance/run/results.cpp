@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "base/json.hpp"
-#include "base/version.hpp"
+#include "library/source.hpp"
 
 namespace hn {
 namespace {
@@ -69,7 +69,6 @@ Json to_json(const Run& run) {
   one["as_expected"] = run.as_expected();
   Json& cases = one["cases"] = Json::array();
   for (const CaseResult& result : run.cases) cases.push_back(to_json(result));
-  if (!run.timings.empty()) one["timings"] = Json::parse(run.timings);
   return one;
 }
 
@@ -105,7 +104,6 @@ Run run_from(const nlohmann::json& json, std::string& where) {
     run.cases.push_back(case_result_from(result));
   }
   where = here;
-  if (json.contains("timings")) run.timings = json.at("timings").dump();
   return run;
 }
 

@@ -11,7 +11,7 @@
 
 #include "expected/verdict.hpp"
 #include "gpu/context_info.hpp"
-#include "library/edited.hpp"
+#include "library/source.hpp"
 
 namespace hn {
 
@@ -31,11 +31,10 @@ struct Run {
   std::size_t not_run = 0;                    // how many the run did not come to, since it was ended before
   std::size_t missing = 0;                    // how many are in shards that were not merged
   std::vector<CaseResult> cases;
-  std::string timings;                  // JSON, on request
   std::string date = {};                // when it ended: UTC, ISO 8601
   std::set<std::string> commands = {};  // that made it: several if it was merged
   // Only of a run of all cases that there are by default, without an option that changes what they do: the checksum of
-  // the golden files. A digest is made of such a run (report/digest.hpp).
+  // the golden files.
   std::string golden = {};
 
   bool is_reference() const { return driver == kReferenceCompiler; }

@@ -8,10 +8,10 @@
 #include <optional>
 #include <set>
 
+#include "base/console.hpp"
 #include "base/file.hpp"
-#include "base/progress.hpp"
-#include "base/version.hpp"
 #include "base/worker.hpp"
+#include "library/source.hpp"
 
 namespace hn {
 namespace {
@@ -143,8 +143,7 @@ class Lane {
             .shard = whole_.shard,
             .whole = plan_.whole,
             .not_run = absent_.empty() ? pending_.size() : 0,
-            .cases = {},
-            .timings = {}};
+            .cases = {}};
     for (const std::string& id : plan_.ids) {
       if (const auto found = results_.find(id); found != results_.end()) run.cases.push_back(std::move(found->second));
     }

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "base/file.hpp"
-#include "base/temporary_folder.hpp"
+#include "base/folder.hpp"
 #include "run/result_support.hpp"
 
 namespace hn {
@@ -24,26 +24,68 @@ constexpr std::string_view kReady =
 // A line of a script that reports so.
 std::string report_line(std::string_view report) { return "echo '" + std::string(report) + "' >&3\n"; }
 
+// The beginning of every script: `report_result ID STATUS MEMBERS` reports so, where MEMBERS follow the result.
+constexpr std::string_view kScript = R"(#!/bin/sh
+report_result() {
+  echo '{"result": {"id": "'$1'", "status": "'$2'", "samples": 1, "mismatches": 0, "max_abs": 0, "max_ulp": 0,' \
+       '"seconds": 0, "message": ""}'$3'}' >&3
+}
+)";
+
 // Passes every case of the job that is left, but does something else at one of them; $2 is the job.
 std::string script_that(std::string_view at, std::string_view does) {
+  return report_line(kReady) + fmt::format(R"(for id in a b c d e; do
+  grep -o '"ids":[^]]*' "$2" | grep -q "\"$id\"" || continue
+  if [ $id = {} ]; then {}; fi
+  report_result $id pass
+done
+)",
+                                           at, does);
+}
+
+// Does something at each case of the job with a name of this pattern, and passes it.
+std::string script_of(std::string_view pattern, std::string_view does) {
   return report_line(kReady) +
-         "for id in a b c d e; do\n  grep -o '\"ids\":[^]]*' \"$2\" | grep -q \"\\\"$id\\\"\" || continue\n" +  //
-         "  if [ $id = " + std::string(at) + " ]; then " + std::string(does) + "; fi\n" +
-         "  echo '{\"result\": {\"id\": \"'$id'\", \"status\": \"pass\", \"samples\": 1, \"mismatches\": 0, "
-         "\"max_abs\": 0, "
-         "\"max_ulp\": 0, \"seconds\": 0, \"message\": \"\"}}' >&3\ndone\n";
+         fmt::format("for id in $(grep -o '{}' \"$2\"); do\n  {}\n  report_result $id pass\ndone\n", pattern, does);
 }
 
 class SchedulerTest : public testing::Test {
  protected:
-  // Runs the cases a to e with the script in place of the driver's process.
-  hn::Run run(const std::string& script) {
+  // Runs the plan with the script in place of the driver's process.
+  PlanResult run_with(const std::string& script, Journal& journal) {
     plan_.program = folder_.path() / "child";
-    folder_.write("child", "#!/bin/sh\n" + script);
+    folder_.write("child", std::string(kScript) + script);
     std::filesystem::permissions(plan_.program, std::filesystem::perms::owner_all);
+    return run_plan(plan_, folder_.path(), journal, stderr);
+  }
+
+  PlanResult run_all(const std::string& script) {
     auto journal = Journal::create(folder_.path(), to_json(plan_));
     EXPECT_TRUE(journal);
-    return run_plan(plan_, folder_.path(), *journal, stderr).runs.front();
+    return run_with(script, *journal);
+  }
+
+  hn::Run run(const std::string& script) { return run_all(script).runs.front(); }
+
+  // Goes on with a journal that has so many reports.
+  hn::Run resume(const std::string& script, std::size_t earlier) {
+    auto journal = Journal::reopen(folder_.path(), to_json(plan_));
+    if (!journal) {
+      ADD_FAILURE() << journal.error().text();
+      return {};
+    }
+    EXPECT_EQ(journal->earlier().size(), earlier);
+    return run_with(script, *journal).runs.front();
+  }
+
+  std::string text_of(std::string_view file) const {
+    std::ifstream in(folder_.path() / file);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  void plan_cases(std::string_view format, int count) {
+    plan_.drivers[0].ids.clear();
+    for (int i = 0; i < count; ++i) plan_.drivers[0].ids.push_back(fmt::format(fmt::runtime(format), i));
   }
 
   // "a pass, b crash, ..."
@@ -103,23 +145,18 @@ TEST_F(SchedulerTest, ACaseThatSaysThatItIsAliveMayTakeLonger) {
 }
 
 TEST_F(SchedulerTest, AfterALostContextAnotherProcessGoesOn) {
-  const std::string lost = script_that("b",
-                                       "echo '{\"result\": {\"id\": \"b\", \"status\": \"crash\", \"samples\": 0, "
-                                       "\"mismatches\": 0, \"max_abs\": 0, \"max_ulp\": 0, \"seconds\": 0, "
-                                       "\"message\": \"lost\"}}' >&3; echo '{\"lost\": true}' >&3; exit 0");
-  EXPECT_EQ(verdicts(run(lost)), "a pass, b crash, c pass, d pass, e pass");
+  EXPECT_EQ(verdicts(run(script_that("b", "report_result b crash; echo '{\"lost\": true}' >&3; exit 0"))),
+            "a pass, b crash, c pass, d pass, e pass");
 }
 
 // The lines after a failed case; $id is the case.
-constexpr std::string_view kFailsAndIsExamined =
-    "echo '{\"result\": {\"id\": \"'$id'\", \"status\": \"fail\", \"samples\": 1, \"mismatches\": 1, \"max_abs\": 0, "
-    "\"max_ulp\": 0, \"seconds\": 0, \"message\": \"\"}, \"examined\": true}' >&3; ";
+const std::string kFailsAndIsExamined = R"(report_result $id fail ', "examined": true'; )";
+const std::string kEvidence =
+    R"(echo '{"evidence": {"shader": "s", "got": "", "reference": "", "difference": "", "factor": 2, "note": "n"}, )"
+    R"("id": "b"}' >&3; continue)";
 
 TEST_F(SchedulerTest, EvidenceBelongsToItsCase) {
-  const std::string evidence =
-      "echo '{\"evidence\": {\"shader\": \"s\", \"got\": \"\", \"reference\": \"\", \"difference\": \"\", "
-      "\"factor\": 2, \"note\": \"n\"}, \"id\": \"b\"}' >&3; continue";
-  const hn::Run result = run(script_that("b", std::string(kFailsAndIsExamined) + evidence));
+  const hn::Run result = run(script_that("b", kFailsAndIsExamined + kEvidence));
   EXPECT_EQ(verdicts(result), "a pass, b fail, c pass, d pass, e pass");
   ASSERT_TRUE(result.cases[1].evidence);
   EXPECT_EQ(result.cases[1].evidence->shader, "s");
@@ -127,16 +164,15 @@ TEST_F(SchedulerTest, EvidenceBelongsToItsCase) {
   EXPECT_FALSE(result.cases[2].evidence);
 
   const std::string none = "echo '{\"evidence\": null, \"id\": \"b\"}' >&3; continue";
-  EXPECT_FALSE(run(script_that("b", std::string(kFailsAndIsExamined) + none)).cases[1].evidence);
+  EXPECT_FALSE(run(script_that("b", kFailsAndIsExamined + none)).cases[1].evidence);
 }
 
 TEST_F(SchedulerTest, ADriverThatCrashesOverTheEvidenceCostsNoVerdict) {
   for (const char* end : {"kill -SEGV $$", "exec sleep 60"}) {
     plan_.limit = 2s;
-    const hn::Run result = run("cp \"$2\" \"$0.job\"\n" + script_that("b", std::string(kFailsAndIsExamined) + end));
+    const hn::Run result = run("cp \"$2\" \"$0.job\"\n" + script_that("b", kFailsAndIsExamined + end));
     EXPECT_EQ(verdicts(result), "a pass, b fail, c pass, d pass, e pass");
-    std::ifstream job(folder_.path() / "child.job");  // of the process that went on
-    const auto json = nlohmann::json::parse(job);
+    const auto json = nlohmann::json::parse(text_of("child.job"));  // of the process that went on
     EXPECT_EQ(json.at("ids"), nlohmann::json({"c", "d", "e"}));
     EXPECT_EQ(json.at("examined"), nlohmann::json({"b"})) << "so that they do not have it again and again";
   }
@@ -144,10 +180,7 @@ TEST_F(SchedulerTest, ADriverThatCrashesOverTheEvidenceCostsNoVerdict) {
 
 TEST_F(SchedulerTest, FailFastWaitsForTheEvidence) {
   plan_.fail_fast = true;
-  const std::string evidence =
-      "sleep 0.3; echo '{\"evidence\": {\"shader\": \"s\", \"got\": \"\", \"reference\": \"\", \"difference\": "
-      "\"\", \"factor\": 2, \"note\": \"n\"}, \"id\": \"b\"}' >&3; continue";
-  const hn::Run result = run(script_that("b", std::string(kFailsAndIsExamined) + evidence));
+  const hn::Run result = run(script_that("b", kFailsAndIsExamined + "sleep 0.3; " + kEvidence));
   EXPECT_EQ(verdicts(result), "a pass, b fail");
   EXPECT_TRUE(result.cases[1].evidence);
 }
@@ -172,21 +205,13 @@ TEST_F(SchedulerTest, AFunctionThatCrashesAlwaysIsGivenUpAndSoIsADriver) {
   for (const char* function : {"f.a", "f.b", "f.c", "f.d"}) {
     for (int i = 10; i < 25; ++i) plan_.drivers[0].ids.push_back(fmt::format("{}.{}", function, i));
   }
-  const auto starts = [&] {
-    std::ifstream file(folder_.path() / "child.starts");
-    return std::string(std::istreambuf_iterator<char>(file), {}).size() / 2;
-  };
   // Ten cases of each of three functions are tried.
   const hn::Run all = run("echo x >>\"$0.starts\"\n" + report_line(kReady) + "exit 1\n");
   EXPECT_EQ(all.count(Status::crash), 60u);
-  EXPECT_EQ(starts(), 30u);
+  EXPECT_EQ(text_of("child.starts").size(), 2 * 30u);
   EXPECT_NE(all.cases[59].outcome.message.find("not run, after 10 cases in a row"), std::string::npos);
   // One function alone does not take the others along.
-  const hn::Run one =
-      run(report_line(kReady) + "for id in $(grep -o 'f[.][a-d][.][0-9]*' \"$2\"); do\n" +
-          "  case $id in f.b.*) exit 1;; esac\n  echo '{\"result\": {\"id\": \"'$id'\", \"status\": "
-          "\"pass\", \"samples\": 1, \"mismatches\": 0, \"max_abs\": 0, \"max_ulp\": 0, \"seconds\": 0, "
-          "\"message\": \"\"}}' >&3\ndone\n");
+  const hn::Run one = run(script_of("f[.][a-d][.][0-9]*", "case $id in f.b.*) exit 1;; esac"));
   EXPECT_EQ(one.count(Status::crash), 15u);
   EXPECT_EQ(one.count(Status::pass), 45u);
 }
@@ -198,12 +223,8 @@ TEST_F(SchedulerTest, AnExcusedFailureDoesNotEndAFastRun) {
 }
 
 TEST_F(SchedulerTest, ACrashAfterTheLastCaseIsAProblem) {
-  plan_.program = folder_.path() / "child";
   for (const auto& [end, problems] : {std::pair{"exit 0\n", 0u}, std::pair{"kill -SEGV $$\n", 1u}}) {
-    folder_.write("child", "#!/bin/sh\n" + script_that("none", ":") + end);
-    std::filesystem::permissions(plan_.program, std::filesystem::perms::owner_all);
-    auto journal = Journal::create(folder_.path(), to_json(plan_));
-    const PlanResult result = run_plan(plan_, folder_.path(), *journal, stderr);
+    const PlanResult result = run_all(script_that("none", ":") + end);
     EXPECT_EQ(result.runs[0].count(Status::pass), 5u);
     EXPECT_EQ(result.problems.size(), problems);
   }
@@ -243,11 +264,7 @@ TEST_F(SchedulerTest, WhatStopsTheRunCostsNoVerdict) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "any.log"));
   // And the next goes on.
   plan_.stop_fd = -1;
-  auto journal = Journal::reopen(folder_.path(), to_json(plan_));
-  ASSERT_TRUE(journal) << journal.error().text();
-  EXPECT_EQ(journal->earlier().size(), 3u);  // ready, a, b
-  folder_.write("child", "#!/bin/sh\n" + script_that("none", ":"));
-  const hn::Run whole = run_plan(plan_, folder_.path(), *journal, stderr).runs.front();
+  const hn::Run whole = resume(script_that("none", ":"), 3u);  // ready, a, b
   EXPECT_EQ(verdicts(whole), "a pass, b pass, c pass, d pass, e pass");
   EXPECT_EQ(whole.not_run, 0u);
 }
@@ -263,16 +280,13 @@ TEST_F(SchedulerTest, ARunThatWasStoppedBeforeItBeganHasNoVerdicts) {
 // As on a full disk.
 TEST_F(SchedulerTest, AJournalThatCannotBeWrittenEndsTheRun) {
   signal(SIGXFSZ, SIG_IGN);
-  plan_.program = folder_.path() / "child";
-  folder_.write("child", "#!/bin/sh\n" + script_that("none", ":") + "exec sleep 60\n");
-  std::filesystem::permissions(plan_.program, std::filesystem::perms::owner_all);
   auto journal = Journal::create(folder_.path(), to_json(plan_));
   ASSERT_TRUE(journal);
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
   const rlimit small{std::filesystem::file_size(folder_.path() / kJournalFile) + 500, before.rlim_max};
   setrlimit(RLIMIT_FSIZE, &small);
-  const PlanResult result = run_plan(plan_, folder_.path(), *journal, stderr);
+  run_with(script_that("none", ":") + "exec sleep 60\n", *journal);
   setrlimit(RLIMIT_FSIZE, &before);
   EXPECT_EQ(journal->problem(), "cannot write " + (folder_.path() / kJournalFile).string() + ": File too large");
   const auto again = Journal::reopen(folder_.path(), to_json(plan_));
@@ -283,11 +297,7 @@ TEST_F(SchedulerTest, AJournalThatCannotBeWrittenEndsTheRun) {
 TEST_F(SchedulerTest, DriversRunSideBySide) {
   plan_.drivers.push_back({"other", {"d", "e"}, 2});
   plan_.jobs = 2;
-  folder_.write("child", "#!/bin/sh\n" + script_that("none", ":"));
-  plan_.program = folder_.path() / "child";
-  std::filesystem::permissions(plan_.program, std::filesystem::perms::owner_all);
-  auto journal = Journal::create(folder_.path(), to_json(plan_));
-  const auto runs = run_plan(plan_, folder_.path(), *journal, stderr).runs;
+  const auto runs = run_all(script_that("none", ":")).runs;
   ASSERT_EQ(runs.size(), 2u);
   EXPECT_EQ(runs[1].driver, "other");
   EXPECT_EQ(verdicts(runs[1]), "d pass, e pass");
@@ -295,18 +305,12 @@ TEST_F(SchedulerTest, DriversRunSideBySide) {
 
 // Parts of 60 cases at the least: 16 of them.
 TEST_F(SchedulerTest, TheCasesOfADriverAreSplitWhereProcessesAreLeft) {
-  plan_.drivers[0].ids.clear();
-  for (int i = 0; i < 1000; ++i) plan_.drivers[0].ids.push_back(fmt::format("case{:03}", i));
+  plan_cases("case{:03}", 1000);
   plan_.drivers[0].whole = 1000;
   plan_.jobs = 3;
   // Each passes what its job has, and the last of them crashes in its last case.
-  const hn::Run result =
-      run("echo x >>\"$0.starts\"\n" + report_line(kReady) +
-          "for id in $(grep -o 'case[0-9]*' \"$2\"); do\n  [ $id = case999 ] && exit 1\n  echo '{\"result\": {\"id\": "
-          "\"'$id'\", \"status\": \"pass\", \"samples\": 1, \"mismatches\": 0, \"max_abs\": 0, \"max_ulp\": 0, "
-          "\"seconds\": 0, \"message\": \"\"}}' >&3\ndone\n");
-  std::ifstream starts(folder_.path() / "child.starts");
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(starts), {}).size(), 2u * 16u);
+  const hn::Run result = run("echo x >>\"$0.starts\"\n" + script_of("case[0-9]*", "[ $id = case999 ] && exit 1"));
+  EXPECT_EQ(text_of("child.starts").size(), 2 * 16u);
   ASSERT_EQ(result.cases.size(), 1000u);
   for (std::size_t i = 0; i < 1000; ++i) EXPECT_EQ(result.cases[i].id, plan_.drivers[0].ids[i]);
   EXPECT_EQ(result.count(Status::pass), 999u);
@@ -315,15 +319,10 @@ TEST_F(SchedulerTest, TheCasesOfADriverAreSplitWhereProcessesAreLeft) {
 
 // Here a part is a sixth of all: 67 cases.
 TEST_F(SchedulerTest, ADriverThatTakesOneProcessOnlyIsNotAbsent) {
-  plan_.drivers[0].ids.clear();
-  for (int i = 0; i < 400; ++i) plan_.drivers[0].ids.push_back(fmt::format("case{:03}", i));
+  plan_cases("case{:03}", 400);
   plan_.jobs = 2;
-  const hn::Run result =
-      run("grep -q case000 \"$2\" || { " + report_line(R"({"absent": "one is enough"})") + "exit 0; }\n" +
-          report_line(kReady) +
-          "for id in $(grep -o 'case[0-9]*' \"$2\"); do echo '{\"result\": {\"id\": "
-          "\"'$id'\", \"status\": \"pass\", \"samples\": 1, \"mismatches\": 0, \"max_abs\": 0, \"max_ulp\": 0, "
-          "\"seconds\": 0, \"message\": \"\"}}' >&3; done\n");
+  const hn::Run result = run("grep -q case000 \"$2\" || { " + report_line(R"({"absent": "one is enough"})") +
+                             "exit 0; }\n" + script_of("case[0-9]*", ":"));
   EXPECT_EQ(result.absent, "");
   EXPECT_EQ(result.count(Status::pass), 67u);
   EXPECT_EQ(result.count(Status::crash), 333u);
@@ -331,28 +330,18 @@ TEST_F(SchedulerTest, ADriverThatTakesOneProcessOnlyIsNotAbsent) {
 
 TEST_F(SchedulerTest, WhatTheJournalHasIsNotRunAgain) {
   run(script_that("c", "exit 1"));
-  auto journal = Journal::reopen(folder_.path(), to_json(plan_));
-  ASSERT_TRUE(journal) << journal.error().text();
-  folder_.write("child", "#!/bin/sh\nkill -KILL $$\n");
-  const hn::Run again = run_plan(plan_, folder_.path(), *journal, stderr).runs.front();
-  EXPECT_EQ(verdicts(again), "a pass, b pass, c crash, d pass, e pass");
+  EXPECT_EQ(verdicts(resume("kill -KILL $$\n", 7u)), "a pass, b pass, c crash, d pass, e pass");
 }
 
 TEST_F(SchedulerTest, WhatTheJournalLacksIsRun) {
   run(script_that("none", ":"));
   // As if it had been killed while it wrote the third case.
-  std::ifstream in(folder_.path() / kJournalFile);
-  std::string text(std::istreambuf_iterator<char>(in), {});
+  std::string text = text_of(kJournalFile);
   text.resize(text.find("\"c\"", text.find("\"result\"")) + 1);
   folder_.write(kJournalFile, text);
-  auto journal = Journal::reopen(folder_.path(), to_json(plan_));
-  ASSERT_TRUE(journal) << journal.error().text();
-  ASSERT_EQ(journal->earlier().size(), 3u);  // ready, a, b
-  folder_.write("child", "#!/bin/sh\necho \"$2\"; cp \"$2\" \"$0.job\"\n" + script_that("none", ":"));
-  const hn::Run again = run_plan(plan_, folder_.path(), *journal, stderr).runs.front();
+  const hn::Run again = resume("cp \"$2\" \"$0.job\"\n" + script_that("none", ":"), 3u);  // ready, a, b
   EXPECT_EQ(verdicts(again), "a pass, b pass, c pass, d pass, e pass");
-  std::ifstream job(folder_.path() / "child.job");
-  EXPECT_EQ(nlohmann::json::parse(job).at("ids"), nlohmann::json({"c", "d", "e"}));
+  EXPECT_EQ(nlohmann::json::parse(text_of("child.job")).at("ids"), nlohmann::json({"c", "d", "e"}));
 }
 
 TEST(JournalTest, OfAnotherRunIsRefused) {

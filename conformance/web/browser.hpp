@@ -2,17 +2,27 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/result.hpp"
+#include "cases/case.hpp"
 #include "gpu/context_info.hpp"
 #include "library/source.hpp"
-#include "web/events.hpp"
 
 namespace hn {
+
+// A runner of cases reports these in this order: once the driver's information, or why it cannot be used here; then,
+// for each case, that it begins and how it ended.
+struct CaseEvents {
+  std::function<void(const ContextInfo& info)> ready;
+  std::function<void(const std::string& id)> started;
+  std::function<void(const CaseResult& result)> finished;
+  std::function<void(const std::string& why)> absent = {};  // in place of ready
+};
 
 struct Browser {
   std::string_view name;

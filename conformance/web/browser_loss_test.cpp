@@ -44,29 +44,19 @@ TEST(BrowserLoss, ALostContextCostsItsCaseAndTheOthersGoOn) {
   }
 }
 
-TEST(BrowserLoss, APageThatIsGoneIsAnErrorThatNamesTheCase) {
-  Story story;
-  story.on_start = [](const std::string& id) {
-    if (id == kNoise) kill_chromium("--type=renderer");
-  };
-  const auto done = run(story, kSome);
-  ASSERT_FALSE(done);
-  EXPECT_NE(done.error().message.find(std::string("while ") + kNoise + " ran"), std::string::npos)
-      << done.error().message;
-  EXPECT_EQ(story.finished_ids(), std::vector<std::string>{kHash});
-  expect_nothing_is_left(getpid());
-}
-
-TEST(BrowserLoss, ABrowserThatIsGoneIsAnErrorThatNamesTheCase) {
-  Story story;
-  story.on_start = [](const std::string& id) {
-    if (id == kNoise) kill_chromium("--headless=new");
-  };
-  const auto done = run(story, kSome);
-  ASSERT_FALSE(done);
-  EXPECT_NE(done.error().message.find(std::string("while ") + kNoise + " ran"), std::string::npos)
-      << done.error().message;
-  expect_nothing_is_left(getpid());
+TEST(BrowserLoss, APageOrABrowserThatIsGoneIsAnErrorThatNamesTheCase) {
+  for (const std::string_view gone : {"--type=renderer", "--headless=new"}) {
+    Story story;
+    story.on_start = [&](const std::string& id) {
+      if (id == kNoise) kill_chromium(gone);
+    };
+    const auto done = run(story, kSome);
+    ASSERT_FALSE(done) << gone;
+    EXPECT_NE(done.error().message.find(std::string("while ") + kNoise + " ran"), std::string::npos)
+        << done.error().message;
+    EXPECT_EQ(story.finished_ids(), std::vector<std::string>{kHash});
+    expect_nothing_is_left(getpid());
+  }
 }
 
 // hn-conform kills what takes too long, and may be killed itself: with its whole group, and while Chromium is stopped.

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "base/entry_named.hpp"
-#include "base/temporary_folder.hpp"
+#include "base/folder.hpp"
 #include "web/browser.hpp"
 
 namespace hn {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/file.hpp"
-#include "base/temporary_folder.hpp"
+#include "base/folder.hpp"
 #include "cases/case.hpp"
 #include "web/browser_story.hpp"
 #include "web/suite.hpp"
@@ -42,28 +42,18 @@ TEST(Browser, ItIsWhatItsNameSays) {
   expect_nothing_is_left(getpid());
 }
 
-TEST(Browser, AnotherRendererThanTheNamedOneIsAnError) {
-  Browser browser = browser_named("webgl2");
-  browser.renderer = "llvmpipe";
-  const auto info = describe_browser(browser);
-  ASSERT_FALSE(info);
-  EXPECT_NE(info.error().message.find("instead of llvmpipe"), std::string::npos) << info.error().message;
-}
-
-TEST(Browser, WithoutChromiumItSaysSo) {
-  Browser browser = browser_named("webgl2");
-  browser.programs = {"no-such-browser"};
-  const auto info = describe_browser(browser);
-  ASSERT_FALSE(info);
-  EXPECT_EQ(info.error().message, "there is no no-such-browser in PATH");
-}
-
-TEST(Browser, AProgramThatEndsIsAnError) {
-  Browser browser = browser_named("webgl2");
-  browser.programs = {"false"};
-  const auto info = describe_browser(browser);
-  ASSERT_FALSE(info);
-  EXPECT_EQ(info.error().message, "Chromium ended with status 1");
+TEST(Browser, AnotherRendererIsAnErrorAndSoIsAProgramThatIsNotHereOrEnds) {
+  Browser renderer = browser_named("webgl2"), absent = renderer, ends = renderer;
+  renderer.renderer = "llvmpipe";
+  absent.programs = {"no-such-browser"};
+  ends.programs = {"false"};
+  for (const auto& [browser, part] : {std::pair{renderer, "instead of llvmpipe"},
+                                      {absent, "there is no no-such-browser in PATH"},
+                                      {ends, "Chromium ended with status 1"}}) {
+    const auto info = describe_browser(browser);
+    ASSERT_FALSE(info) << part;
+    EXPECT_NE(info.error().message.find(part), std::string::npos) << info.error().message;
+  }
 }
 
 TEST(Browser, CasesHaveTheirVerdictsInTheirOrder) {

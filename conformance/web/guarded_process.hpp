@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "base/folder.hpp"
 #include "base/result.hpp"
-#include "base/temporary_folder.hpp"
 
 namespace hn {
 

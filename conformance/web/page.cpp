@@ -4,18 +4,17 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "output/base64.hpp"
+#include "output/encoding.hpp"
 #include "output/files.hpp"
-#include "output/gzip.hpp"
 #include "web/files.hpp"
 #include "web/suite.hpp"
 
 namespace hn {
 namespace {
 
-constexpr std::array<std::string_view, 12> kModules = {"main.js",     "runner.js",   "checks.js",  "costs.js",
-                                                       "report.js",   "failures.js", "meaning.js", "suite.js",
-                                                       "renderer.js", "webgpu.js",   "address.js", "whereabouts.js"};
+constexpr std::array<std::string_view, 10> kModules = {"main.js",   "runner.js",   "checks.js", "costs.js",
+                                                       "report.js", "failures.js", "suite.js",  "renderer.js",
+                                                       "webgpu.js", "address.js"};
 
 void replace_all(std::string& text, std::string_view old, std::string_view with) {
   for (auto at = text.find(old); at != std::string::npos; at = text.find(old, at + with.size())) {

@@ -1,7 +1,6 @@
 // The results: results.json, and the page.
 import { kBadStatuses, kStatuses, measureOf } from "./checks.js";
 import { failuresOf, functionOf } from "./failures.js";
-import { meaningsOf } from "./meaning.js";
 
 // All of them are in results.json.
 const kMostGroupsShown = 20;
@@ -108,6 +107,48 @@ function totalsText(results) {
   const parts = kStatuses.map((status) => [status, count(results, status)]).filter(([, number]) => number > 0);
   return parts.map(([status, number]) => `${number} ${status}`).join(", ");
 }
+
+// --- The meaning of failures for writers of shaders, in sentences ---
+
+const kMostNamedInMeaning = 6;
+
+function someOf(names) {
+  const shown = names.slice(0, kMostNamedInMeaning).join(", ");
+  return names.length > kMostNamedInMeaning ? `${shown} and ${names.length - kMostNamedInMeaning} more` : shown;
+}
+
+// The subject of a case, for the sentence on its failure.
+function kindOf(id) {
+  const [file, name, , arithmetic] = id.split(".");
+  if (file === "bugs") return "driver";
+  if (name === "all" || file === "config") return "text";
+  return arithmetic === "precise" ? "fast" : arithmetic;
+}
+
+const kSentences = {
+  exact: (names) => `Hashes or random numbers are wrong here, in ${names}. ` +
+                    "Worlds made of them differ from those on other devices.",
+  fixed: (names) => `With HN_FIXED these have other bits here than on other devices: ${names}. ` +
+                    "Do not compare them between devices.",
+  fast: (names) => `With floats these are off by more than their bounds allow: ${names}. They may look wrong here.`,
+  text: (names) => `This browser does not take the text of the library as it should, in ${names}.`,
+  driver: (names) => `The driver has faults that other shaders may meet as well: ${names}.`,
+};
+
+// Something passed, or there is nothing to report.
+function meaningsOf(results) {
+  const wrong = results.filter(({ status }) => kBadStatuses.includes(status));
+  if (!wrong.length) {
+    return ["Hashes, and noise with HN_FIXED, have the same bits here as everywhere, and floats keep to their bounds. " +
+            "Shaders need nothing special on this device."];
+  }
+  return Object.entries(kSentences).flatMap(([kind, sentence]) => {
+    const names = [...new Set(wrong.filter(({ id }) => kindOf(id) === kind).map(({ id }) => functionOf(id)))];
+    return names.length ? [sentence(someOf(names))] : [];
+  });
+}
+
+// --- The page ---
 
 const place = (id) => document.getElementById(id);
 

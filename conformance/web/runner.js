@@ -3,7 +3,6 @@ import { kBadStatuses, outcomeWith, runCase } from "./checks.js";
 import { measureCosts } from "./costs.js";
 import { DriverError, NoContext, Renderer, openContext } from "./renderer.js";
 import { openDevice } from "./webgpu.js";
-import { whereabouts } from "./whereabouts.js";
 
 // A context that is gone may come back when the browser has started its GPU process again.
 const kNewContextTries = 50;
@@ -23,6 +22,23 @@ function breathe() {
     };
     port2.postMessage(null);
   });
+}
+
+// The first name in the user agent. Browsers made of Chromium name it, too, and Chrome names Safari.
+const kBrowsers = [["Edge", /\bEdgA?\/(\d+)/], ["Opera", /\bOPR\/(\d+)/],
+                   ["Samsung Internet", /\bSamsungBrowser\/(\d+)/], ["Firefox", /\b(?:Firefox|FxiOS)\/(\d+)/], ["Chrome", /(?:Chrome|CriOS)\/(\d+)/],
+                   ["Safari", /\bVersion\/(\d+).*\bSafari\//]];
+const kSystems = [["Android", /Android/], ["iOS", /iPhone|iPad|iPod/], ["ChromeOS", /CrOS/], ["Windows", /Windows/],
+                  ["macOS", /Mac OS X|Macintosh/], ["Linux", /Linux/]];
+
+// Its own name, without the numbers of builds.
+function browserName(userAgent) {
+  const [system] = kSystems.find(([, pattern]) => pattern.test(userAgent)) ?? ["unknown"];
+  for (const [name, pattern] of kBrowsers) {
+    const found = pattern.exec(userAgent);
+    if (found) return { system, browser: `${name} ${found[1]}` };
+  }
+  return { system, browser: "unknown" };
 }
 
 // Opens another one, until there is one that is not lost at once.
@@ -46,7 +62,7 @@ const kOpen = { webgl2: () => new Renderer(openContext()), webgpu: openDevice };
 export async function runSuite(suite, listener) {
   // The renderers of the APIs; null where one was lost. The page cannot do without its own.
   const renderers = { [suite.api]: await kOpen[suite.api]() };
-  await listener.ready({ ...renderers[suite.api].describe(), ...whereabouts(navigator.userAgent) });
+  await listener.ready({ ...renderers[suite.api].describe(), ...browserName(navigator.userAgent) });
   for (const test of suite.cases) {
     if (!listener.wantsMore()) return;
     const api = suite.apiOf(test);

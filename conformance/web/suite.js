@@ -124,11 +124,11 @@ export function fnv1a64(words) {
   return hex(high) + hex(low);
 }
 
-// CRC-32, as zlib has it, of words as little-endian bytes, or of their lowest bytes alone.
-export function crc32(words, bytesOfEach = 4) {
+// CRC-32, as zlib has it, of words as little-endian bytes.
+export function crc32(words) {
   let crc = 0xffffffff;
   for (const word of words) {
-    for (let byte = 0; byte < bytesOfEach; ++byte) crc = kCrcTable[(crc ^ (word >>> (8 * byte))) & 0xff] ^ (crc >>> 8);
+    for (let shift = 0; shift < 32; shift += 8) crc = kCrcTable[(crc ^ (word >>> shift)) & 0xff] ^ (crc >>> 8);
   }
   return ~crc >>> 0;
 }

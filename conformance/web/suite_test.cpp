@@ -10,12 +10,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "base/temporary_folder.hpp"
-#include "expected/exact_sets.hpp"
+#include "base/folder.hpp"
 #include "expected/golden.hpp"
 #include "expected/tolerance.hpp"
 #include "library/configurations.hpp"
-#include "output/base64.hpp"
+#include "output/encoding.hpp"
 #include "web/files.hpp"
 #include "web/wgsl.hpp"
 
@@ -30,14 +29,8 @@ const std::vector<Case>& product() {
   return cases;
 }
 
-const Case& case_named(std::string_view id) {
-  const auto found = std::find_if(product().begin(), product().end(), [&](const Case& test) { return test.id == id; });
-  if (found == product().end()) throw std::invalid_argument(std::string(id));
-  return *found;
-}
-
 Json suite_of(std::string_view id, const std::filesystem::path& golden = HN_GOLDEN_DIRECTORY) {
-  const Case& test = case_named(id);
+  const Case test = case_named(id);
   return Json::parse(make_suite(SourceSet::embedded(), golden, std::span(&test, 1)).json);
 }
 
@@ -77,7 +70,7 @@ TEST(Suite, AShaderIsTheOneThatDriversGet) {
   for (const std::string_view id :
        {"fbm.clouds3.lattice.fast.fragment.es300.golden", "hashnoise.all.pcg.fast.fragment.es300.driver"}) {
     const Json suite = suite_of(id);
-    const Case& test = case_named(id);
+    const Case test = case_named(id);
     const auto expected = expand(
         SourceSet::embedded(), profile_named("es300"),
         test.evaluation() ? evaluation_shader(*test.evaluation()) : std::get<CompilationKind>(*test.kind).fragment());
@@ -129,7 +122,7 @@ TEST(Suite, ValuesOfFixedArithmeticAreWords) {
 }
 
 TEST(Suite, OfAllDefaultCasesSaysOfWhichGoldenFilesItIs) {
-  const Case& test = case_named("noise2d.perlin.lattice.fast.fragment.es300.golden");
+  const Case test = case_named("noise2d.perlin.lattice.fast.fragment.es300.golden");
   const auto suite = [&](bool whole) {
     return Json::parse(
         make_suite(SourceSet::embedded(), HN_GOLDEN_DIRECTORY, std::span(&test, 1), {}, Platform::opengl, whole).json);
@@ -152,7 +145,7 @@ std::string wgsl_of(const Json& suite) {
 }
 
 Json wgsl_suite(const SourceSet& sources) {
-  const Case& test = case_named("noise2d.perlin.lattice.fixed.compute.wgsl.golden");
+  const Case test = case_named("noise2d.perlin.lattice.fixed.compute.wgsl.golden");
   return Json::parse(make_suite(sources, HN_GOLDEN_DIRECTORY, std::span(&test, 1)).json);
 }
 

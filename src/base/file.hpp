@@ -1,11 +1,14 @@
-// Reading and writing whole files.
+// Reading and writing whole files; and descriptors of open ones.
 #pragma once
+
+#include <unistd.h>
 
 #include <bit>
 #include <filesystem>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/result.hpp"
 
@@ -28,5 +31,24 @@ std::string_view bytes_of(std::span<const T> numbers) {
   static_assert(std::endian::native == std::endian::little);
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()};
 }
+
+// A file descriptor that is closed with its owner.
+class FileDescriptor {
+ public:
+  FileDescriptor() = default;
+  explicit FileDescriptor(int fd) : fd_(fd) {}
+  FileDescriptor(FileDescriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
+    std::swap(fd_, other.fd_);
+    return *this;
+  }
+  ~FileDescriptor() {
+    if (fd_ >= 0) close(fd_);
+  }
+  int get() const { return fd_; }
+
+ private:
+  int fd_ = -1;
+};
 
 }  // namespace hn

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <thread>
 
-#include "base/file_descriptor.hpp"
+#include "base/file.hpp"
 
 namespace hn {
 

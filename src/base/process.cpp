@@ -13,8 +13,8 @@
 #include <cstring>
 
 #include "base/file.hpp"
+#include "base/folder.hpp"
 #include "base/interruption.hpp"
-#include "base/temporary_folder.hpp"
 #ifdef __linux__
 #include <sys/prctl.h>
 #endif

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/file_descriptor.hpp"
+#include "base/file.hpp"
 #include "base/result.hpp"
 
 namespace hn {

@@ -2,9 +2,30 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
+
 #include "base/json.hpp"
 
 namespace hn {
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const auto end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::string in_upper_case(std::string_view text) {
+  std::string upper(text);
+  std::ranges::transform(upper, upper.begin(),
+                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return upper;
+}
+
 namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
@@ -73,6 +94,25 @@ std::string in_quotes(std::string_view bytes, std::size_t most) {
 std::string shortened(std::string_view text, std::size_t most) {
   if (text.size() <= most) return std::string(text);
   return fmt::format("{} ... ({} characters more)", text.substr(0, most), text.size() - most);
+}
+
+std::string command_line(std::string_view program, int argc, const char* const* argv) {
+  std::string line(program);
+  for (const std::string_view argument :
+       std::span(argv, static_cast<std::size_t>(argc)).subspan(std::min(argc, 1) == 1)) {
+    const bool plain =
+        argument.find_first_of(" \t\n\"'\\$`*?[](){}<>|&;#~!") == std::string_view::npos && !argument.empty();
+    if (plain) {
+      line += fmt::format(" {}", argument);
+      continue;
+    }
+    std::string quoted(argument);
+    for (auto at = quoted.find('\''); at != std::string::npos; at = quoted.find('\'', at + 4)) {
+      quoted.replace(at, 1, "'\\''");
+    }
+    line += fmt::format(" '{}'", quoted);
+  }
+  return line;
 }
 
 }  // namespace hn

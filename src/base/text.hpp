@@ -1,10 +1,16 @@
-// Text from elsewhere, made fit for files that are read by others.
+// Text taken apart, quoted, and made fit for files and terminals.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hn {
+
+// The parts between separators; a text without one is a single part.
+std::vector<std::string_view> split(std::string_view text, char separator);
+
+std::string in_upper_case(std::string_view text);  // of ASCII letters
 
 // UTF-8 without the characters that XML 1.0 forbids. Bytes that are not UTF-8 become U+FFFD: a driver's log may hold
 // any bytes.
@@ -19,5 +25,8 @@ std::string in_quotes(std::string_view bytes, std::size_t most = 60);
 
 // The text with a limit of bytes, and with a remark if some are left out.
 std::string shortened(std::string_view text, std::size_t most);
+
+// The arguments after the first, quoted for a shell, behind the program's name.
+std::string command_line(std::string_view program, int argc, const char* const* argv);
 
 }  // namespace hn

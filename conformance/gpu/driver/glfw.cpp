@@ -51,15 +51,8 @@ class GlfwWindowContext final : public Context {
   }
 
   static int creation_api(GlfwContext kind) {
-    switch (kind) {
-      case GlfwContext::egl:
-        return GLFW_EGL_CONTEXT_API;
-      case GlfwContext::osmesa:
-        return GLFW_OSMESA_CONTEXT_API;
-      case GlfwContext::native:
-        break;
-    }
-    return GLFW_NATIVE_CONTEXT_API;
+    if (kind == GlfwContext::egl) return GLFW_EGL_CONTEXT_API;
+    return kind == GlfwContext::osmesa ? GLFW_OSMESA_CONTEXT_API : GLFW_NATIVE_CONTEXT_API;
   }
 
   std::string last_error() const {

@@ -1,4 +1,4 @@
-#include "gpu/metal/evaluator.hpp"
+#include "gpu/evaluator.hpp"
 
 #include <dlfcn.h>
 #include <fmt/format.h>
@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/file.hpp"
+#include "base/folder.hpp"
 #include "base/process.hpp"
-#include "base/strings.hpp"
-#include "base/temporary_folder.hpp"
+#include "base/text.hpp"
 #include "gpu/files.hpp"
 #include "output/embedded.hpp"
 

@@ -1,4 +1,4 @@
-#include "gpu/metal/evaluator.hpp"
+#include "gpu/evaluator.hpp"
 
 #include <gtest/gtest.h>
 

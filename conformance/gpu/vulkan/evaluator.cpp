@@ -1,4 +1,4 @@
-#include "gpu/vulkan/evaluator.hpp"
+#include "gpu/evaluator.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,7 @@
 
 #include "gpu/spirv.hpp"
 #include "gpu/vulkan/device.hpp"
-#include "gpu/vulkan/dxc.hpp"
-#include "gpu/vulkan/vkd3d.hpp"
+#include "gpu/vulkan/hlsl.hpp"
 
 namespace hn {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "base/command_line.hpp"
+#include "base/text.hpp"
 #include "fuzz.hpp"
-#include "run/shard.hpp"
+#include "run/selection.hpp"
 
 namespace hn::fuzz {
 namespace {

@@ -6,10 +6,10 @@
 #include <map>
 #include <set>
 
-#include "base/version.hpp"
 #include "fuzz.hpp"
+#include "library/source.hpp"
 #include "run/merge.hpp"
-#include "run/shard.hpp"
+#include "run/selection.hpp"
 
 namespace hn::fuzz {
 namespace {

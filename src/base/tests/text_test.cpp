@@ -2,8 +2,25 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
+#include "base/csv.hpp"
+
 namespace hn {
 namespace {
+
+using Parts = std::vector<std::string_view>;
+
+TEST(Strings, AreSplitAtEachSeparator) {
+  EXPECT_EQ(split("a.bc.d", '.'), (Parts{"a", "bc", "d"}));
+  EXPECT_EQ(split("", '.'), Parts{""});
+  EXPECT_EQ(split("one\n", '\n'), (Parts{"one", ""}));
+}
+
+TEST(Strings, HaveAsciiLettersInUpperCase) {
+  EXPECT_EQ(in_upper_case("partial_fnv1"), "PARTIAL_FNV1");
+  EXPECT_EQ(in_upper_case("{~\xC3\xA4"), "{~\xC3\xA4");
+}
 
 using namespace std::string_literals;
 
@@ -40,6 +57,35 @@ TEST(InQuotes, IsPrintableAndNotLong) {
 TEST(Shortened, SaysWhatIsLeftOut) {
   EXPECT_EQ(shortened("abc", 3), "abc");
   EXPECT_EQ(shortened("abcde", 3), "abc ... (2 characters more)");
+}
+
+TEST(CommandLine, IsAsAShellWouldTakeItAgain) {
+  const std::vector<const char*> arguments = {"/usr/bin/hn-conform", "bench", "--filter", "a*", "it's", "", "x=y"};
+  EXPECT_EQ(command_line("hn-conform", static_cast<int>(arguments.size()), arguments.data()),
+            "hn-conform bench --filter 'a*' 'it'\\''s' '' x=y");
+}
+
+using Cells = std::vector<std::string>;
+
+TEST(Csv, PlainFieldsAreNotQuoted) {
+  EXPECT_EQ(to_csv(Cells{"hash", "ns per pixel"}, std::vector<Cells>{{"pcg", "1.25"}, {"", "-3e-7"}}),
+            "hash,ns per pixel\npcg,1.25\n,-3e-7\n");
+}
+
+TEST(Csv, CommasQuotesAndLineEndsAreQuoted) {
+  EXPECT_EQ(to_csv(Cells{"a,b", "c\"d"}, std::vector<Cells>{{"e\nf", "g\rh"}, {"\"", "i"}}),
+            "\"a,b\",\"c\"\"d\"\n\"e\nf\",\"g\rh\"\n\"\"\"\",i\n");
+}
+
+TEST(Csv, ARecordHasItsFactsFirstEachInALine) {
+  EXPECT_EQ(to_record({{"by", "a, b"}, {"why", "c\nd\xFF"}}, Cells{"a"}, std::vector<Cells>{{"x\ny"}}),
+            "# by: a, b\n# why: c d\xEF\xBF\xBD\na\n\"x\ny\"\n");
+}
+
+TEST(Csv, NoRows) { EXPECT_EQ(to_csv(Cells{"a", "b"}, {}), "a,b\n"); }
+
+TEST(Csv, AnEmptyFieldAloneIsNoEmptyLine) {
+  EXPECT_EQ(to_csv(Cells{"a"}, std::vector<Cells>{{""}, {"x"}}), "a\n\"\"\nx\n");
 }
 
 }  // namespace

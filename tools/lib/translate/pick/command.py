@@ -53,7 +53,6 @@ from translate.settings import Settings, settings_of
 
 if TYPE_CHECKING:
     from translate.pick.scalars import Syntax
-    from translate.pick.verilog import Made
 
 
 class Syntaxes(Mapping):
@@ -157,13 +156,6 @@ def read_library(library: Path, choice: Choice) -> Module:
     return over(module, choice.noise) if choice.noise else module
 
 
-def circuits(names: Sequence[str], choice: Choice, module: Module | None = None, library: Path = GLSL) -> list[Made]:
-    """The functions as modules of Verilog."""
-    from translate.pick import verilog
-    module = module or read_library(library, choice)
-    return [verilog.Made(module, one, library, choice) for one in chosen(module, names)]
-
-
 def renaming(code: str, choice: Choice) -> Callable[[str], str]:
     """Writes the name that was chosen in place of hn where the code has names."""
     names = {*re.findall(r"\bhn_\w+", code)} - {choice.hash_function}
@@ -192,7 +184,7 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
         choice.check()
         if choice.language == VERILOG:
             from translate.pick import verilog
-            return verilog.text(circuits(names, choice, module(choice), library), origin(command_of(names, choice)))
+            return verilog.text(verilog.circuits(names, choice, module(choice), library), origin(command_of(names, choice)))
         syntax = SYNTAXES[choice.language] if choice.language in SYNTAXES else None
         language = LANGUAGES.get(choice.language)
         macros = (syntax or language or LANGUAGES["glsl"]).library

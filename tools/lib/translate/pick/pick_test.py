@@ -703,7 +703,7 @@ class Command(unittest.TestCase):
         self.assertEqual(others, [one, one])
 
     def test_the_page_says_how_many_functions_there_are(self) -> None:
-        """tools/make readme makes its examples."""
+        """tools/make pages makes its examples."""
         page = (ROOT / "docs" / "guide" / "languages.md").read_text()
         self.assertIn(f"# {len(module('fast').forms)} functions\n", page)
 

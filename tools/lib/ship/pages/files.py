@@ -1,0 +1,76 @@
+"""Which file has which function, and which package a node of it."""
+
+from __future__ import annotations
+
+import functools
+import re
+
+from base.tree import GLSL
+from catalog import popular
+from catalog.tables import glsl
+from catalog.tables.markdown import table
+from translate.pick.command import ARITHMETICS, Choice, picker, read_library
+from translate.pick.program import Program, chosen
+from translate.pick.shading import LANGUAGES
+from translate.single_file.files import text
+
+DIMENSIONS = re.compile(r"(\d)d\.glsl$")
+NODE = re.compile(r"(hn_\w+?)(\d)(?:_jitter|(_place))?")
+GRAPHS = {"graphs": "Unity, Unreal", "blender": "Blender", "materialx": "MaterialX"}
+
+
+@functools.cache
+def size(file: str) -> str:
+    """The size of the file with all that it includes, without comments."""
+    return f"{len(text([file], strip=True)) / 1000:.0f} kB"
+
+
+def files_table() -> str:
+    """A row has the functions that the same files have."""
+    rows: dict[tuple[str, ...], list[str]] = {}
+    for function in sorted({found.name for found in glsl.declarations()}):
+        files = {column: [] for column in "1234*"}
+        for file in glsl.files_of(function):
+            match = DIMENSIONS.search(file)
+            files[match[1] if match else "*"].append(f"`{file}`")
+        rows.setdefault(tuple(", ".join(of) for of in files.values()), []).append(f"`{function}`")
+    return table(("", "1D", "2D", "3D", "4D", "all"), [[", ".join(functions), *cells] for cells, functions in rows.items()])
+
+
+def nodes_table() -> str:
+    """The nodes of packages for graphs of shaders. A row has the functions with the same cells."""
+    sizes: dict[str, dict[str, list[str]]] = {}
+    for who in GRAPHS:
+        for form in popular.nodes(who):
+            name, size, place = NODE.fullmatch(form).groups()
+            of = sizes.setdefault(f"`{name}`{' in a tile' if place else ''}", {one: [] for one in GRAPHS})
+            of[who].append(f"{size}D")
+    rows: dict[tuple[str, ...], list[str]] = {}
+    for name, of in sizes.items():
+        rows.setdefault(tuple(", ".join(cell) for cell in of.values()), []).append(name)
+    return table(("", *GRAPHS.values()), [[", ".join(names), *cells] for cells, names in rows.items()])
+
+
+# The functions whose size the page states, and their files.
+PICKED = {"hn_perlin2": "perlin2d.glsl", "hn_perlin3": "perlin3d.glsl", "hn_simplex2": "simplex2d.glsl",
+          "hn_simplex3": "simplex3d.glsl", "hn_cellular2": "cellular2d.glsl", "hn_fbm2": "fbm2d.glsl"}
+
+
+# The library takes half a second to read, so it is read once for each kind of text.
+pick = functools.cache(picker)
+
+
+@functools.cache
+def picks_table() -> str:
+    """tools/pick's texts of functions, without the comment, beside the files that they are in."""
+    modules = [read_library(GLSL, Choice(arithmetic=arithmetic)) for arithmetic in ARITHMETICS[:2]]
+    rows = []
+    for name, file in PICKED.items():
+        programs = [Program(module, chosen(module, [name])) for module in modules]
+        texts = [*(program.text(LANGUAGES["glsl"]) for program in programs), programs[0].text(LANGUAGES["wgsl"])]
+        rows.append([f"`{name}`", *(f"{len(shown):,} bytes" for shown in texts), size(file)])
+    return table(("", "`HN_FAST`", "`HN_FIXED`", "`HN_FAST` in WGSL", "the file, by `tools/pick whole --strip`"), rows)
+
+
+def picked_text(name: str, language: str) -> str:
+    return f"```{language}\n{pick()([name], Choice(language))}```\n"

@@ -1,0 +1,281 @@
+"""The pages are true: their code compiles and runs as it stands there, and tools/make pages makes the
+rest."""
+
+import contextlib
+import copy
+import io
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import unittest
+from unittest import mock
+
+from base.pieces import is_deleted, was_deleted
+from base.png import png
+from base.tree import ROOT, TOOLS
+from catalog.tables import glsl
+from ship.pages import command, files, numbers, picture
+from ship.recipes import RECIPES
+from translate.pick.command import SYNTAXES
+
+PAGES = ("README.md", "llms.txt", "docs/guide/build-systems.md", "docs/guide/cellular.md", "docs/guide/cpu.md", "docs/guide/hex-tiling.md",
+         "docs/reference/knobs.md", "docs/guide/moving.md", "docs/reference/noises.md", "docs/guide/random.md", "docs/guide/same-bits.md", "docs/reference/fractals.md",
+         "docs/guide/tutorial.md", "docs/guide/uniform.md")
+BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+SINGLE_FILE = re.compile(r"^// here: what tools/pick whole makes of (\w+\.glsl)$", re.MULTILINE)
+
+
+def blocks(language, pages=PAGES):
+    return [code for page in pages for name, code in BLOCK.findall((ROOT / page).read_text()) if name == language]
+
+
+def commands(start, page="README.md"):
+    """The commands of a page that begin so, without their comments."""
+    return [line.partition("  # ")[0].split() for line in (ROOT / page).read_text().splitlines()
+            if line.startswith(f"    {start}")]
+
+
+def run(*arguments, **options):
+    return subprocess.run(arguments, capture_output=True, text=True, check=False, **options)
+
+
+def single_file(*arguments):
+    return run(str(TOOLS / "pick"), "whole", *arguments).stdout
+
+
+# The text around a part of a shader.
+HEAD = "#version 330\n#extension GL_GOOGLE_include_directive : require\n"
+TAIL = "out vec4 color;\nvoid main() { color = vec4(1.0); }\n"
+
+
+def compile_glsl(code):
+    """By the command of the README, and with single files where they belong. Functions without a main get one."""
+    if "#version" not in code:
+        code = HEAD + code + TAIL
+    with tempfile.TemporaryDirectory() as folder:
+        shader = pathlib.Path(folder) / "shader.frag"
+        shader.write_text(SINGLE_FILE.sub(lambda place: single_file("--strip", place[1]), code))
+        if "#include" in shader.read_text():
+            (pathlib.Path(folder) / "hashnoise").symlink_to(ROOT / "glsl" / "hashnoise")
+            command, = commands("glslangValidator")
+            if "layout(location" in code:  # Vulkan's
+                command[command.index("-l")] = "-V"
+            return run(*command, cwd=folder)
+        return run("glslangValidator", str(shader))
+
+
+def compile_cpp(code):
+    with tempfile.NamedTemporaryFile("w", suffix=".cpp") as source:
+        source.write(code)
+        source.flush()
+        return run("g++", "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-I", str(ROOT / "include"),
+                   source.name)
+
+
+class Picture(unittest.TestCase):
+    def setUp(self):
+        self.page = (ROOT / "docs" / "reference" / "noises.md").read_text()
+        self.tiles = picture.tiles(self.page, "noise.png")
+        self.path = picture.path_of("noise.png")
+
+    def checked(self, *sheets):
+        return picture.draw([picture.Sheet(pathlib.Path(path), tiles) for path, tiles in sheets], check=True)
+
+    def test_a_changed_function_and_another_picture_are_noticed(self):
+        with contextlib.redirect_stderr(io.StringIO()):
+            changed = [*self.tiles[:3], self.tiles[3].replace("6,", "5,")]
+            with tempfile.NamedTemporaryFile(suffix=".png") as other:
+                other.write(png(1, 1, bytes(3)))  # one black pixel
+                other.flush()
+                self.assertEqual(self.checked((self.path, changed)), 1)
+                self.assertEqual(self.checked((self.path, self.tiles), (other.name, self.tiles)), 1)
+                self.assertEqual(self.checked(("/nowhere.png", self.tiles), (self.path, changed)), 2)
+
+    def test_its_code_is_glsl(self):
+        pages = [(name, (ROOT / page).read_text()) for name, page in picture.PICTURES.items()]
+        lines = "".join(f"  color = vec4({tile}, 1.0);\n" for name, page in pages for tile in picture.tiles(page, name))
+        given = "vec3 uneroded(vec2 uv) { return uv.xyx; }\n"
+        shader = (f"#version 330\n{single_file('--strip')}{given}in vec2 uv;\nout vec4 color;\nvoid main() {{\n"
+                  f"  ivec2 nearest;\n  vec2 offset;\n{lines}}}\n")
+        self.assertEqual(compile_glsl(shader).returncode, 0)
+
+    def test_code_that_does_not_compile_is_told(self):
+        with self.assertRaisesRegex(ValueError, "(?s)does not compile.*hn_merlin"):
+            self.checked((self.path, ["vec3(hn_merlin(uv))"]))
+        with self.assertRaisesRegex(ValueError, "no code below its picture noise.png"):
+            picture.tiles(self.page.replace("    vec3(", "vec3("), "noise.png")
+
+
+class Numbers(unittest.TestCase):
+    """tools/make pages --check, and that it can fail."""
+
+    def check(self):
+        output = io.StringIO()
+        with contextlib.redirect_stderr(output):
+            status = command.main(["--check"])
+        return status, output.getvalue()
+
+    def test_pictures_and_numbers_are_what_they_should_be(self):
+        self.assertEqual(self.check(), (0, ""))
+
+    @mock.patch.object(picture, "draw", return_value=0)
+    def test_another_picture_is_not_as_it_should_be(self, draw):
+        draw.return_value = 1
+        self.assertEqual(self.check()[0], 1)
+        drawn = {sheet.path.name for sheet in draw.call_args.args[0]}
+        self.assertLess({"noise.png", "metrics.png", "wood.png", "sheet.png"}, drawn)
+
+    @mock.patch.object(picture, "draw", new=lambda *_: 0)
+    def test_other_numbers_are_noticed(self):
+        typical = copy.deepcopy(numbers.typical())
+        typical["hn_fbm", 3][1] += 0.1
+        with mock.patch.object(numbers, "typical", return_value=typical), \
+                mock.patch.object(numbers, "golden_quote", return_value="computes 7 golden values"):
+            status, output = self.check()
+        self.assertEqual(status, 1)
+        self.assertRegex(output, r"docs/reference/noises\.md: a table is not what it should be")
+        self.assertRegex(output, r"README\.md: it must state 'computes 7 golden values'")
+
+    @unittest.skipIf(is_deleted("measuring"), "measuring was deleted")
+    @mock.patch.object(picture, "draw", new=lambda *_: 0)
+    def test_other_costs_are_noticed(self):
+        from measure import tables
+        from measure.gpu import pages as of_gpus
+        costs = {**tables.costs(tables.CPU)}
+        costs["noise2d.perlin.lattice"] = {**costs["noise2d.perlin.lattice"], "ratio": "9.999"}
+        peers = {**tables.peer_costs(tables.GPU)}
+        peers["fbm.fbm2.lattice"] = {**peers["fbm.fbm2.lattice"], "ratio": "9.999"}
+        gpus = {**of_gpus.costs()}
+        gpus["noise2d.perlin.lattice", "m1"] = gpus["noise2d.perlin.lattice", "m1"]._replace(cost="9999")
+        with mock.patch.object(of_gpus, "costs", return_value=gpus), \
+                mock.patch.object(tables, "costs", return_value=costs), \
+                mock.patch.object(tables, "peer_costs", return_value=peers):
+            status, output = self.check()
+        self.assertEqual(status, 1)
+        self.assertRegex(output, r"docs/measured/measuring\.md: a table is not what it should be")
+        self.assertRegex(output, r"README\.md: it must state \".* a quarter \(0\.36 and ")
+
+    @unittest.skipIf(is_deleted("measuring"), "measuring was deleted")
+    @mock.patch.object(picture, "draw", new=lambda *_: 0)
+    def test_a_record_without_a_row_is_told(self):
+        from measure import tables
+        with tempfile.TemporaryDirectory() as folder:
+            for renderer in (tables.CPU, tables.GPU):
+                record = pathlib.Path(folder) / renderer / "bench.csv"
+                record.parent.mkdir()
+                record.write_text("id,ratio,spirv,nvidia\n")
+            with mock.patch.object(tables, "RESULTS", pathlib.Path(folder)), self.assertRaises(SystemExit) as stop:
+                self.check()
+            self.assertEqual(stop.exception.code, 2)
+
+
+class Nodes(unittest.TestCase):
+    def test_a_row_has_the_functions_that_the_same_packages_have(self):
+        nodes = {"graphs": ("hn_perlin2", "hn_cell_border2_jitter", "hn_perlin2_place"), "materialx": ("hn_perlin2_place",),
+                 "blender": ("hn_cell_border2_jitter", "hn_perlin2", "hn_perlin3")}
+        with mock.patch.object(files.popular, "nodes", nodes.get):
+            self.assertEqual(files.nodes_table().splitlines()[2:], [
+                "| `hn_perlin` | 2D | 2D, 3D | |", "| `hn_cell_border` | 2D | 2D | |", "| `hn_perlin` in a tile | 2D | | 2D |"])
+
+
+class Code(unittest.TestCase):
+    def test_shaders_compile_without_a_warning(self):
+        self.assertGreaterEqual(len(blocks("glsl")), 5)
+        for code in blocks("glsl"):
+            with self.subTest(code=code):
+                done = compile_glsl(code)
+                self.assertEqual(done.returncode, 0, done.stdout)
+                self.assertNotIn("WARNING", done.stdout)
+
+    def test_cpp_compiles(self):
+        self.assertGreaterEqual(len(blocks("cpp")), 3)
+        for code in blocks("cpp"):
+            with self.subTest(code=code):
+                done = compile_cpp(code)
+                self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_functions_that_pages_name_exist(self):
+        known = {function.name for function in glsl.declarations()}
+        for page in ["README.md", "docs/guide/moving.md", "docs/reference/fractals.md", "docs/reference/noises.md", "docs/guide/cellular.md",
+                     "docs/guide/random.md", "docs/guide/tutorial.md"]:
+            named = set(re.findall(r"\b(hn_\w+)\(", (ROOT / page).read_text()))
+            self.assertGreater(len(named), 5, page)
+            self.assertLessEqual(named, known, page)
+
+    def test_both_compilations_can_fail(self):
+        self.assertNotEqual(compile_glsl(blocks("glsl")[0].replace("hn_fbm", "hn_fmb")).returncode, 0)
+        self.assertNotEqual(compile_cpp(blocks("cpp")[0].replace("hn_fbm", "hn_fmb")).returncode, 0)
+
+    def test_commands_that_make_single_files_work(self):
+        lines = commands("tools/pick whole", "docs/guide/languages.md")
+        self.assertGreaterEqual(len(lines), 4)
+        with tempfile.TemporaryDirectory() as folder:
+            for line in lines:
+                done = run(str(ROOT / line[0]), *line[1:], cwd=folder)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertTrue((pathlib.Path(folder) / line[line.index("--out") + 1]).is_file())
+            size = round((pathlib.Path(folder) / "hashnoise.single.glsl").stat().st_size / 1000)
+            self.assertIn(f"`tools/pick whole --strip --out noise.glsl`, {size} kB", (ROOT / "README.md").read_text())
+
+    def test_commands_that_the_table_names_work(self):
+        table = (ROOT / "README.md").read_text().partition("## Use it where you are")[2].partition("\n## ")[0]
+        named = [line.split() for line in re.findall(r"`(tools/[^`]+)`", table)]
+        self.assertGreaterEqual(len(named), 7)
+        with tempfile.TemporaryDirectory() as folder:
+            for line in named:
+                if was_deleted(line[0]) or (line[0] == "tools/pack" and line[1] not in RECIPES):
+                    continue
+                with self.subTest(command=line):
+                    # Commands that build or install something first have tests of their own.
+                    words = line if "--out" in line else [*line, "--help"]
+                    done = run(str(ROOT / words[0]), *words[1:], cwd=folder)
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    if "--out" in line:
+                        self.assertTrue((pathlib.Path(folder) / line[line.index("--out") + 1]).stat().st_size)
+
+    def test_single_files_around_a_noise_of_ones_own(self):
+        code, = (code for code in blocks("glsl", ["docs/reference/fractals.md"]) if "dots" in code)
+        code = re.sub(r"^#extension.*\n", "", code, flags=re.MULTILINE)
+        code = code.replace('"hashnoise/fbm2d.glsl"', '"hashnoise/hashnoise.glsl"')
+        code = re.sub(r'^#include "hashnoise/(.*)"$', lambda name: single_file("--strip", name[1]), code, flags=re.MULTILINE)
+        code = re.sub(r"layout\(location = 0\) ", "", code).replace("#version 450", "#version 330")
+        self.assertEqual(compile_glsl(code).returncode, 0)
+
+
+class ForMachines(unittest.TestCase):
+    """llms.txt, whose shaders Code and wgsl.wgpu_test compile."""
+    text = (ROOT / "llms.txt").read_text()
+
+    def test_it_begins_as_llmstxt_org_says(self):
+        self.assertRegex(self.text, r"\A# hashnoise\n\n> [^\n]+\n")
+        lists = re.findall(r"^## (?:Docs|Optional)\n\n((?:- \[.*\]\(.*\).*\n)+)", self.text, re.MULTILINE)
+        self.assertEqual(len(lists), 2)
+
+    def test_calls_in_other_languages_take_what_picked_functions_take(self):
+        rows = dict(re.findall(r"^\| ([A-Z][\w+#, ]*) \| `(.*)` \|$", self.text, re.MULTILINE))
+        for heading, language in (("Rust", "rust"), ("C#", "csharp"), ("C", "c"), ("Java", "java"), ("Go", "go"),
+                                  ("JavaScript, TypeScript", "javascript"), ("JavaScript, TypeScript", "typescript")):
+            if language not in SYNTAXES:
+                continue
+            with self.subTest(language):
+                name, arguments = re.fullmatch(r"(?:\w+\.)?(\w+)\((.*)\)", rows[heading]).groups()
+                written = files.picked_text("hn_fbm2", language)
+                declared = re.search(rf"(?:fn|func|function|public static float|static inline float) {name}\((.*?)\)",
+                                     written, re.DOTALL)
+                self.assertEqual(arguments.count(","), declared[1].rstrip(", \n").count(","))
+        code = f"#include <hashnoise/hashnoise.hpp>\nfloat f(float x, float y) {{ return {rows['C++']}; }}"
+        self.assertEqual(compile_cpp(code).returncode, 0)
+
+
+class Readme(unittest.TestCase):
+    def test_it_is_short(self):
+        self.assertLess(len((ROOT / "README.md").read_bytes()), 8000)
+
+    def test_links_lead_somewhere(self):
+        for page in [ROOT / "README.md", ROOT / "llms.txt", ROOT / "CONTRIBUTING.md", *(ROOT / "docs").rglob("*.md")]:
+            for target in re.findall(r"\]\(([^)#\s]+)(?:#[\w-]+)?\)", page.read_text()):
+                if "://" not in target:
+                    file = os.path.relpath(page.parent / target, ROOT)
+                    self.assertTrue((page.parent / target).exists() or was_deleted(file), f"{page.name}: {target}")
