@@ -97,8 +97,7 @@ const kMeans = {
 // what the layer's function is called, and `suffix` stands behind the names of the functions that it calls. One that is
 // `short` calls what the page has of tools/pick: a jitter and a metric are passed always, and sums at places are loops.
 class Writer {
-  constructor(library, language, state, values, name, suffix, short) {
-    this.library = library;
+  constructor(language, state, values, name, suffix, short) {
     this.short = short;
     this.language = language;
     this.state = state;
@@ -466,12 +465,12 @@ class Mixer {
 // that it needs, and which of those anybody may call. The forms are "cell", pattern(cell, f), and "position",
 // pattern(p). `values` are what numbers() returns, or names of uniforms. `at(name, end, size)` defines another function
 // in these forms: `end` makes its last lines of how much the layers with colours count. "pattern" may have such lines, too.
-export function functions(library, language, state, values, forms = ["cell", "position"], short = false, end = undefined) {
+export function functions(language, state, values, forms = ["cell", "position"], short = false, end = undefined) {
   const shown = shapes(state);
   const alone = shown.length === 1 && !shown[0].weighted && !shown[0].moved;
   const writers = shown.map((shape, at) => {
     const name = alone ? "pattern" : `layer_${at + 1}`;
-    return new Writer(library, language, shape, values[at], name, alone ? "" : `_${at + 1}`, short);
+    return new Writer(language, shape, values[at], name, alone ? "" : `_${at + 1}`, short);
   });
   const mixer = new Mixer(language, shown, writers);
   const lines = alone ? writers[0].write(forms) : mixer.write(forms, end);

@@ -143,7 +143,7 @@ export class Controls {
 
   // The browser counts up and down by the arrows, and states what is wrong with a text that is no number of the setting.
   makeNumber(name, label, small) {
-    const { from = -2147483648, to = 2147483647, whole } = kSettings[name];
+    const { from = -2147483648, to = 2147483648, whole } = kSettings[name];
     const input = element("input", { id: name, type: "number", min: from, max: to, step: whole ? 1 : "any", required: true });
     const words = small ? [`${label} `, element("small", { textContent: small })] : [label];
     byId(`row-${name}`).append(element("label", { htmlFor: name }, ...words), input);

@@ -265,7 +265,7 @@ export function exported(library, language, state, kind = "function", withLibrar
   const values = numbers(language, state);
   const inside = !cpp && (isNew || shell.main || withLibrary);
   const forms = inside ? [formOf(state)] : undefined;
-  const { lines, at, files, public: called } = functions(library, language, state, values, forms, inside);
+  const { lines, at, files, public: called } = functions(language, state, values, forms, inside);
   const included = language === "hlsl" ? ["begin.hlsl", ...files, "end.hlsl"] : files;
   const headers = cpp ? ["<hashnoise/hashnoise.hpp>"] : included.map((file) => `"hashnoise/${file}"`);
   const command = ["// In front of it stands what tools/pick writes:", `// ${pickCommand(language, state, called)}`];
@@ -297,7 +297,7 @@ export function exported(library, language, state, kind = "function", withLibrar
 // A module for three.js: the text of both languages of its renderers, and nodes of what it defines.
 function tslText(library, state, first) {
   const textOf = (language) => {
-    const shown = functions(library, language, state, numbers(language, state), ["position"], true);
+    const shown = functions(language, state, numbers(language, state), ["position"], true);
     const code = [...sliceLines(language, state), ...shown.lines, "", ...colours(language, state, shown.at)];
     const text = [...textLines(library, language, shown.public, state), "", ...(language === "glsl" ? code.map(withHighp) : code)];
     return text.join("\n").replaceAll("\\", "\\\\").replaceAll("`", "\\`").replaceAll("${", "\\${").split("\n");

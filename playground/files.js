@@ -6,7 +6,6 @@ import { paletteOf } from "./palette.js";
 import { Png } from "./png.js";
 import { kBits, kColours, unitsOf } from "./shaders.js";
 import { kFiles } from "./tables.js";
-import { WebM } from "./webm.js";
 
 const kMostOfStrip = 262144; // pixels, so that no draw keeps the GPU for long
 const kMostOfLoop = 4e8; // pixels, since all frames are in memory until the file is saved
@@ -155,20 +154,6 @@ async function pictureOf(read, mode, frame) {
   return picture;
 }
 
-async function webmOf(state, read, tell) {
-  const frames = framesOf(state);
-  const made = await WebM.create(state.width, state.height);
-  try {
-    for (const [number, frame] of frames.entries()) {
-      await made.add(await pictureOf(read, kColours, frame));
-      tell((number + 1) / frames.length);
-    }
-    return await made.done();
-  } finally {
-    made.stop();
-  }
-}
-
 async function gifOf(state, read, tell) {
   const { width, height } = state;
   const frames = framesOf(state);
@@ -220,7 +205,7 @@ export function nameOfFile(state) {
   return `hashnoise-${subject.replaceAll("_", "-")}-seed${seed}${kind}${size}.${ending}`;
 }
 
-const kTypesOfFiles = { png: "image/png", gif: "image/gif", webm: "video/webm", tif: "image/tiff", json: "application/json" };
+const kTypesOfFiles = { png: "image/png", gif: "image/gif", tif: "image/tiff", json: "application/json" };
 
 // The file of the state. `read(mode, first, rows, state, border)` gives the bytes of so many rows. The first row is
 // this one, counted from below, with so many pixels around; `tell` takes which part is done.
@@ -229,7 +214,7 @@ export async function fileOf(state, read, tell = () => {}) {
   const parts =
     file === "json"
       ? [`${JSON.stringify({ hashnoise: linkOf(state) || "#" })}\n`]
-      : await ({ gif: gifOf, webm: webmOf }[file] ?? partsOfFile)(state, read, tell);
+      : await (file === "gif" ? gifOf : partsOfFile)(state, read, tell);
   return new File(parts, nameOfFile(state), { type: kTypesOfFiles[kFiles[file].ending] ?? "application/octet-stream" });
 }
 

@@ -43,7 +43,6 @@ class Playground extends Picture {
       replace: (state, said) => this.replace(state, said),
       say: (sentence) => this.say(sentence),
     });
-    byId("version").textContent = library.version;
     byId("drawing").hidden = false; // until there is a picture
   }
 
@@ -446,15 +445,15 @@ class Playground extends Picture {
 }
 
 // For the tests, and for people who open the console: hashnoise.pixels(64, 64), hashnoise.state, ...
-unpacked(byId("library").textContent)
-  .then(async (data) => {
-    const library = new Library(data, async (name) => new Pieces(await unpacked(byId(name).textContent)));
+const piecesOf = async (name) => new Pieces(await unpacked(byId(name).textContent));
+piecesOf("shading")
+  .then(async (shading) => {
+    const library = new Library(byId("version").textContent);
+    library.pieces.shading = shading;
     window.hashnoise = new Playground(library);
     await window.hashnoise.start();
-    for (const name of ["shading", "cpu"]) {
-      await library.load(name);
-      window.hashnoise.controls.showCode();
-    }
+    library.pieces.cpu = await piecesOf("cpu");
+    window.hashnoise.controls.showCode();
     document.documentElement.dataset.ready = "yes";
   })
   .catch((error) => {

@@ -1,6 +1,6 @@
 // The shaders of the page, and the numbers that they read. With HN_FIXED they draw the same bytes on every GPU, since
 // everything from the position to the colour is whole numbers.
-import { functions, knobs, numbers, partOf } from "./code.js";
+import { functions, numbers, partOf } from "./code.js";
 import { isLeaning, isSolid, kMostLayers, rangeOf, shownLayers, tintedLayers, usualLayer } from "./model.js";
 import { solidPlace, solidShader, wordsOfSolid } from "./solid.js";
 import { cellOf, leaningSteps, leant, originOf, partsOf, placeOf, stepOf, tileOf } from "./view.js";
@@ -144,7 +144,7 @@ void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2
 // coordinates go on, so that no compiler computes one of them before the loop.
 function shader(library, state, values, { timed, form = "cell", value } = {}) {
   const tints = timed ? 0 : tintedLayers(state).length;
-  const { lines, files } = functions(library, "glsl", state, values, [form], false, tints ? kept : undefined);
+  const { lines, public: called } = functions("glsl", state, values, [form], true, tints ? kept : undefined);
   const solid = isSolid(state) && !timed ? solidShader(state, kBits) : undefined;
   const n = state.dimensions;
   const shown = value ?? `pattern(${argumentsOf(n, form, solid || (!timed && isLeaning(state)))})`;
@@ -153,8 +153,7 @@ function shader(library, state, values, { timed, form = "cell", value } = {}) {
     "precision highp float;",
     "precision highp int;",
     "precision highp sampler2D;",
-    ...knobs(state),
-    ...library.lines(files),
+    ...library.texts(called, "glsl", state),
     kGlslFrame,
     "uniform sampler2D u_palette;",
     "out vec4 color;",

@@ -91,7 +91,6 @@ export const kFiles = {
   normals: { label: "PNG, normal map", png: true, ending: "png", note: kOfNormals },
   tiff: { label: "TIFF, values in floats", ending: "tif", part: "values", note: "Values are as pattern(p) returns them." },
   gif: { label: "GIF, a loop", ending: "gif", part: "loop", note: kOfLoop },
-  webm: { label: "WebM, a loop", ending: "webm", part: "loop", note: kOfLoop },
   r16: { label: "Raw heights in 16 bits", ending: "r16", part: "heights", note: kOfHeights + kOfRaw },
   r32: { label: "Raw values in floats", ending: "r32", part: "values", note: `Values are as pattern(p) returns them. ${kOfRaw}` },
   json: { label: "JSON, the setting", ending: "json", part: "setting", note: "Drop it onto the picture to open it again, or a PNG of this page." },

@@ -44,7 +44,7 @@ struct CountReport {
   std::map<std::string, std::string> absent;  // by source: why it is not here at all
 };
 
-// The sources. tools/lib/measure/amd.py adds AMD's.
+// The sources.
 inline constexpr const char* kSpirvSource = "spirv";
 inline constexpr const char* kNvidiaSource = "nvidia";
 inline constexpr std::array kCountSources = {kSpirvSource, kNvidiaSource};

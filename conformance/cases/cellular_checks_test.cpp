@@ -16,23 +16,23 @@ class CellularChecks : public FaultyLibrary {
 TEST_F(CellularChecks, ABlockThatIsTooSmallIsCaughtByTheSearch) {
   constexpr Replacement kFaults[] = {
       {"noise2d.cellular.lattice.fast.fragment.gl330.search", "detail/feature_points2d.glsl",
-       "block, block.following.y, s)", "block, block.cell.y, s)"},
+       "cells, cells.following.y, s)", "cells, cells.cell.y, s)"},
       {"noise2d.cellular_cell_nearest.lattice.fixed.fragment.gl330.search", "detail/feature_points2d.glsl",
-       "block, block.previous.y, s)", "block, block.cell.y, s)"},
+       "cells, cells.previous.y, s)", "cells, cells.cell.y, s)"},
       {"noise3d.cellular_offset.lattice.precise.fragment.gl400.search", "detail/feature_points3d.glsl",
        "joins.z, odds.z, x", "joins.y, odds.y, x"},
       {"noise2d.cellular_three.lattice.fast.fragment.gl330.search", "cellular_three2d.glsl",
-       "best = hn_i_insert(best, hn_i_ranks(words, x, y, jitter, metric), HN_I_NO_CODE, 0);", ""},
+       "best = hn_i_insert(best, hn_i_ranks(hashes, x, y, jitter, metric), HN_I_NO_CODE, 0);", ""},
       {"noise2d.cellular_three_full.lattice.fixed.fragment.gl330.search", "detail/feature_points.glsl",
-       "hn_i_choice(d > HN_I_NO_OFFSET, 2, -2)", "hn_i_choice(d > HN_I_NO_OFFSET, 2, 2)"},
+       "hn_i_select_int(d > HN_I_NO_OFFSET, 2, -2)", "hn_i_select_int(d > HN_I_NO_OFFSET, 2, 2)"},
       {"noise3d.cellular_three_cell_full.lattice.fast.vertex.gl330.search", "cellular_three3d.glsl",
        "hn_i_slab_z(d, axis, steps, n)", "hn_i_slab_z(d, axis, steps, -n)"},
       {"noise3d.cellular_three_cell_full.lattice.fixed.fragment.gl330.search", "cellular_three3d.glsl", "n <= 1",
        "n < 1"},
       {"noise2d.cell_border.lattice.fast.fragment.gl330.search", "cell_border2d.glsl",
-       "best = hn_i_border(best, words, x, hn_i_equal_triple(y.z), jitter, hn_i_code(0, 1), 1, from, nearest);", ""},
+       "best = hn_i_border(best, hashes, x, hn_i_equal_triple(y.z), jitter, hn_i_code(0, 1), 1, from, nearest);", ""},
       {"noise2d.cell_border_cell.lattice.fixed.fragment.gl330.search", "cell_border2d.glsl",
-       "words, x, hn_i_equal_triple(y.x), jitter", "words, x, hn_i_equal_triple(y.y), jitter"},
+       "hashes, x, hn_i_equal_triple(y.x), jitter", "hashes, x, hn_i_equal_triple(y.y), jitter"},
       {"noise3d.cell_border.lattice.fixed.fragment.gl330.search", "cell_border3d.glsl", "slab = -1;", "slab = 0;"}};
   expect_all_caught(kFaults);
 }
@@ -69,8 +69,8 @@ TEST_F(CellularChecks, PartsThatDoNotBelongTogetherAreCaught) {
 TEST_F(CellularChecks, AValueOfItsOwnBesideTheNearestPointIsCaught) {
   constexpr Replacement kFaults[] = {
       {"noise2d.cell_border_nearest.lattice.fast.fragment.gl330.returned", "cell_border2d.glsl",
-       "return hn_i_cell_border(block, hn_i_far_cell(place, block, d), d, jitter, seed, best);",
-       "return -hn_i_cell_border(block, hn_i_far_cell(place, block, d), d, jitter, seed, best);"},
+       "return hn_i_cell_border(cells, hn_i_far_cell(place, cells, d), d, jitter, seed, best);",
+       "return -hn_i_cell_border(cells, hn_i_far_cell(place, cells, d), d, jitter, seed, best);"},
       {"noise3d.cell_border_cell_offset.lattice.fixed.fragment.gl330.returned", "cell_border3d.glsl",
        "hn_i_jitter(jitter), seed, nearest, offset);", "hn_i_jitter(0.5f), seed, nearest, offset);"},
       {"noise2d.cellular_phase_nearest.lattice.precise.fragment.gl400.returned", "cellular_phase2d.glsl",

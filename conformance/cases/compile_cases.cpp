@@ -178,13 +178,12 @@ void add_highp_case(std::vector<Case>& cases, std::string_view file, const Confi
 // most machines never contract. So every operation that rounds must be marked in glslang's SPIR-V. Functions whose
 // results are exact, contracted or not, need no mark.
 Outcome check_uncontracted(const Suite& suite, std::string_view file, const Configuration& configuration) {
-  constexpr std::array<std::string_view, 26> kExact = {
-      "hn_unorm(",         "hn_snorm(",         "hn_gradient2(",         "hn_gradient3(",  "hn_i_fraction_of_units(",
-      "hn_i_quarters(",    "hn_i_falloff(",     "hn_i_angle(",           "hn_i_per_cell(", "hn_i_offset_from_cell(",
-      "hn_i_toward(",      "hn_i_distance(",    "hn_i_border_distance(", "hn_i_whole(",    "hn_i_whole_fraction(",
-      "hn_i_ratio(",       "hn_gaussian(",      "hn_i_component(",       "hn_i_root(u1;",  "hn_i_displaced(vi2;f1;",
-      "hn_i_in_cells(",    "hn_scatter_point(", "hn_i_square_of_reach(", "hn_i_parts(",    "hn_i_in_units(",
-      "hn_i_distribution("};
+  constexpr std::array<std::string_view, 25> kExact = {
+      "hn_unorm(",   "hn_i_parts(",   "hn_i_falloff(",  "hn_i_in_cells(",     "hn_i_border_distance(",
+      "hn_snorm(",   "hn_i_toward(",  "hn_i_root(u1;",  "hn_i_in_units(",     "hn_i_square_of_reach(",
+      "hn_i_angle(", "hn_gaussian(",  "hn_i_quarters(", "hn_i_component(",    "hn_i_offset_from_cell(",
+      "hn_i_fixed_", "hn_gradient2(", "hn_i_per_cell(", "hn_scatter_point(",  "hn_i_displaced(vi2;f1;",
+      "hn_i_ratio(", "hn_gradient3(", "hn_i_distance(", "hn_i_distribution(", "hn_i_fraction_of_units("};
   const Profile& profile = profile_named("vulkan");
   const auto source = expand(suite.sources, profile, calling_shader(file, configuration, profile, Stage::fragment));
   if (!source) return outcome_with(Status::fail, source.error());

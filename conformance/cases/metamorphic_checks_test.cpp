@@ -188,8 +188,8 @@ TEST_F(Periods, AFunctionThatDoesNotRepeatIsCaught) {
 TEST_F(Periods, ASumFromACellThatIsNotThatAtThePositionIsCaught) {
   constexpr Replacement kFaults[] = {
       {"fbm.fbm2_cell.lattice.fast.fragment.gl330.from_cell", "octaves2d.glsl",
-       "o.x = hn_i_whole(place.cell.x, place.fraction.x, ",
-       "o.x = hn_i_whole(place.cell.x, 0.999f * place.fraction.x, "},
+       "o.x = hn_i_fixed_position(place.cell.x, place.fraction.x, ",
+       "o.x = hn_i_fixed_position(place.cell.x, 0.999f * place.fraction.x, "},
       {"fbm.ridged3_cell.lattice.fixed.fragment.gl330.from_cell", "place.glsl", "hn_i_place(cell, hn_i_to_num(f),",
        "hn_i_place(cell, hn_i_to_num(f) ^ 256,"},
       {"warp.warp_progressive2_cell.lattice.fast.fragment.gl330.from_cell", "detail/jacobian.glsl",
@@ -224,11 +224,11 @@ TEST_F(Periods, ASmallFootprintThatFadesOctavesIsCaught) {
 TEST_F(Periods, AFormThatIsNotTheOneWithoutPeriodsIsCaught) {
   constexpr Replacement kFaults[] = {
       // A period of 0 that is one of 2^20, and a large one that counts as none.
-      {"noise2d.perlin_cell_period.lattice.fast.fragment.gl330.wrapped", "perlin2d.glsl", "hn_i_box(place)",
-       "hn_i_box(hn_tile(place, ivec2(place.tiled && place.period.x == 0 ? 1048576 : place.period.x, "
+      {"noise2d.perlin_cell_period.lattice.fast.fragment.gl330.wrapped", "perlin2d.glsl", "hn_i_cell_corners(place)",
+       "hn_i_cell_corners(hn_tile(place, ivec2(place.tiled && place.period.x == 0 ? 1048576 : place.period.x, "
        "place.period.y)))"},
-      {"noise3d.value_cell_period.lattice.fixed.fragment.gl330.wrapped", "value3d.glsl", "hn_i_box(place)",
-       "hn_i_box(hn_tile(place, ivec3(place.period.xy, place.period.z > 1073741824 ? 0 : place.period.z)))"},
+      {"noise3d.value_cell_period.lattice.fixed.fragment.gl330.wrapped", "value3d.glsl", "hn_i_cell_corners(place)",
+       "hn_i_cell_corners(hn_tile(place, ivec3(place.period.xy, place.period.z > 1073741824 ? 0 : place.period.z)))"},
       // Cells below 0 count towards it.
       {"noise2d.value_cubic_cell_period.lattice.precise.fragment.gl400.wrapped", "detail/cell2d.glsl",
        "hn_i_select(c < 0, mask - rest, rest)", "rest"},
@@ -297,7 +297,7 @@ TEST_F(Derivatives, FaultsOfSumsAreCaught) {
 TEST_F(Derivatives, ASumWithoutStrengthThatIsNoFbmIsCaught) {
   constexpr Replacement kFaults[] = {
       {"fbm_d.eroded2.lattice.fast.fragment.gl330.zero_strength", "detail/jacobian.glsl",
-       "hn_i_times_plus(square, strength, 1.0f)", "hn_i_times_plus(square, strength + 0.001f, 1.0f)"},
+       "hn_i_multiply_add(square, strength, 1.0f)", "hn_i_multiply_add(square, strength + 0.001f, 1.0f)"},
       {"fbm_d.eroded3_cell.lattice.precise.fragment.gl400.zero_strength", "fbm_d3d.glsl", "hn_i_octave(n.x)",
        "hn_i_octave(n.y)"},
       {"fbm_d.eroded2_cell_period.lattice.fixed.fragment.gl330.zero_strength", "detail/jacobian.glsl",

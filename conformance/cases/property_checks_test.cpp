@@ -97,7 +97,7 @@ TEST_F(Extreme, ASumOverAnotherNoiseThatIsNotThatSumIsCaught) {
       {"fbm.fbm2.lattice.fast.fragment.gl330.other_noise", "detail/octave.glsl", "hn_i_summed(s.value, n, weight)",
        "hn_i_summed(s.value, n, HN_I_WEIGHT_ONE)"},
       {"fbm.ridged3_cell.lattice.fixed.fragment.gl330.other_noise", "detail/octave.glsl",
-       "next.carried = min(hn_i_plus(ridge, ridge), HN_I_WEIGHT_ONE)", "next.carried = HN_I_WEIGHT_ONE"},
+       "next.feedback = min(hn_i_plus(ridge, ridge), HN_I_WEIGHT_ONE)", "next.feedback = HN_I_WEIGHT_ONE"},
       {"fbm.ping_pong2_cell_period.lattice.fast.fragment.gl330.other_noise", "detail/octave.glsl", "floor(t * 0.5f)",
        "floor(t)"},
       {"fbm.weighted2.lattice.fast.fragment.gl330.other_noise", "detail/octave.glsl", "(0.5f - 0.5f * n)",

@@ -253,8 +253,8 @@ class Cli(unittest.TestCase):
         for group in (
             (
                 (f"{perlin}.range", "detail/direction.glsl", "n, 1831)", "n, 3173)"),
-                (f"{perlin}.seeds", "detail/cell2d.glsl", "box.upper, hn_i_seed_join(s), hn_i_odd(box.lower, s), 0u)",
-                 "box.upper, 0u, hn_i_odd(box.lower, 0u), 0u)"),
+                (f"{perlin}.seeds", "detail/cell2d.glsl", "corners.upper, hn_i_seed_join(s), hn_i_odd(corners.lower, s), 0u)",
+                 "corners.upper, 0u, hn_i_odd(corners.lower, 0u), 0u)"),
                 ("fbm.fbm2.*.fast.*.other_noise", "detail/octave.glsl",
                  "hn_i_summed(s.value, n, weight)", "hn_i_summed(s.value, n, HN_I_WEIGHT_ONE)"),
                 ("fbm.ridged2_cell_period.*.fixed.*.other_noise",),

@@ -71,7 +71,7 @@ constexpr double kCosine = 25.0 / 32.0;
 constexpr double kSine = 20.0 / 32.0;
 constexpr double kSecondCosine = 29.0 / 32.0;
 constexpr double kSecondSine = 13.0 / 32.0;
-constexpr double kWhole = 0x1p-24;  // the unit of whole positions
+constexpr double kWhole = 0x1p-24;  // the unit of fixed-point positions
 
 constexpr std::string_view kPerlinWorley = "perlin_worley";
 

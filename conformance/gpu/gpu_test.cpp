@@ -157,7 +157,7 @@ TEST_F(Gpu, AContextWithoutComputeShadersSaysSo) {
 }
 
 TEST_F(Gpu, AnErrorInALibraryFileNamesItsLine) {
-  const auto program = build("#define hn_i_mix 1\n#include \"hash.glsl\"\nvoid main() {}\n");
+  const auto program = build("#define hn_i_scramble 1\n#include \"hash.glsl\"\nvoid main() {}\n");
   ASSERT_FALSE(program);
   EXPECT_NE(program.error().log.find("glsl/hashnoise/detail/word.glsl:"), std::string::npos) << program.error().log;
 }

@@ -22,7 +22,7 @@ TEST(ReferenceCompiler, AcceptsTheLibrary) {
 }
 
 TEST(ReferenceCompiler, AnErrorInALibraryFileNamesItsLine) {
-  const auto done = check("gl450", "#define hn_i_mix 1\n#include \"hash.glsl\"\nvoid main() {}\n");
+  const auto done = check("gl450", "#define hn_i_scramble 1\n#include \"hash.glsl\"\nvoid main() {}\n");
   ASSERT_FALSE(done);
   EXPECT_NE(done.error().log.find("glsl/hashnoise/detail/word.glsl:"), std::string::npos) << done.error().log;
 }

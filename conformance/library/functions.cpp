@@ -67,25 +67,25 @@ std::string id_without(std::string_view text, std::string_view part) {
 
 bool Function::is_noise() const {
   return is_gradient_noise() || is_simplex_noise() || is_cellular() ||
-         is_one_of(family, {Family::lattice_noise, Family::further_lattice_noise});
+         is_one_of(family, {Family::lattice_noise, Family::extended_lattice_noise});
 }
 
-bool Function::is_cellular() const { return is_one_of(family, {Family::cellular, Family::further_cellular}); }
+bool Function::is_cellular() const { return is_one_of(family, {Family::cellular, Family::extended_cellular}); }
 
 bool Function::is_gradient_noise() const {
-  return is_one_of(family, {Family::gradient_noise, Family::further_gradient_noise, Family::octahedral_noise}) ||
+  return is_one_of(family, {Family::gradient_noise, Family::extended_gradient_noise, Family::octahedral_noise}) ||
          (is_simplex_noise() && !takes_wave());
 }
 
 bool Function::is_octave_sum() const {
-  return is_one_of(family, {Family::octave_sum, Family::further_octave_sum, Family::octahedral_octave_sum});
+  return is_one_of(family, {Family::octave_sum, Family::extended_octave_sum, Family::octahedral_octave_sum});
 }
 
 bool Function::is_further() const {
   return is_one_of(family,
-                   {Family::further_gradient_noise, Family::octahedral_noise, Family::further_lattice_noise,
-                    Family::further_octave_sum, Family::octahedral_octave_sum, Family::simplex_noise, Family::curl,
-                    Family::cellular, Family::further_cellular, Family::utility, Family::distribution});
+                   {Family::extended_gradient_noise, Family::octahedral_noise, Family::extended_lattice_noise,
+                    Family::extended_octave_sum, Family::octahedral_octave_sum, Family::simplex_noise, Family::curl,
+                    Family::cellular, Family::extended_cellular, Family::utility, Family::distribution});
 }
 
 bool Function::is_derived() const { return bound.ends_with("_d") || bound.ends_with("_d_phase"); }

@@ -476,7 +476,7 @@ class Headers(unittest.TestCase):
         functions = public_functions()
         self.assertTrue({"hn_perlin", "hn_fbm", "hn_warp_progressive", "hn_cell", "hn_hash"} <= set(functions))
         wrong = tuple(f"float({function}(true))" for function in functions)
-        said = messages(COMPILERS[0], calls((*wrong, "float(hn_i_mix(true))")), "-std=c++20")
+        said = messages(COMPILERS[0], calls((*wrong, "float(hn_i_scramble(true))")), "-std=c++20")
         self.assertEqual(deleted(said, (*wrong, "a function that is not among them")), list(wrong))
 
     def test_lanes_take_no_other_numbers_either(self) -> None:

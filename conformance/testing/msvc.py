@@ -1,4 +1,4 @@
-"""How Clang compiles as MSVC would: for lanes_test.py, and for src/grid/tests/elsewhere_test.py."""
+"""How Clang compiles as MSVC would: for lanes_test.py, and for src/grid/tests/cross_build_test.py."""
 
 import shlex
 import subprocess

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array<std::string_view, 12> kModules = {"main.js",     "runner.js",   "checks.js",  "costs.js",
                                                        "report.js",   "failures.js", "meaning.js", "suite.js",
-                                                       "renderer.js", "webgpu.js",   "address.js", "whereabouts.js"};
+                                                       "renderer.js", "webgpu.js",   "address.js", "browser_name.js"};
 
 void replace_all(std::string& text, std::string_view old, std::string_view with) {
   for (auto at = text.find(old); at != std::string::npos; at = text.find(old, at + with.size())) {

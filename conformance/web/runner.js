@@ -3,7 +3,7 @@ import { kBadStatuses, outcomeWith, runCase } from "./checks.js";
 import { measureCosts } from "./costs.js";
 import { DriverError, NoContext, Renderer, openContext } from "./renderer.js";
 import { openDevice } from "./webgpu.js";
-import { whereabouts } from "./whereabouts.js";
+import { browserName } from "./browser_name.js";
 
 // A context that is gone may come back when the browser has started its GPU process again.
 const kNewContextTries = 50;
@@ -46,7 +46,7 @@ const kOpen = { webgl2: () => new Renderer(openContext()), webgpu: openDevice };
 export async function runSuite(suite, listener) {
   // The renderers of the APIs; null where one was lost. The page cannot do without its own.
   const renderers = { [suite.api]: await kOpen[suite.api]() };
-  await listener.ready({ ...renderers[suite.api].describe(), ...whereabouts(navigator.userAgent) });
+  await listener.ready({ ...renderers[suite.api].describe(), ...browserName(navigator.userAgent) });
   for (const test of suite.cases) {
     if (!listener.wantsMore()) return;
     const api = suite.apiOf(test);

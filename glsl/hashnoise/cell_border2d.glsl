@@ -10,57 +10,57 @@
 // The distance to the border between the cells of two points P and Q is (q - p) / (2 |P - Q|), where p and q are the
 // squares of the distances to them. hn_i_border compares the borders of a row of cells with the nearest one so far:
 // `from` is the offset from P, and `nearest` has p and the code of its cell.
-HN_FN hn_i_rank hn_i_border(hn_i_rank best, hn_uvec3 words, hn_i_num3 x, hn_i_num3 y, hn_i_num jitter, hn_int code,
+HN_FN hn_i_rank hn_i_border(hn_i_rank best, hn_uvec3 hashes, hn_i_num3 x, hn_i_num3 y, hn_i_num jitter, hn_int code,
                             hn_int step, hn_i_num2 from, hn_i_rank4 nearest) {
-  hn_i_num3 from_x = hn_i_from_x(words, x, jitter);
-  hn_i_num3 from_y = hn_i_from_y(words, y, jitter);
+  hn_i_num3 from_x = hn_i_from_x(hashes, x, jitter);
+  hn_i_num3 from_y = hn_i_from_y(hashes, y, jitter);
   return hn_i_nearest_border(
       best, hn_i_rank_differences(hn_i_squares(from_x, from_y), nearest.x),
       hn_i_squares(hn_i_offset_difference(from_x, from.x), hn_i_offset_difference(from_y, from.y)), code, step,
       nearest.w);
 }
 
-// The distance to the border, given the smallest ranks. The cells beside the block are needed as well: where a place is
-// at the wall of its own cell, the cell two steps on may share the nearest border with the nearest one
-// (tools/make bounds).
-HN_FN hn_float hn_i_cell_border(hn_i_block2 block, hn_uvec2 two, hn_i_num2 d, hn_i_num jitter, hn_uint seed,
+// The distance to the border, given the smallest ranks. The cells beside the neighbourhood count, too: where a place is
+// at the wall of its own cell, the cell two steps on may share the nearest border with the nearest one (tools/make
+// bounds).
+HN_FN hn_float hn_i_cell_border(hn_i_neighbourhood2 cells, hn_uvec2 two, hn_i_num2 d, hn_i_num jitter, hn_uint seed,
                                 hn_i_rank4 nearest) {
-  hn_i_num2 from = hn_i_from_nearest(block, d, jitter, seed, nearest.w);
-  hn_uint s = hn_i_mix(seed);
+  hn_i_num2 from = hn_i_from_nearest(cells, d, jitter, seed, nearest.w);
+  hn_uint s = hn_i_scramble(seed);
   hn_i_num3 x = hn_i_row(d.x);
   hn_i_num3 y = hn_i_row(d.y);
   hn_i_num3 two_x = hn_i_equal_triple(hn_i_offset_from_cell(d.x, hn_i_far_step(d.x)));
   hn_i_num3 two_y = hn_i_equal_triple(hn_i_offset_from_cell(d.y, hn_i_far_step(d.y)));
-  hn_uvec3 words = hn_i_words_along_x(block, block.previous.y, s);
+  hn_uvec3 hashes = hn_i_hashes_along_x(cells, cells.previous.y, s);
   hn_i_rank best =
-      hn_i_border(hn_i_far_away().x, words, x, hn_i_equal_triple(y.x), jitter, hn_i_code(0, -1), 1, from, nearest);
-  words = hn_i_words_along_x(block, block.cell.y, s);
-  best = hn_i_border(best, words, x, hn_i_equal_triple(y.y), jitter, hn_i_code(0, 0), 1, from, nearest);
-  words = hn_i_words_along_x(block, block.following.y, s);
-  best = hn_i_border(best, words, x, hn_i_equal_triple(y.z), jitter, hn_i_code(0, 1), 1, from, nearest);
-  words = hn_i_words_along_x(block, two.y, s);
-  best = hn_i_border(best, words, x, two_y, jitter, HN_I_NO_CODE, 0, from, nearest);
-  words = hn_i_words_along_y(block, two.x, s);
-  best = hn_i_border(best, words, two_x, y, jitter, HN_I_NO_CODE, 0, from, nearest);
+      hn_i_border(hn_i_far_away().x, hashes, x, hn_i_equal_triple(y.x), jitter, hn_i_code(0, -1), 1, from, nearest);
+  hashes = hn_i_hashes_along_x(cells, cells.cell.y, s);
+  best = hn_i_border(best, hashes, x, hn_i_equal_triple(y.y), jitter, hn_i_code(0, 0), 1, from, nearest);
+  hashes = hn_i_hashes_along_x(cells, cells.following.y, s);
+  best = hn_i_border(best, hashes, x, hn_i_equal_triple(y.z), jitter, hn_i_code(0, 1), 1, from, nearest);
+  hashes = hn_i_hashes_along_x(cells, two.y, s);
+  best = hn_i_border(best, hashes, x, two_y, jitter, HN_I_NO_CODE, 0, from, nearest);
+  hashes = hn_i_hashes_along_y(cells, two.x, s);
+  best = hn_i_border(best, hashes, two_x, y, jitter, HN_I_NO_CODE, 0, from, nearest);
   return hn_i_border_distance(best);
 }
 
 // From here cell_border3d.glsl is generated from cell_border2d.glsl.
 
 HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_i_num jitter, hn_uint seed) {
-  hn_i_block2 block = hn_i_block(place);
+  hn_i_neighbourhood2 cells = hn_i_neighbourhood(place);
   hn_i_num2 d = hn_i_from_centre(place.fraction);
-  return hn_i_cell_border(block, hn_i_far_cell(place, block, d), d, jitter, seed,
-                          hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed));
+  return hn_i_cell_border(cells, hn_i_far_cell(place, cells, d), d, jitter, seed,
+                          hn_i_nearest(cells, d, jitter, HN_METRIC_SQUARED, seed));
 }
 HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_i_num jitter, hn_uint seed, HN_I_OUT(hn_ivec2) nearest,
                                 HN_I_OUT(hn_vec2) offset) {
-  hn_i_block2 block = hn_i_block(place);
+  hn_i_neighbourhood2 cells = hn_i_neighbourhood(place);
   hn_i_num2 d = hn_i_from_centre(place.fraction);
-  hn_i_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed);
+  hn_i_rank4 best = hn_i_nearest(cells, d, jitter, HN_METRIC_SQUARED, seed);
   nearest = hn_i_cell_of(place, best.w);
-  offset = hn_i_toward(hn_i_from_nearest(block, d, jitter, seed, best.w));
-  return hn_i_cell_border(block, hn_i_far_cell(place, block, d), d, jitter, seed, best);
+  offset = hn_i_toward(hn_i_from_nearest(cells, d, jitter, seed, best.w));
+  return hn_i_cell_border(cells, hn_i_far_cell(place, cells, d), d, jitter, seed, best);
 }
 
 // To here cell_border3d.glsl is generated from cell_border2d.glsl.

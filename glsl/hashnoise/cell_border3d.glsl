@@ -7,35 +7,35 @@
 #include "detail/feature_points3d.glsl"
 
 // Compares the borders of a row of cells with the nearest one so far, as on the plane (cell_border2d.glsl).
-HN_FN hn_i_rank hn_i_border(hn_i_rank best, hn_uvec3 words, hn_i_num3 x, hn_i_num3 y, hn_i_num3 z, hn_i_num jitter,
+HN_FN hn_i_rank hn_i_border(hn_i_rank best, hn_uvec3 hashes, hn_i_num3 x, hn_i_num3 y, hn_i_num3 z, hn_i_num jitter,
                             hn_int code, hn_int step, hn_i_num3 from, hn_i_rank4 nearest) {
-  hn_i_num3 u = hn_i_from_u(words, x, y, jitter);
-  hn_i_num3 v = hn_i_from_v(words, x, y, jitter);
-  hn_i_num3 w = hn_i_from_z(words, z, jitter);
+  hn_i_num3 u = hn_i_from_u(hashes, x, y, jitter);
+  hn_i_num3 v = hn_i_from_v(hashes, x, y, jitter);
+  hn_i_num3 w = hn_i_from_z(hashes, z, jitter);
   return hn_i_nearest_border(best, hn_i_rank_differences(hn_i_squares(u, v, w), nearest.x),
                              hn_i_squares(hn_i_offset_difference(u, from.x), hn_i_offset_difference(v, from.y),
                                           hn_i_offset_difference(w, from.z)),
                              code, step, nearest.w);
 }
 
-// The distance to the border, given the smallest ranks. The cells beside the block are needed as well: where a place is
-// at the wall of its own cell, the cell two steps on may share the nearest border with the nearest one
-// (tools/make bounds). These are 54 cells, in six slabs. They are visited in a loop: unrolled, a shader takes much
-// longer to compile.
-HN_FN hn_float hn_i_cell_border(hn_i_block3 block, hn_uvec3 two, hn_i_num3 d, hn_i_num jitter, hn_uint seed,
+// The distance to the border, given the smallest ranks. The cells beside the neighbourhood count, too: where a place is
+// at the wall of its own cell, the cell two steps on may share the nearest border with the nearest one (tools/make
+// bounds). These are 54 cells, in six slabs. They are visited in a loop: unrolled, a shader takes much longer to
+// compile.
+HN_FN hn_float hn_i_cell_border(hn_i_neighbourhood3 cells, hn_uvec3 two, hn_i_num3 d, hn_i_num jitter, hn_uint seed,
                                 hn_i_rank4 nearest) {
-  hn_i_num3 from = hn_i_from_nearest(block, d, jitter, seed, nearest.w);
+  hn_i_num3 from = hn_i_from_nearest(cells, d, jitter, seed, nearest.w);
   hn_i_rank best = hn_i_far_away().x;
   for (hn_int slab = -1; slab < 5; ++slab) {
     hn_int axis = hn_i_select(slab > 1, slab - 2, 2);
     hn_uint at =
-        hn_i_select(slab > 1, hn_i_component_along(axis, two), hn_i_triple_at(hn_i_coordinates_z(block), slab));
+        hn_i_select(slab > 1, hn_i_component_along(axis, two), hn_i_triple_at(hn_i_coordinates_z(cells), slab));
     hn_int steps = hn_i_select(slab > 1, hn_i_far_step_along(axis, d), slab);
     hn_i_num3 x = hn_i_slab_x(d, axis, steps);
     for (hn_int n = -1; n <= 1; ++n) {
       hn_int code = hn_i_select(slab > 1, HN_I_NO_CODE, hn_i_code(0, n, slab));
-      best = hn_i_border(best, hn_i_slab_words(block, axis, at, n, seed), x, hn_i_slab_y(d, axis, steps, n),
-                         hn_i_slab_z(d, axis, steps, n), jitter, code, hn_i_choice(slab > 1, 0, 1), from, nearest);
+      best = hn_i_border(best, hn_i_slab_hashes(cells, axis, at, n, seed), x, hn_i_slab_y(d, axis, steps, n),
+                         hn_i_slab_z(d, axis, steps, n), jitter, code, hn_i_select_int(slab > 1, 0, 1), from, nearest);
     }
   }
   return hn_i_border_distance(best);
@@ -44,19 +44,19 @@ HN_FN hn_float hn_i_cell_border(hn_i_block3 block, hn_uvec3 two, hn_i_num3 d, hn
 // From here cell_border3d.glsl is generated from cell_border2d.glsl.
 
 HN_FN hn_float hn_i_cell_border(hn_place3 place, hn_i_num jitter, hn_uint seed) {
-  hn_i_block3 block = hn_i_block(place);
+  hn_i_neighbourhood3 cells = hn_i_neighbourhood(place);
   hn_i_num3 d = hn_i_from_centre(place.fraction);
-  return hn_i_cell_border(block, hn_i_far_cell(place, block, d), d, jitter, seed,
-                          hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed));
+  return hn_i_cell_border(cells, hn_i_far_cell(place, cells, d), d, jitter, seed,
+                          hn_i_nearest(cells, d, jitter, HN_METRIC_SQUARED, seed));
 }
 HN_FN hn_float hn_i_cell_border(hn_place3 place, hn_i_num jitter, hn_uint seed, HN_I_OUT(hn_ivec3) nearest,
                                 HN_I_OUT(hn_vec3) offset) {
-  hn_i_block3 block = hn_i_block(place);
+  hn_i_neighbourhood3 cells = hn_i_neighbourhood(place);
   hn_i_num3 d = hn_i_from_centre(place.fraction);
-  hn_i_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed);
+  hn_i_rank4 best = hn_i_nearest(cells, d, jitter, HN_METRIC_SQUARED, seed);
   nearest = hn_i_cell_of(place, best.w);
-  offset = hn_i_toward(hn_i_from_nearest(block, d, jitter, seed, best.w));
-  return hn_i_cell_border(block, hn_i_far_cell(place, block, d), d, jitter, seed, best);
+  offset = hn_i_toward(hn_i_from_nearest(cells, d, jitter, seed, best.w));
+  return hn_i_cell_border(cells, hn_i_far_cell(place, cells, d), d, jitter, seed, best);
 }
 
 // To here cell_border3d.glsl is generated from cell_border2d.glsl.

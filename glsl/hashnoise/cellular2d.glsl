@@ -9,16 +9,16 @@
 
 #include "detail/feature_points2d.glsl"
 
-HN_FN hn_vec2 hn_i_cellular(hn_i_block2 block, hn_i_num2 f, hn_i_num jitter, hn_int metric, hn_uint seed) {
-  return hn_i_two_distances(hn_i_nearest(block, hn_i_from_centre(f), jitter, metric, seed), metric);
+HN_FN hn_vec2 hn_i_cellular(hn_i_neighbourhood2 cells, hn_i_num2 f, hn_i_num jitter, hn_int metric, hn_uint seed) {
+  return hn_i_two_distances(hn_i_nearest(cells, hn_i_from_centre(f), jitter, metric, seed), metric);
 }
 HN_FN hn_vec2 hn_i_cellular(hn_place2 place, hn_i_num jitter, hn_int metric, hn_uint seed, HN_I_OUT(hn_ivec2) nearest,
                             HN_I_OUT(hn_vec2) offset) {
-  hn_i_block2 block = hn_i_block(place);
+  hn_i_neighbourhood2 cells = hn_i_neighbourhood(place);
   hn_i_num2 d = hn_i_from_centre(place.fraction);
-  hn_i_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
+  hn_i_rank4 best = hn_i_nearest(cells, d, jitter, metric, seed);
   nearest = hn_i_cell_of(place, best.w);
-  offset = hn_i_toward(hn_i_from_nearest(block, d, jitter, seed, best.w));
+  offset = hn_i_toward(hn_i_from_nearest(cells, d, jitter, seed, best.w));
   return hn_i_two_distances(best, metric);
 }
 
@@ -38,7 +38,7 @@ HN_FN hn_vec2 hn_i_cellular(hn_place2 place, hn_i_num jitter, hn_int metric, hn_
 //            seed that is not constant, and 2 square roots. The compiler drops the work for results that you ignore
 //   source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
 HN_FN hn_vec2 hn_cellular(hn_place2 place, hn_uint seed) {
-  return hn_i_cellular(hn_i_block(place), place.fraction, HN_I_ONE, HN_METRIC_EUCLIDEAN, seed);
+  return hn_i_cellular(hn_i_neighbourhood(place), place.fraction, HN_I_ONE, HN_METRIC_EUCLIDEAN, seed);
 }
 HN_FN hn_vec2 hn_cellular(hn_vec2 p, hn_uint seed) { return hn_cellular(hn_place(p), seed); }
 HN_FN hn_vec2 hn_cellular(hn_vec2 p) { return hn_cellular(p, 0u); }
@@ -54,7 +54,7 @@ HN_FN hn_vec2 hn_cellular(hn_vec2 p) { return hn_cellular(p, 0u); }
 //   error    as above
 //   cost     as above
 HN_FN hn_vec2 hn_cellular(hn_place2 place, hn_float jitter, hn_int metric, hn_uint seed) {
-  return hn_i_cellular(hn_i_block(place), place.fraction, hn_i_jitter(jitter), metric, seed);
+  return hn_i_cellular(hn_i_neighbourhood(place), place.fraction, hn_i_jitter(jitter), metric, seed);
 }
 HN_FN hn_vec2 hn_cellular(hn_vec2 p, hn_float jitter, hn_int metric, hn_uint seed) {
   return hn_cellular(hn_place(p), jitter, metric, seed);

@@ -6,10 +6,10 @@
 
 #include "detail/feature_points2d.glsl"
 
-HN_FN hn_vec3 hn_i_cellular_d(hn_i_block2 block, hn_i_num2 f, hn_i_num jitter, hn_uint seed) {
+HN_FN hn_vec3 hn_i_cellular_d(hn_i_neighbourhood2 cells, hn_i_num2 f, hn_i_num jitter, hn_uint seed) {
   hn_i_num2 d = hn_i_from_centre(f);
-  hn_i_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_EUCLIDEAN, seed);
-  hn_i_num2 from = hn_i_from_nearest(block, d, jitter, seed, best.w);
+  hn_i_rank4 best = hn_i_nearest(cells, d, jitter, HN_METRIC_EUCLIDEAN, seed);
+  hn_i_num2 from = hn_i_from_nearest(cells, d, jitter, seed, best.w);
   hn_vec2 slope = hn_i_unit(from.x, from.y);
   return vec3(hn_i_distance(best.x, HN_METRIC_EUCLIDEAN), slope.x, slope.y);
 }
@@ -28,7 +28,7 @@ HN_FN hn_vec3 hn_i_cellular_d(hn_i_block2 block, hn_i_num2 f, hn_i_num jitter, h
 //   cost     hn_cellular's and one more hash
 //   source   docs/reference/contract.md, section 16
 HN_FN hn_vec3 hn_cellular_d(hn_place2 place, hn_uint seed) {
-  return hn_i_cellular_d(hn_i_block(place), place.fraction, HN_I_ONE, seed);
+  return hn_i_cellular_d(hn_i_neighbourhood(place), place.fraction, HN_I_ONE, seed);
 }
 
 // From here cellular_d3d.glsl is generated from cellular_d2d.glsl.
@@ -45,7 +45,7 @@ HN_FN hn_vec3 hn_cellular_d(hn_vec2 p) { return hn_cellular_d(p, 0u); }
 //   error    as above
 //   cost     as above
 HN_FN hn_vec3 hn_cellular_d(hn_place2 place, hn_float jitter, hn_uint seed) {
-  return hn_i_cellular_d(hn_i_block(place), place.fraction, hn_i_jitter(jitter), seed);
+  return hn_i_cellular_d(hn_i_neighbourhood(place), place.fraction, hn_i_jitter(jitter), seed);
 }
 HN_FN hn_vec3 hn_cellular_d(hn_vec2 p, hn_float jitter, hn_uint seed) {
   return hn_cellular_d(hn_place(p), jitter, seed);

@@ -6,10 +6,10 @@
 
 #include "detail/feature_points3d.glsl"
 
-HN_FN hn_vec4 hn_i_cellular_d(hn_i_block3 block, hn_i_num3 f, hn_i_num jitter, hn_uint seed) {
+HN_FN hn_vec4 hn_i_cellular_d(hn_i_neighbourhood3 cells, hn_i_num3 f, hn_i_num jitter, hn_uint seed) {
   hn_i_num3 d = hn_i_from_centre(f);
-  hn_i_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_EUCLIDEAN, seed);
-  hn_i_num3 from = hn_i_from_octahedral(hn_i_from_nearest(block, d, jitter, seed, best.w));
+  hn_i_rank4 best = hn_i_nearest(cells, d, jitter, HN_METRIC_EUCLIDEAN, seed);
+  hn_i_num3 from = hn_i_from_octahedral(hn_i_from_nearest(cells, d, jitter, seed, best.w));
   hn_vec3 slope = hn_i_unit(from.x, from.y, from.z);
   return vec4(hn_i_distance(best.x, HN_METRIC_EUCLIDEAN), slope.x, slope.y, slope.z);
 }
@@ -28,7 +28,7 @@ HN_FN hn_vec4 hn_i_cellular_d(hn_i_block3 block, hn_i_num3 f, hn_i_num jitter, h
 //   cost     hn_cellular's and one more hash
 //   source   docs/reference/contract.md, section 16
 HN_FN hn_vec4 hn_cellular_d(hn_place3 place, hn_uint seed) {
-  return hn_i_cellular_d(hn_i_block(place), place.fraction, HN_I_ONE, seed);
+  return hn_i_cellular_d(hn_i_neighbourhood(place), place.fraction, HN_I_ONE, seed);
 }
 
 // From here cellular_d3d.glsl is generated from cellular_d2d.glsl.
@@ -45,7 +45,7 @@ HN_FN hn_vec4 hn_cellular_d(hn_vec3 p) { return hn_cellular_d(p, 0u); }
 //   error    as above
 //   cost     as above
 HN_FN hn_vec4 hn_cellular_d(hn_place3 place, hn_float jitter, hn_uint seed) {
-  return hn_i_cellular_d(hn_i_block(place), place.fraction, hn_i_jitter(jitter), seed);
+  return hn_i_cellular_d(hn_i_neighbourhood(place), place.fraction, hn_i_jitter(jitter), seed);
 }
 HN_FN hn_vec4 hn_cellular_d(hn_vec3 p, hn_float jitter, hn_uint seed) {
   return hn_cellular_d(hn_place(p), jitter, seed);

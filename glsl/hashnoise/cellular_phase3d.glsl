@@ -11,7 +11,8 @@
 #include "detail/feature_points_moving3d.glsl"
 
 HN_FN hn_i_rank4 hn_i_nearest(hn_place3 place, hn_i_turn3 turn, hn_float jitter, hn_uint seed) {
-  return hn_i_nearest(hn_i_block(place), hn_i_from_centre(place.fraction), turn, hn_i_moving_jitter3(jitter), seed);
+  return hn_i_nearest(hn_i_neighbourhood(place), hn_i_from_centre(place.fraction), turn, hn_i_moving_jitter3(jitter),
+                      seed);
 }
 
 // Cellular noise in space whose points circle with a phase: cells move in place, and loop after one turn.
@@ -54,8 +55,8 @@ HN_FN hn_vec2 hn_cellular_phase(hn_place3 place, hn_float phase, hn_float jitter
   hn_i_turn3 turn = hn_i_turning3(phase);
   hn_i_rank4 best = hn_i_nearest(place, turn, jitter, seed);
   nearest = hn_i_cell_of(place, best.w);
-  offset = hn_i_to_nearest(hn_i_block(place), hn_i_from_centre(place.fraction), turn, hn_i_moving_jitter3(jitter), seed,
-                           best.w);
+  offset = hn_i_to_nearest(hn_i_neighbourhood(place), hn_i_from_centre(place.fraction), turn,
+                           hn_i_moving_jitter3(jitter), seed, best.w);
   return hn_i_two_distances(best, HN_METRIC_EUCLIDEAN);
 }
 HN_FN hn_vec2 hn_cellular_phase(hn_vec3 p, hn_float phase, hn_float jitter, hn_uint seed, HN_I_OUT(hn_ivec3) nearest,

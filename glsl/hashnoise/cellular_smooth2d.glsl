@@ -6,18 +6,18 @@
 
 #include "detail/feature_points2d.glsl"
 
-HN_FN hn_float hn_i_cellular_smooth(hn_i_block2 block, hn_i_num2 f, hn_i_num jitter, hn_uint seed) {
+HN_FN hn_float hn_i_cellular_smooth(hn_i_neighbourhood2 cells, hn_i_num2 f, hn_i_num jitter, hn_uint seed) {
   hn_i_num2 d = hn_i_from_centre(f);
-  hn_uint s = hn_i_mix(seed);
+  hn_uint s = hn_i_scramble(seed);
   hn_i_num3 x = hn_i_row(d.x);
   hn_i_num3 y = hn_i_row(d.y);
   hn_i_rank weights = hn_i_no_weight();
-  hn_uvec3 words = hn_i_words_along_x(block, block.previous.y, s);
-  weights = hn_i_summed_weights(weights, hn_i_squares(words, x, hn_i_equal_triple(y.x), jitter));
-  words = hn_i_words_along_x(block, block.cell.y, s);
-  weights = hn_i_summed_weights(weights, hn_i_squares(words, x, hn_i_equal_triple(y.y), jitter));
-  words = hn_i_words_along_x(block, block.following.y, s);
-  weights = hn_i_summed_weights(weights, hn_i_squares(words, x, hn_i_equal_triple(y.z), jitter));
+  hn_uvec3 hashes = hn_i_hashes_along_x(cells, cells.previous.y, s);
+  weights = hn_i_summed_weights(weights, hn_i_squares(hashes, x, hn_i_equal_triple(y.x), jitter));
+  hashes = hn_i_hashes_along_x(cells, cells.cell.y, s);
+  weights = hn_i_summed_weights(weights, hn_i_squares(hashes, x, hn_i_equal_triple(y.y), jitter));
+  hashes = hn_i_hashes_along_x(cells, cells.following.y, s);
+  weights = hn_i_summed_weights(weights, hn_i_squares(hashes, x, hn_i_equal_triple(y.z), jitter));
   return hn_i_smooth_distance(weights);
 }
 
@@ -38,7 +38,7 @@ HN_FN hn_float hn_i_cellular_smooth(hn_i_block2 block, hn_i_num2 f, hn_i_num jit
 //            spread the coordinates, and 2 more for a seed that is not constant
 //   source   docs/reference/contract.md, section 16
 HN_FN hn_float hn_cellular_smooth(hn_place2 place, hn_uint seed) {
-  return hn_i_cellular_smooth(hn_i_block(place), place.fraction, HN_I_ONE, seed);
+  return hn_i_cellular_smooth(hn_i_neighbourhood(place), place.fraction, HN_I_ONE, seed);
 }
 
 // From here cellular_smooth3d.glsl is generated from cellular_smooth2d.glsl.
@@ -55,7 +55,7 @@ HN_FN hn_float hn_cellular_smooth(hn_vec2 p) { return hn_cellular_smooth(p, 0u);
 //   error    as above
 //   cost     as above
 HN_FN hn_float hn_cellular_smooth(hn_place2 place, hn_float jitter, hn_uint seed) {
-  return hn_i_cellular_smooth(hn_i_block(place), place.fraction, hn_i_jitter(jitter), seed);
+  return hn_i_cellular_smooth(hn_i_neighbourhood(place), place.fraction, hn_i_jitter(jitter), seed);
 }
 HN_FN hn_float hn_cellular_smooth(hn_vec2 p, hn_float jitter, hn_uint seed) {
   return hn_cellular_smooth(hn_place(p), jitter, seed);

@@ -8,33 +8,33 @@
 
 // Adds the weights of nine cells in a slab across z to the sum of weights so far. The parameters are those of
 // hn_i_visit_slab.
-HN_FN hn_i_rank hn_i_weigh_slab(hn_i_rank weights, hn_i_block3 block, hn_uint join, hn_uint odd, hn_i_num3 x,
+HN_FN hn_i_rank hn_i_weigh_slab(hn_i_rank weights, hn_i_neighbourhood3 cells, hn_uint join, hn_uint odd, hn_i_num3 x,
                                 hn_i_num3 y, hn_i_num z, hn_i_num jitter) {
-  hn_uvec3 joins = hn_i_joins_x(block);
-  hn_uvec3 odds = hn_i_odds_x(hn_i_coordinates_x(block));
-  hn_uvec3 rows = hn_i_xor(hn_i_joins_y(block), join);
-  hn_uvec3 row_odds = hn_i_odds_y(hn_i_coordinates_y(block)) + odd;
+  hn_uvec3 joins = hn_i_joins_x(cells);
+  hn_uvec3 odds = hn_i_odds_x(hn_i_coordinates_x(cells));
+  hn_uvec3 rows = hn_i_xor(hn_i_joins_y(cells), join);
+  hn_uvec3 row_odds = hn_i_odds_y(hn_i_coordinates_y(cells)) + odd;
   hn_i_num3 across = hn_i_equal_triple(z);
   hn_int metric = HN_METRIC_SQUARED;
-  hn_uvec3 words = hn_i_row_words(joins, odds, rows.x, row_odds.x);
-  weights = hn_i_summed_weights(weights, hn_i_ranks(words, x, hn_i_equal_triple(y.x), across, jitter, metric));
-  words = hn_i_row_words(joins, odds, rows.y, row_odds.y);
-  weights = hn_i_summed_weights(weights, hn_i_ranks(words, x, hn_i_equal_triple(y.y), across, jitter, metric));
-  words = hn_i_row_words(joins, odds, rows.z, row_odds.z);
-  return hn_i_summed_weights(weights, hn_i_ranks(words, x, hn_i_equal_triple(y.z), across, jitter, metric));
+  hn_uvec3 hashes = hn_i_row_hashes(joins, odds, rows.x, row_odds.x);
+  weights = hn_i_summed_weights(weights, hn_i_ranks(hashes, x, hn_i_equal_triple(y.x), across, jitter, metric));
+  hashes = hn_i_row_hashes(joins, odds, rows.y, row_odds.y);
+  weights = hn_i_summed_weights(weights, hn_i_ranks(hashes, x, hn_i_equal_triple(y.y), across, jitter, metric));
+  hashes = hn_i_row_hashes(joins, odds, rows.z, row_odds.z);
+  return hn_i_summed_weights(weights, hn_i_ranks(hashes, x, hn_i_equal_triple(y.z), across, jitter, metric));
 }
-HN_FN hn_float hn_i_cellular_smooth(hn_i_block3 block, hn_i_num3 f, hn_i_num jitter, hn_uint seed) {
+HN_FN hn_float hn_i_cellular_smooth(hn_i_neighbourhood3 cells, hn_i_num3 f, hn_i_num jitter, hn_uint seed) {
   hn_i_num3 d = hn_i_from_centre(f);
-  hn_uint s = hn_i_mix(seed);
+  hn_uint s = hn_i_scramble(seed);
   hn_i_num3 x = hn_i_row(d.x);
   hn_i_num3 y = hn_i_row(d.y);
   hn_i_num3 z = hn_i_row(d.z);
-  hn_uvec3 joins = hn_i_xor(hn_i_joins_z(block), hn_i_seed_join(s));
-  hn_uvec3 odds = hn_i_odds_z(hn_i_coordinates_z(block)) + hn_i_odd(block.cell, s);
+  hn_uvec3 joins = hn_i_xor(hn_i_joins_z(cells), hn_i_seed_join(s));
+  hn_uvec3 odds = hn_i_odds_z(hn_i_coordinates_z(cells)) + hn_i_odd(cells.cell, s);
   hn_i_rank weights = hn_i_no_weight();
-  weights = hn_i_weigh_slab(weights, block, joins.x, odds.x, x, y, z.x, jitter);
-  weights = hn_i_weigh_slab(weights, block, joins.y, odds.y, x, y, z.y, jitter);
-  weights = hn_i_weigh_slab(weights, block, joins.z, odds.z, x, y, z.z, jitter);
+  weights = hn_i_weigh_slab(weights, cells, joins.x, odds.x, x, y, z.x, jitter);
+  weights = hn_i_weigh_slab(weights, cells, joins.y, odds.y, x, y, z.y, jitter);
+  weights = hn_i_weigh_slab(weights, cells, joins.z, odds.z, x, y, z.z, jitter);
   return hn_i_smooth_distance(weights);
 }
 
@@ -55,7 +55,7 @@ HN_FN hn_float hn_i_cellular_smooth(hn_i_block3 block, hn_i_num3 f, hn_i_num jit
 //            spread the coordinates, and 2 more for a seed that is not constant
 //   source   docs/reference/contract.md, section 16
 HN_FN hn_float hn_cellular_smooth(hn_place3 place, hn_uint seed) {
-  return hn_i_cellular_smooth(hn_i_block(place), place.fraction, HN_I_ONE, seed);
+  return hn_i_cellular_smooth(hn_i_neighbourhood(place), place.fraction, HN_I_ONE, seed);
 }
 
 // From here cellular_smooth3d.glsl is generated from cellular_smooth2d.glsl.
@@ -72,7 +72,7 @@ HN_FN hn_float hn_cellular_smooth(hn_vec3 p) { return hn_cellular_smooth(p, 0u);
 //   error    as above
 //   cost     as above
 HN_FN hn_float hn_cellular_smooth(hn_place3 place, hn_float jitter, hn_uint seed) {
-  return hn_i_cellular_smooth(hn_i_block(place), place.fraction, hn_i_jitter(jitter), seed);
+  return hn_i_cellular_smooth(hn_i_neighbourhood(place), place.fraction, hn_i_jitter(jitter), seed);
 }
 HN_FN hn_float hn_cellular_smooth(hn_vec3 p, hn_float jitter, hn_uint seed) {
   return hn_cellular_smooth(hn_place(p), jitter, seed);

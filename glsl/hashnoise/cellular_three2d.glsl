@@ -18,16 +18,16 @@ HN_FN hn_i_num3 hn_i_if_axis(hn_int axis, hn_i_num3 a, hn_i_num3 b) {
 // The third point may also be in a cell two steps on, along the axis on which the place is farthest from the
 // centre of its cell (feature_points.glsl). Three cells in a row along the other axis are enough.
 HN_FN hn_vec3 hn_i_cellular_three(hn_place2 place, hn_i_num jitter, hn_int metric, hn_uint seed) {
-  hn_i_block2 block = hn_i_block(place);
+  hn_i_neighbourhood2 cells = hn_i_neighbourhood(place);
   hn_i_num2 d = hn_i_from_centre(place.fraction);
-  hn_uvec2 two = hn_i_far_cell(place, block, d);
-  hn_i_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
-  hn_uint s = hn_i_mix(seed);
-  hn_int axis = hn_i_choice(hn_i_size(d.x) >= hn_i_size(d.y), 0, 1);
-  hn_uvec3 words = hn_i_if_axis(axis, hn_i_words_along_y(block, two.x, s), hn_i_words_along_x(block, two.y, s));
+  hn_uvec2 two = hn_i_far_cell(place, cells, d);
+  hn_i_rank4 best = hn_i_nearest(cells, d, jitter, metric, seed);
+  hn_uint s = hn_i_scramble(seed);
+  hn_int axis = hn_i_select_int(hn_i_magnitude(d.x) >= hn_i_magnitude(d.y), 0, 1);
+  hn_uvec3 hashes = hn_i_if_axis(axis, hn_i_hashes_along_y(cells, two.x, s), hn_i_hashes_along_x(cells, two.y, s));
   hn_i_num3 x = hn_i_if_axis(axis, hn_i_equal_triple(hn_i_offset_from_cell(d.x, hn_i_far_step(d.x))), hn_i_row(d.x));
   hn_i_num3 y = hn_i_if_axis(axis, hn_i_row(d.y), hn_i_equal_triple(hn_i_offset_from_cell(d.y, hn_i_far_step(d.y))));
-  best = hn_i_insert(best, hn_i_ranks(words, x, y, jitter, metric), HN_I_NO_CODE, 0);
+  best = hn_i_insert(best, hn_i_ranks(hashes, x, y, jitter, metric), HN_I_NO_CODE, 0);
   return vec3(hn_i_distance(best.x, metric), hn_i_distance(best.y, metric), hn_i_distance(best.z, metric));
 }
 

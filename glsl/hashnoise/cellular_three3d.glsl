@@ -8,26 +8,26 @@
 
 // The axis along which the place is farthest from the centre of its cell.
 HN_FN hn_int hn_i_farthest_axis(hn_i_num3 d) {
-  hn_i_num x = hn_i_size(d.x);
-  hn_i_num y = hn_i_size(d.y);
-  hn_i_num z = hn_i_size(d.z);
-  return hn_i_choice(x >= max(y, z), 0, hn_i_choice(y >= z, 1, 2));
+  hn_i_num x = hn_i_magnitude(d.x);
+  hn_i_num y = hn_i_magnitude(d.y);
+  hn_i_num z = hn_i_magnitude(d.z);
+  return hn_i_select_int(x >= max(y, z), 0, hn_i_select_int(y >= z, 1, 2));
 }
 
 // The third point may also be in a cell two steps on along that axis (feature_points.glsl). Nine cells in a slab
 // are enough.
 HN_FN hn_vec3 hn_i_cellular_three(hn_place3 place, hn_i_num jitter, hn_int metric, hn_uint seed) {
-  hn_i_block3 block = hn_i_block(place);
+  hn_i_neighbourhood3 cells = hn_i_neighbourhood(place);
   hn_i_num3 d = hn_i_from_centre(place.fraction);
-  hn_uvec3 two = hn_i_far_cell(place, block, d);
-  hn_i_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
+  hn_uvec3 two = hn_i_far_cell(place, cells, d);
+  hn_i_rank4 best = hn_i_nearest(cells, d, jitter, metric, seed);
   hn_int axis = hn_i_farthest_axis(d);
   hn_uint at = hn_i_component_along(axis, two);
   hn_int steps = hn_i_far_step_along(axis, d);
   for (hn_int n = -1; n <= 1; ++n) {
-    hn_uvec3 words = hn_i_slab_words(block, axis, at, n, seed);
+    hn_uvec3 hashes = hn_i_slab_hashes(cells, axis, at, n, seed);
     best = hn_i_insert(best,
-                       hn_i_ranks(words, hn_i_slab_x(d, axis, steps), hn_i_slab_y(d, axis, steps, n),
+                       hn_i_ranks(hashes, hn_i_slab_x(d, axis, steps), hn_i_slab_y(d, axis, steps, n),
                                   hn_i_slab_z(d, axis, steps, n), jitter, metric),
                        HN_I_NO_CODE, 0);
   }

@@ -40,7 +40,7 @@ HN_FN hn_vec3 hn_i_curl(hn_vec4 n, hn_vec4 m) {
 
 // A cell, or the next one if a place in it is in that after it is moved by so many quarters of a cell.
 HN_FN hn_uint hn_i_moved_cell(hn_uint cell, hn_i_num f, hn_int quarters) {
-  return cell + uint(hn_i_choice(f < hn_i_quarters(4 - quarters), 0, 1));
+  return cell + uint(hn_i_select_int(f < hn_i_quarters(4 - quarters), 0, 1));
 }
 HN_FN hn_i_num hn_i_moved_fraction(hn_i_num f, hn_int quarters) {
   hn_i_num rest = hn_i_quarters(4 - quarters);

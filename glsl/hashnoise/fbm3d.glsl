@@ -30,7 +30,7 @@ HN_FN hn_float hn_i_clouds(hn_octaves3 o) {
   return hn_density(o);
 }
 HN_FN hn_float hn_i_billow(hn_octaves3 o) {
-  do o.sum = hn_i_add_bounded_size(o.sum, hn_perlin(o.place, o.seed));
+  do o.sum = hn_i_add_billow(o.sum, hn_perlin(o.place, o.seed));
   while (hn_next(o));
   return hn_i_value(hn_i_billows(hn_i_mean(o.sum)));
 }

@@ -72,7 +72,7 @@ HN_FN hn_vec2 hn_gradient(hn_ivec2 cell, hn_uint seed) {
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
   return hn_gradient2(hn_i_point(c, seed));
 #else
-  hn_uint s = hn_i_mix(seed);
+  hn_uint s = hn_i_scramble(seed);
   return hn_i_components(hn_i_gradient(hn_i_column_key(c.x, s), c.y));
 #endif
 }
@@ -82,7 +82,7 @@ HN_FN hn_vec3 hn_gradient(hn_ivec3 cell, hn_uint seed) {
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
   return hn_gradient3(hn_i_point(c, seed));
 #else
-  hn_uint s = hn_i_mix(seed);
+  hn_uint s = hn_i_scramble(seed);
   hn_uint column = hn_i_column_key(c.x, s);
   return hn_i_components(hn_i_gradient(column, hn_i_row_key(column, c.y), c.z));
 #endif

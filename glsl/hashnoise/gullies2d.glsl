@@ -61,7 +61,7 @@ HN_FN hn_vec3 hn_i_gullies(hn_octaves2 octaves, hn_vec2 slope, hn_float depth) {
     o.sum.footprint = hn_i_next_footprint(o.sum.footprint, o.lacunarity);
     more = hn_next(o);
   } while (more);
-  bool none = hn_i_truth(o.sum.octaves < 1);
+  bool none = hn_i_to_bool(o.sum.octaves < 1);
   hn_i_num height = hn_i_select(none, HN_I_NO_WEIGHT, hn_i_coarse(hn_i_wide_times(hn_i_finite(o.sum.value), deep)));
   return vec3(hn_i_value(height), hn_i_added_slope(hn_i_select(none, before.x, x), before.x),
               hn_i_added_slope(hn_i_select(none, before.y, y), before.y));

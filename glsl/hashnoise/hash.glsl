@@ -15,18 +15,26 @@
 #include "detail/word.glsl"
 
 // The hash of a lattice point and a seed.
-HN_FN hn_uint hn_i_point(hn_uvec2 cell, hn_uint seed) { return hn_i_seeded_word(hn_i_spread(cell), hn_i_mix(seed)); }
+HN_FN hn_uint hn_i_point(hn_uvec2 cell, hn_uint seed) {
+  return hn_i_seeded_hash(hn_i_spread(cell), hn_i_scramble(seed));
+}
 // Generated for 1, 3 and 4 dimensions from the lines above.
-HN_FN hn_uint hn_i_point(hn_uint cell, hn_uint seed) { return hn_i_seeded_word(hn_i_spread(cell), hn_i_mix(seed)); }
-HN_FN hn_uint hn_i_point(hn_uvec3 cell, hn_uint seed) { return hn_i_seeded_word(hn_i_spread(cell), hn_i_mix(seed)); }
-HN_FN hn_uint hn_i_point(hn_uvec4 cell, hn_uint seed) { return hn_i_seeded_word(hn_i_spread(cell), hn_i_mix(seed)); }
+HN_FN hn_uint hn_i_point(hn_uint cell, hn_uint seed) {
+  return hn_i_seeded_hash(hn_i_spread(cell), hn_i_scramble(seed));
+}
+HN_FN hn_uint hn_i_point(hn_uvec3 cell, hn_uint seed) {
+  return hn_i_seeded_hash(hn_i_spread(cell), hn_i_scramble(seed));
+}
+HN_FN hn_uint hn_i_point(hn_uvec4 cell, hn_uint seed) {
+  return hn_i_seeded_hash(hn_i_spread(cell), hn_i_scramble(seed));
+}
 
 // hn_lattice of spread coordinates and the mixed seed s.
-HN_FN hn_uint hn_i_lattice(hn_uvec2 c, hn_uint s) { return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s)); }
+HN_FN hn_uint hn_i_lattice(hn_uvec2 c, hn_uint s) { return hn_i_scramble(hn_i_seeded_hash(c, s) + (hn_i_sum(c) + s)); }
 // Generated for 1, 3 and 4 dimensions from the lines above.
-HN_FN hn_uint hn_i_lattice(hn_uint c, hn_uint s) { return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s)); }
-HN_FN hn_uint hn_i_lattice(hn_uvec3 c, hn_uint s) { return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s)); }
-HN_FN hn_uint hn_i_lattice(hn_uvec4 c, hn_uint s) { return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s)); }
+HN_FN hn_uint hn_i_lattice(hn_uint c, hn_uint s) { return hn_i_scramble(hn_i_seeded_hash(c, s) + (hn_i_sum(c) + s)); }
+HN_FN hn_uint hn_i_lattice(hn_uvec3 c, hn_uint s) { return hn_i_scramble(hn_i_seeded_hash(c, s) + (hn_i_sum(c) + s)); }
+HN_FN hn_uint hn_i_lattice(hn_uvec4 c, hn_uint s) { return hn_i_scramble(hn_i_seeded_hash(c, s) + (hn_i_sum(c) + s)); }
 
 // The hash of a lattice point, to scatter and vary things: 32 well mixed bits, with any HN_HASH. It is mixed from the
 // hash that noises use and from the sum of the coordinates, since the former is 0 at one point in two million.
@@ -37,11 +45,19 @@ HN_FN hn_uint hn_i_lattice(hn_uvec4 c, hn_uint s) { return hn_i_mix(hn_i_seeded_
 //   period   2^32 along each axis
 //   cost     1 hash (none with HN_HASH_LATTICE); 1 multiplication per axis and 3 more; 2 more for a seed that is not
 //            constant
-HN_FN hn_uint hn_lattice(hn_ivec2 cell, hn_uint seed) { return hn_i_lattice(hn_i_spread(uvec2(cell)), hn_i_mix(seed)); }
+HN_FN hn_uint hn_lattice(hn_ivec2 cell, hn_uint seed) {
+  return hn_i_lattice(hn_i_spread(uvec2(cell)), hn_i_scramble(seed));
+}
 // Generated for 1, 3 and 4 dimensions from the lines above.
-HN_FN hn_uint hn_lattice(hn_int cell, hn_uint seed) { return hn_i_lattice(hn_i_spread(uint(cell)), hn_i_mix(seed)); }
-HN_FN hn_uint hn_lattice(hn_ivec3 cell, hn_uint seed) { return hn_i_lattice(hn_i_spread(uvec3(cell)), hn_i_mix(seed)); }
-HN_FN hn_uint hn_lattice(hn_ivec4 cell, hn_uint seed) { return hn_i_lattice(hn_i_spread(uvec4(cell)), hn_i_mix(seed)); }
+HN_FN hn_uint hn_lattice(hn_int cell, hn_uint seed) {
+  return hn_i_lattice(hn_i_spread(uint(cell)), hn_i_scramble(seed));
+}
+HN_FN hn_uint hn_lattice(hn_ivec3 cell, hn_uint seed) {
+  return hn_i_lattice(hn_i_spread(uvec3(cell)), hn_i_scramble(seed));
+}
+HN_FN hn_uint hn_lattice(hn_ivec4 cell, hn_uint seed) {
+  return hn_i_lattice(hn_i_spread(uvec4(cell)), hn_i_scramble(seed));
+}
 
 HN_FN hn_uint hn_lattice(hn_ivec2 cell) { return hn_lattice(cell, 0u); }
 // Generated for 1, 3 and 4 dimensions from the lines above.

@@ -54,7 +54,7 @@ HN_FN hn_hexes hn_hex_tiling(hn_place2 place, hn_uint seed) {
   hn_i_num v = hn_i_fract(skewed.y);
   hn_i_num most = max(u, v);
   hn_i_num least = min(u, v);
-  hn_uint s = hn_i_mix(seed);
+  hn_uint s = hn_i_scramble(seed);
   HN_I_NEW(hn_hexes, hexes);
   hexes.weights = vec3(hn_i_fraction_to_float(hn_i_minus(HN_I_ONE, most)),
                        hn_i_fraction_to_float(hn_i_minus(most, least)), hn_i_fraction_to_float(least));

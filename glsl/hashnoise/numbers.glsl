@@ -29,7 +29,7 @@
 //   returns  any uint; for each k a bijection of h
 //   cost     2 multiplications; 1 more for a k that is not constant
 //   source   docs/reference/contract.md, section 18
-HN_FN hn_uint hn_rehash(hn_uint h, hn_uint k) { return hn_i_mix(h + k * HN_I_SEED_STEP); }
+HN_FN hn_uint hn_rehash(hn_uint h, hn_uint k) { return hn_i_scramble(h + k * HN_I_SEED_STEP); }
 
 // Two uniform numbers: a point of the unit square.
 //   h        any uint
@@ -165,7 +165,7 @@ HN_FN hn_vec3 hn_ball(hn_uint h) {
 // A round permutes the numbers of as many bits as `most` has, which are all set: it folds the high ones onto the low
 // ones, and multiplies by an odd number.
 HN_FN hn_uint hn_i_shuffle_round(hn_uint x, hn_uint shift, hn_uint key, hn_uint most) {
-  hn_uint a = hn_i_mix(key);
+  hn_uint a = hn_i_scramble(key);
   return ((x ^ (x >> shift)) * (a | 1u) + (a >> 16u)) & most;
 }
 
@@ -189,7 +189,7 @@ HN_FN hn_uint hn_shuffle(hn_uint i, hn_uint n, hn_uint seed) {
   most |= most >> 8u;
   most |= most >> 16u;
   hn_uint half_of_bits = (hn_i_sum_of_bytes(hn_i_bits_of_bytes(most)) + 1u) >> 1u;
-  hn_uint s = hn_i_mix(seed);
+  hn_uint s = hn_i_scramble(seed);
   hn_uint x = i - i / size * size;
   hn_uint value = 0xFFFFFFFFu;  // beyond, until there is one
   // A step permutes the numbers up to `most`. Its cycle through a number below `size` comes back to one, so this ends.
@@ -247,7 +247,7 @@ HN_FN hn_uint hn_i_pascal(hn_uint i) {
 //   cost     20 multiplications, and 2 of floats. 8 less for a seed that is constant
 //   source   Sobol; Owen 1995; Laine and Karras 2011; Vegdahl's constants; docs/reference/contract.md, section 18
 HN_FN hn_vec2 hn_sobol(hn_uint i, hn_uint seed) {
-  hn_uint s = hn_i_mix(seed);
+  hn_uint s = hn_i_scramble(seed);
   hn_uint j = hn_i_reversed(hn_i_owen(hn_i_reversed(i), hn_rehash(s, 3u)));
   hn_uint x = hn_i_reversed(hn_i_owen(j, hn_rehash(s, 1u)));
   hn_uint y = hn_i_reversed(hn_i_owen(hn_i_pascal(j), hn_rehash(s, 2u)));

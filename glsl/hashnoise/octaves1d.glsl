@@ -27,18 +27,18 @@ struct hn_octaves1 {
   hn_uint seed;
   hn_i_octave_sum sum;
   hn_float lacunarity;
-  hn_ivec2 x;  // whole positions, along each axis (octave.glsl)
+  hn_ivec2 x;  // fixed-point positions, along each axis (octave.glsl)
 #if HN_ARITHMETIC != HN_FIXED
   hn_float p;  // or a position in floats
-  bool is_whole;
+  bool is_fixed_point;
 #endif
 };
 
-// Puts the place where the whole position is. Neither this nor hn_next touches what a period is made of where there is
-// none: compilers could no longer see that there is none.
+// Puts the place where the fixed-point position is. Neither this nor hn_next touches what a period is made of where
+// there is none: compilers could no longer see that there is none.
 HN_FN void hn_i_update_place(HN_I_INOUT(hn_octaves1) o) {
   o.place.cell = o.x.x;
-  o.place.fraction = hn_i_whole_fraction(o.x);
+  o.place.fraction = hn_i_fixed_fraction(o.x);
   o.place.rest = HN_I_REST(o.x.y & 15);
 }
 
@@ -48,20 +48,20 @@ HN_FN hn_octaves1 hn_i_octaves(hn_place1 place, hn_int octaves, hn_float lacunar
   o.seed = seed;
   o.sum = hn_i_empty_sum(octaves, gain);
   o.lacunarity = lacunarity;
-  o.x = hn_i_whole(place.cell, place.fraction, place.rest);
+  o.x = hn_i_fixed_position(place.cell, place.fraction, place.rest);
 #if HN_ARITHMETIC != HN_FIXED
   o.p = 0.0f;
-  o.is_whole = true;
+  o.is_fixed_point = true;
 #endif
   return o;
 }
 
 #if HN_ARITHMETIC != HN_FIXED
 // The position of the next octave.
-HN_FN hn_float hn_i_next(hn_float q, hn_float lacunarity) { return hn_i_times_plus(q, lacunarity, 11.0f / 32.0f); }
+HN_FN hn_float hn_i_next(hn_float q, hn_float lacunarity) { return hn_i_multiply_add(q, lacunarity, 11.0f / 32.0f); }
 #endif
 
-// Advances to the whole position of the next octave. A tile must not rotate, as it would not fit itself.
+// Advances to the fixed-point position of the next octave. A tile must not rotate, as it would not fit itself.
 HN_FN void hn_i_advance(HN_I_INOUT(hn_octaves1) o) {
   hn_uint ratio = hn_i_ratio(o.lacunarity);
   o.x = hn_i_shifted(hn_i_times_ratio(o.x, ratio), HN_I_SHIFT_X);
@@ -105,7 +105,7 @@ HN_FN hn_octaves1 hn_octaves(hn_float p, hn_int octaves, hn_float lacunarity, hn
   hn_float start = hn_i_flushed_position(p);
   hn_octaves1 o = hn_i_octaves(hn_place(start), octaves, lacunarity, gain, seed);
   o.p = start;
-  o.is_whole = false;
+  o.is_fixed_point = false;
   return o;
 }
 #endif
@@ -143,7 +143,7 @@ HN_FN hn_octaves1 hn_octaves(hn_float p, hn_float footprint, hn_int octaves, hn_
 //   source   as of hn_octaves
 HN_FN bool hn_next(HN_I_INOUT(hn_octaves1) o) {
   o.sum.at += 1;
-  bool more = hn_i_truth(o.sum.at < o.sum.octaves);
+  bool more = hn_i_to_bool(o.sum.at < o.sum.octaves);
 #ifdef __cplusplus
   if (!more) return false;  // behind the last octave a position may not fit an int; a GPU needs no branch
 #endif
@@ -152,7 +152,7 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves1) o) {
 #if HN_ARITHMETIC == HN_FIXED
   hn_i_advance(o);
 #else
-  if (o.is_whole) {
+  if (o.is_fixed_point) {
     hn_i_advance(o);
   } else {
     o.p = hn_i_next(o.p, o.lacunarity);
@@ -179,14 +179,14 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves1) o) {
 //   cost      1 to 10 operations
 //   source    docs/reference/contract.md, section 7
 HN_FN void hn_add(HN_I_INOUT(hn_octaves1) o, hn_float n) { o.sum = hn_i_add_noise(o.sum, n); }
-HN_FN void hn_add_turbulence(HN_I_INOUT(hn_octaves1) o, hn_float n) { o.sum = hn_i_add_size(o.sum, n); }
-HN_FN void hn_add_ridged(HN_I_INOUT(hn_octaves1) o, hn_float n) { o.sum = hn_i_add_ridge(o.sum, n); }
-HN_FN void hn_add_hybrid(HN_I_INOUT(hn_octaves1) o, hn_float n) { o.sum = hn_i_add_height(o.sum, n); }
+HN_FN void hn_add_turbulence(HN_I_INOUT(hn_octaves1) o, hn_float n) { o.sum = hn_i_add_turbulence(o.sum, n); }
+HN_FN void hn_add_ridged(HN_I_INOUT(hn_octaves1) o, hn_float n) { o.sum = hn_i_add_ridged(o.sum, n); }
+HN_FN void hn_add_hybrid(HN_I_INOUT(hn_octaves1) o, hn_float n) { o.sum = hn_i_add_hybrid(o.sum, n); }
 HN_FN void hn_add_ping_pong(HN_I_INOUT(hn_octaves1) o, hn_float n, hn_float strength) {
-  o.sum = hn_i_add_wave(o.sum, n, strength);
+  o.sum = hn_i_add_ping_pong(o.sum, n, strength);
 }
 HN_FN void hn_add_weighted(HN_I_INOUT(hn_octaves1) o, hn_float n, hn_float strength) {
-  o.sum = hn_i_add_bent(o.sum, n, strength);
+  o.sum = hn_i_add_weighted(o.sum, n, strength);
 }
 // tools/make catalog: end
 
@@ -195,9 +195,9 @@ HN_FN void hn_add_weighted(HN_I_INOUT(hn_octaves1) o, hn_float n, hn_float stren
 //   (other parameters, error, cost and source as above)
 //   example   do hn_add_detail(o, hn_value(o.place, o.seed)); while (hn_next(o));
 //   returns   nothing: the octaves hold the result so far
-HN_FN void hn_add_detail(HN_I_INOUT(hn_octaves1) o, hn_float n) { o.sum = hn_i_add_part(o.sum, n); }
+HN_FN void hn_add_detail(HN_I_INOUT(hn_octaves1) o, hn_float n) { o.sum = hn_i_add_detail(o.sum, n); }
 HN_FN void hn_add_footprint(HN_I_INOUT(hn_octaves1) o, hn_float n) {
-  o.sum = hn_i_add_resolved(o.sum, n, o.lacunarity);
+  o.sum = hn_i_add_footprint(o.sum, n, o.lacunarity);
 }
 
 // The mean of the octaves by their weights.

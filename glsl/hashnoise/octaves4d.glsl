@@ -29,22 +29,22 @@ struct hn_octaves4 {
   hn_uint seed;
   hn_i_octave_sum sum;
   hn_float lacunarity;
-  hn_ivec2 x;  // whole positions, along each axis (octave.glsl)
+  hn_ivec2 x;  // fixed-point positions, along each axis (octave.glsl)
   hn_ivec2 y;
   hn_ivec2 z;
   hn_ivec2 w;
 #if HN_ARITHMETIC != HN_FIXED
   hn_vec4 p;  // or a position in floats
-  bool is_whole;
+  bool is_fixed_point;
 #endif
 };
 
-// Puts the place where the whole position is. Neither this nor hn_next touches what a period is made of where there is
-// none: compilers could no longer see that there is none.
+// Puts the place where the fixed-point position is. Neither this nor hn_next touches what a period is made of where
+// there is none: compilers could no longer see that there is none.
 HN_FN void hn_i_update_place(HN_I_INOUT(hn_octaves4) o) {
   o.place.cell = ivec4(o.x.x, o.y.x, o.z.x, o.w.x);
-  o.place.fraction = hn_i_vector(hn_i_whole_fraction(o.x), hn_i_whole_fraction(o.y), hn_i_whole_fraction(o.z),
-                                 hn_i_whole_fraction(o.w));
+  o.place.fraction = hn_i_vector(hn_i_fixed_fraction(o.x), hn_i_fixed_fraction(o.y), hn_i_fixed_fraction(o.z),
+                                 hn_i_fixed_fraction(o.w));
   o.place.rest = ivec4(HN_I_REST(o.x.y & 15), HN_I_REST(o.y.y & 15), HN_I_REST(o.z.y & 15), HN_I_REST(o.w.y & 15));
 }
 
@@ -54,13 +54,13 @@ HN_FN hn_octaves4 hn_i_octaves(hn_place4 place, hn_int octaves, hn_float lacunar
   o.seed = seed;
   o.sum = hn_i_empty_sum(octaves, gain);
   o.lacunarity = lacunarity;
-  o.x = hn_i_whole(place.cell.x, place.fraction.x, place.rest.x);
-  o.y = hn_i_whole(place.cell.y, place.fraction.y, place.rest.y);
-  o.z = hn_i_whole(place.cell.z, place.fraction.z, place.rest.z);
-  o.w = hn_i_whole(place.cell.w, place.fraction.w, place.rest.w);
+  o.x = hn_i_fixed_position(place.cell.x, place.fraction.x, place.rest.x);
+  o.y = hn_i_fixed_position(place.cell.y, place.fraction.y, place.rest.y);
+  o.z = hn_i_fixed_position(place.cell.z, place.fraction.z, place.rest.z);
+  o.w = hn_i_fixed_position(place.cell.w, place.fraction.w, place.rest.w);
 #if HN_ARITHMETIC != HN_FIXED
   o.p = vec4(0.0f, 0.0f, 0.0f, 0.0f);
-  o.is_whole = true;
+  o.is_fixed_point = true;
 #endif
   return o;
 }
@@ -83,7 +83,7 @@ HN_FN hn_vec4 hn_i_next(hn_vec4 q, hn_float lacunarity) {
 }
 #endif
 
-// Advances to the whole position of the next octave. A tile must not rotate, as it would not fit itself.
+// Advances to the fixed-point position of the next octave. A tile must not rotate, as it would not fit itself.
 HN_FN void hn_i_advance(HN_I_INOUT(hn_octaves4) o) {
   hn_uint ratio = hn_i_ratio(o.lacunarity);
   hn_ivec2 x = hn_i_times_ratio(o.x, ratio);
@@ -146,7 +146,7 @@ HN_FN hn_octaves4 hn_octaves(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_
   hn_vec4 start = hn_i_flushed_position(p);
   hn_octaves4 o = hn_i_octaves(hn_place(start), octaves, lacunarity, gain, seed);
   o.p = start;
-  o.is_whole = false;
+  o.is_fixed_point = false;
   return o;
 }
 #endif
@@ -184,7 +184,7 @@ HN_FN hn_octaves4 hn_octaves(hn_vec4 p, hn_float footprint, hn_int octaves, hn_f
 //   source   as of hn_octaves
 HN_FN bool hn_next(HN_I_INOUT(hn_octaves4) o) {
   o.sum.at += 1;
-  bool more = hn_i_truth(o.sum.at < o.sum.octaves);
+  bool more = hn_i_to_bool(o.sum.at < o.sum.octaves);
 #ifdef __cplusplus
   if (!more) return false;  // behind the last octave a position may not fit an int; a GPU needs no branch
 #endif
@@ -193,7 +193,7 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves4) o) {
 #if HN_ARITHMETIC == HN_FIXED
   hn_i_advance(o);
 #else
-  if (o.is_whole) {
+  if (o.is_fixed_point) {
     hn_i_advance(o);
   } else {
     o.p = hn_i_next(o.p, o.lacunarity);
@@ -220,14 +220,14 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves4) o) {
 //   cost      1 to 10 operations
 //   source    docs/reference/contract.md, section 7
 HN_FN void hn_add(HN_I_INOUT(hn_octaves4) o, hn_float n) { o.sum = hn_i_add_noise(o.sum, n); }
-HN_FN void hn_add_turbulence(HN_I_INOUT(hn_octaves4) o, hn_float n) { o.sum = hn_i_add_size(o.sum, n); }
-HN_FN void hn_add_ridged(HN_I_INOUT(hn_octaves4) o, hn_float n) { o.sum = hn_i_add_ridge(o.sum, n); }
-HN_FN void hn_add_hybrid(HN_I_INOUT(hn_octaves4) o, hn_float n) { o.sum = hn_i_add_height(o.sum, n); }
+HN_FN void hn_add_turbulence(HN_I_INOUT(hn_octaves4) o, hn_float n) { o.sum = hn_i_add_turbulence(o.sum, n); }
+HN_FN void hn_add_ridged(HN_I_INOUT(hn_octaves4) o, hn_float n) { o.sum = hn_i_add_ridged(o.sum, n); }
+HN_FN void hn_add_hybrid(HN_I_INOUT(hn_octaves4) o, hn_float n) { o.sum = hn_i_add_hybrid(o.sum, n); }
 HN_FN void hn_add_ping_pong(HN_I_INOUT(hn_octaves4) o, hn_float n, hn_float strength) {
-  o.sum = hn_i_add_wave(o.sum, n, strength);
+  o.sum = hn_i_add_ping_pong(o.sum, n, strength);
 }
 HN_FN void hn_add_weighted(HN_I_INOUT(hn_octaves4) o, hn_float n, hn_float strength) {
-  o.sum = hn_i_add_bent(o.sum, n, strength);
+  o.sum = hn_i_add_weighted(o.sum, n, strength);
 }
 // tools/make catalog: end
 
@@ -236,9 +236,9 @@ HN_FN void hn_add_weighted(HN_I_INOUT(hn_octaves4) o, hn_float n, hn_float stren
 //   (other parameters, error, cost and source as above)
 //   example   do hn_add_detail(o, hn_value(o.place, o.seed)); while (hn_next(o));
 //   returns   nothing: the octaves hold the result so far
-HN_FN void hn_add_detail(HN_I_INOUT(hn_octaves4) o, hn_float n) { o.sum = hn_i_add_part(o.sum, n); }
+HN_FN void hn_add_detail(HN_I_INOUT(hn_octaves4) o, hn_float n) { o.sum = hn_i_add_detail(o.sum, n); }
 HN_FN void hn_add_footprint(HN_I_INOUT(hn_octaves4) o, hn_float n) {
-  o.sum = hn_i_add_resolved(o.sum, n, o.lacunarity);
+  o.sum = hn_i_add_footprint(o.sum, n, o.lacunarity);
 }
 
 // The mean of the octaves by their weights.

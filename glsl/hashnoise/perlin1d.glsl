@@ -11,8 +11,8 @@
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_i_num hn_i_perlin(hn_i_box1 box, hn_i_num f, hn_uint seed) {
-  hn_uvec2 h = hn_i_corners(box, seed);
+HN_FN hn_i_num hn_i_perlin(hn_i_cell_corners1 corners, hn_i_num f, hn_uint seed) {
+  hn_uvec2 h = hn_i_corner_hashes(corners, seed);
   hn_i_num left = hn_i_ramp1(hn_i_gradient1(h.x), f);
   hn_i_num right = hn_i_ramp1(hn_i_gradient1(h.y), hn_i_minus_one(f));
   return hn_i_scaled1(hn_i_lerp(left, right, hn_i_fade(f)));
@@ -34,7 +34,7 @@ HN_FN hn_i_num hn_i_perlin(hn_i_box1 box, hn_i_num f, hn_uint seed) {
 //            for a seed that is not constant
 //   source   Perlin, "Improving noise", 2002
 HN_FN hn_float hn_perlin(hn_place1 place, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(hn_i_box(place), place.fraction, seed));
+  return hn_i_value(hn_i_perlin(hn_i_cell_corners(place), place.fraction, seed));
 }
 HN_FN hn_float hn_perlin(hn_float p, hn_uint seed) { return hn_perlin(hn_place(p), seed); }
 HN_FN hn_float hn_perlin(hn_float p) { return hn_perlin(p, 0u); }

@@ -11,10 +11,10 @@
 #endif
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_i_num hn_i_perlin(hn_i_box2 box, hn_i_num2 f, hn_uint seed) {
-  hn_i_num4 n = hn_i_ramps(box, f, seed);
+HN_FN hn_i_num hn_i_perlin(hn_i_cell_corners2 corners, hn_i_num2 f, hn_uint seed) {
+  hn_i_num4 n = hn_i_ramps(corners, f, seed);
   hn_i_num2 t = hn_i_fade(f);
-  return hn_i_scaled2(hn_i_face2(n, t.x, t.y));
+  return hn_i_scaled2(hn_i_bilerp_ramps2(n, t.x, t.y));
 }
 
 // Perlin noise on the plane: smooth hills and valleys, about one to a cell, and 0 at whole positions. It is gradient
@@ -35,7 +35,7 @@ HN_FN hn_i_num hn_i_perlin(hn_i_box2 box, hn_i_num2 f, hn_uint seed) {
 //            them of floats
 //   source   Valdenegro-Toro and Pincheira, sec. 5; Perlin, "Improving noise", 2002
 HN_FN hn_float hn_perlin(hn_place2 place, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(hn_i_box(place), place.fraction, seed));
+  return hn_i_value(hn_i_perlin(hn_i_cell_corners(place), place.fraction, seed));
 }
 HN_FN hn_float hn_perlin(hn_vec2 p, hn_uint seed) { return hn_perlin(hn_place(p), seed); }
 HN_FN hn_float hn_perlin(hn_vec2 p) { return hn_perlin(p, 0u); }

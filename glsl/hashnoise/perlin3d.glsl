@@ -11,10 +11,10 @@
 #endif
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_i_num hn_i_perlin(hn_i_box3 box, hn_i_num3 f, hn_uint seed) {
+HN_FN hn_i_num hn_i_perlin(hn_i_cell_corners3 corners, hn_i_num3 f, hn_uint seed) {
   hn_i_num3 t = hn_i_fade(f);
-  hn_i_num front = hn_i_face3(hn_i_ramps(box, f, false, seed), t.x, t.y);
-  hn_i_num back = hn_i_face3(hn_i_ramps(box, f, true, seed), t.x, t.y);
+  hn_i_num front = hn_i_bilerp_ramps3(hn_i_ramps(corners, f, false, seed), t.x, t.y);
+  hn_i_num back = hn_i_bilerp_ramps3(hn_i_ramps(corners, f, true, seed), t.x, t.y);
   return hn_i_scaled3(hn_i_lerp(front, back, t.z));
 }
 
@@ -36,7 +36,7 @@ HN_FN hn_i_num hn_i_perlin(hn_i_box3 box, hn_i_num3 f, hn_uint seed) {
 //            them of floats
 //   source   Valdenegro-Toro and Pincheira, sec. 5; Perlin, "Improving noise", 2002
 HN_FN hn_float hn_perlin(hn_place3 place, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(hn_i_box(place), place.fraction, seed));
+  return hn_i_value(hn_i_perlin(hn_i_cell_corners(place), place.fraction, seed));
 }
 HN_FN hn_float hn_perlin(hn_vec3 p, hn_uint seed) { return hn_perlin(hn_place(p), seed); }
 HN_FN hn_float hn_perlin(hn_vec3 p) { return hn_perlin(p, 0u); }

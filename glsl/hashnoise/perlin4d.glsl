@@ -15,19 +15,19 @@
 HN_FN hn_i_num hn_i_square_of_ramps(hn_uvec4 h, hn_i_num4 f, hn_i_num z, hn_i_num w, hn_i_num4 t) {
   hn_i_num x = hn_i_minus_one(f.x);
   hn_i_num y = hn_i_minus_one(f.y);
-  return hn_i_lerp(hn_i_edge4(hn_i_along4(h.x, f.x, f.y, z, w), hn_i_along4(h.y, x, f.y, z, w), t.x),
-                   hn_i_edge4(hn_i_along4(h.z, f.x, y, z, w), hn_i_along4(h.w, x, y, z, w), t.x), t.y);
+  return hn_i_lerp(hn_i_lerp_ramps4(hn_i_along4(h.x, f.x, f.y, z, w), hn_i_along4(h.y, x, f.y, z, w), t.x),
+                   hn_i_lerp_ramps4(hn_i_along4(h.z, f.x, y, z, w), hn_i_along4(h.w, x, y, z, w), t.x), t.y);
 }
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_i_num hn_i_perlin(hn_i_box4 box, hn_i_num4 f, hn_uint seed) {
+HN_FN hn_i_num hn_i_perlin(hn_i_cell_corners4 corners, hn_i_num4 f, hn_uint seed) {
   hn_i_num4 t = hn_i_fade(f);
   hn_i_num z = hn_i_minus_one(f.z);
   hn_i_num w = hn_i_minus_one(f.w);
-  hn_i_num4 n = hn_i_vector(hn_i_square_of_ramps(hn_i_corners(box, false, false, seed), f, f.z, f.w, t),
-                            hn_i_square_of_ramps(hn_i_corners(box, true, false, seed), f, z, f.w, t),
-                            hn_i_square_of_ramps(hn_i_corners(box, false, true, seed), f, f.z, w, t),
-                            hn_i_square_of_ramps(hn_i_corners(box, true, true, seed), f, z, w, t));
+  hn_i_num4 n = hn_i_vector(hn_i_square_of_ramps(hn_i_corner_hashes(corners, false, false, seed), f, f.z, f.w, t),
+                            hn_i_square_of_ramps(hn_i_corner_hashes(corners, true, false, seed), f, z, f.w, t),
+                            hn_i_square_of_ramps(hn_i_corner_hashes(corners, false, true, seed), f, f.z, w, t),
+                            hn_i_square_of_ramps(hn_i_corner_hashes(corners, true, true, seed), f, z, w, t));
   return hn_i_scaled4(hn_i_lerp(n, t.z, t.w));
 }
 
@@ -47,7 +47,7 @@ HN_FN hn_i_num hn_i_perlin(hn_i_box4 box, hn_i_num4 f, hn_uint seed) {
 //            for a seed that is not constant
 //   source   Perlin, "Improving noise", 2002
 HN_FN hn_float hn_perlin(hn_place4 place, hn_uint seed) {
-  return hn_i_value(hn_i_perlin(hn_i_box(place), place.fraction, seed));
+  return hn_i_value(hn_i_perlin(hn_i_cell_corners(place), place.fraction, seed));
 }
 HN_FN hn_float hn_perlin(hn_vec4 p, hn_uint seed) { return hn_perlin(hn_place(p), seed); }
 HN_FN hn_float hn_perlin(hn_vec4 p) { return hn_perlin(p, 0u); }

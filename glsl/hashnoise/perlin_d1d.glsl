@@ -12,8 +12,8 @@
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
 // The noise and its derivative.
-HN_FN hn_vec2 hn_i_perlin_d(hn_i_box1 box, hn_i_num f, hn_uint seed) {
-  hn_uvec2 h = hn_i_corners(box, seed);
+HN_FN hn_vec2 hn_i_perlin_d(hn_i_cell_corners1 corners, hn_i_num f, hn_uint seed) {
+  hn_uvec2 h = hn_i_corner_hashes(corners, seed);
   hn_i_num a = hn_i_gradient1(h.x);
   hn_i_num b = hn_i_gradient1(h.y);
   hn_i_num left = hn_i_ramp1(a, f);
@@ -37,7 +37,7 @@ HN_FN hn_vec2 hn_i_perlin_d(hn_i_box1 box, hn_i_num f, hn_uint seed) {
 //   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 10
 HN_FN hn_vec2 hn_perlin_d(hn_place1 place, hn_uint seed) {
-  return hn_i_perlin_d(hn_i_box(place), place.fraction, seed);
+  return hn_i_perlin_d(hn_i_cell_corners(place), place.fraction, seed);
 }
 HN_FN hn_vec2 hn_perlin_d(hn_float p, hn_uint seed) { return hn_perlin_d(hn_place(p), seed); }
 HN_FN hn_vec2 hn_perlin_d(hn_float p) { return hn_perlin_d(p, 0u); }

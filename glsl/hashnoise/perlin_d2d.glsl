@@ -13,9 +13,10 @@
 
 // The share of two corners along x: the interpolated ramp, its derivative along x, and what the gradients' other
 // components add. a and b are the ramps, g and h the gradients, t the fade and s its slope.
-HN_FN hn_i_num3 hn_i_edge_d(hn_i_num a, hn_i_num b, hn_vec2 g, hn_vec2 h, hn_i_num t, hn_i_num s) {
+HN_FN hn_i_num3 hn_i_lerp_ramps_d(hn_i_num a, hn_i_num b, hn_vec2 g, hn_vec2 h, hn_i_num t, hn_i_num s) {
   hn_float e = hn_i_exact(t);
-  return hn_i_vector(hn_i_edge2(a, b, t), hn_i_d_faded(hn_i_lerp_components(g.x, h.x, e), hn_i_d_edge2(a, b), s),
+  return hn_i_vector(hn_i_lerp_ramps2(a, b, t),
+                     hn_i_d_faded(hn_i_lerp_components(g.x, h.x, e), hn_i_ramp_difference2(a, b), s),
                      hn_i_lerp_components(g.y, h.y, e));
 }
 
@@ -23,8 +24,8 @@ HN_FN hn_i_num3 hn_i_edge_d(hn_i_num a, hn_i_num b, hn_vec2 g, hn_vec2 h, hn_i_n
 // gradients may be rotated by a quarter turn.
 HN_FN hn_i_num3 hn_i_perlin_d(hn_uvec4 h, hn_i_num2 f, hn_i_num2 t, hn_i_num2 s, bool turned) {
   hn_i_num4 r = hn_i_ramps(h, f, turned);
-  hn_i_num3 n0 = hn_i_edge_d(r.x, r.y, hn_i_direction2(h.x, turned), hn_i_direction2(h.y, turned), t.x, s.x);
-  hn_i_num3 n1 = hn_i_edge_d(r.z, r.w, hn_i_direction2(h.z, turned), hn_i_direction2(h.w, turned), t.x, s.x);
+  hn_i_num3 n0 = hn_i_lerp_ramps_d(r.x, r.y, hn_i_direction2(h.x, turned), hn_i_direction2(h.y, turned), t.x, s.x);
+  hn_i_num3 n1 = hn_i_lerp_ramps_d(r.z, r.w, hn_i_direction2(h.z, turned), hn_i_direction2(h.w, turned), t.x, s.x);
   return hn_i_vector(hn_i_lerp(n0.x, n1.x, t.y), hn_i_lerp(n0.y, n1.y, t.y),
                      hn_i_d_faded(hn_i_lerp(n0.z, n1.z, t.y), hn_i_d_corner(n0.x, n1.x), s.y));
 }
@@ -49,7 +50,7 @@ HN_FN hn_vec3 hn_i_perlin_d(hn_uvec4 h, hn_i_num2 f) {
 //   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 10
 HN_FN hn_vec3 hn_perlin_d(hn_place2 place, hn_uint seed) {
-  return hn_i_perlin_d(hn_i_corners(hn_i_box(place), seed), place.fraction);
+  return hn_i_perlin_d(hn_i_corner_hashes(hn_i_cell_corners(place), seed), place.fraction);
 }
 HN_FN hn_vec3 hn_perlin_d(hn_vec2 p, hn_uint seed) { return hn_perlin_d(hn_place(p), seed); }
 HN_FN hn_vec3 hn_perlin_d(hn_vec2 p) { return hn_perlin_d(p, 0u); }

@@ -13,15 +13,16 @@
 
 // The share of two corners along x: the interpolated ramp, its derivative along x, and what the gradients' other
 // components add. a and b are the ramps, g and h the gradients, t the fade and s its slope.
-HN_FN hn_i_num4 hn_i_edge_d(hn_i_num a, hn_i_num b, hn_vec3 g, hn_vec3 h, hn_i_num t, hn_i_num s) {
+HN_FN hn_i_num4 hn_i_lerp_ramps_d(hn_i_num a, hn_i_num b, hn_vec3 g, hn_vec3 h, hn_i_num t, hn_i_num s) {
   hn_float e = hn_i_exact(t);
-  return hn_i_vector(hn_i_edge3(a, b, t), hn_i_d_faded(hn_i_lerp_components(g.x, h.x, e), hn_i_d_edge3(a, b), s),
+  return hn_i_vector(hn_i_lerp_ramps3(a, b, t),
+                     hn_i_d_faded(hn_i_lerp_components(g.x, h.x, e), hn_i_ramp_difference3(a, b), s),
                      hn_i_lerp_components(g.y, h.y, e), hn_i_lerp_components(g.z, h.z, e));
 }
 
 // The share of a face, from the hashes of its corners: the interpolated ramp, its derivatives along x and y, and what
 // the gradients' last components add. The gradients may be rotated by a sixth of a turn.
-HN_FN hn_i_num4 hn_i_face_d(hn_uvec4 h, hn_i_num3 f, bool back, hn_i_num3 t, hn_i_num3 s, bool turned) {
+HN_FN hn_i_num4 hn_i_bilerp_ramps_d(hn_uvec4 h, hn_i_num3 f, bool back, hn_i_num3 t, hn_i_num3 s, bool turned) {
   hn_vec3 g00 = hn_i_direction3(h.x, turned);
   hn_vec3 g10 = hn_i_direction3(h.y, turned);
   hn_vec3 g01 = hn_i_direction3(h.z, turned);
@@ -31,8 +32,8 @@ HN_FN hn_i_num4 hn_i_face_d(hn_uvec4 h, hn_i_num3 f, bool back, hn_i_num3 t, hn_
   hn_float x1 = hn_i_far(x);
   hn_float y1 = hn_i_far(y);
   hn_float z = hn_i_offset(hn_i_select(back, hn_i_minus_one(f.z), f.z));
-  hn_i_num4 n0 = hn_i_edge_d(hn_i_along3(g00, x, y, z), hn_i_along3(g10, x1, y, z), g00, g10, t.x, s.x);
-  hn_i_num4 n1 = hn_i_edge_d(hn_i_along3(g01, x, y1, z), hn_i_along3(g11, x1, y1, z), g01, g11, t.x, s.x);
+  hn_i_num4 n0 = hn_i_lerp_ramps_d(hn_i_along3(g00, x, y, z), hn_i_along3(g10, x1, y, z), g00, g10, t.x, s.x);
+  hn_i_num4 n1 = hn_i_lerp_ramps_d(hn_i_along3(g01, x, y1, z), hn_i_along3(g11, x1, y1, z), g01, g11, t.x, s.x);
   return hn_i_vector(hn_i_lerp(n0.x, n1.x, t.y), hn_i_lerp(n0.y, n1.y, t.y),
                      hn_i_d_faded(hn_i_lerp(n0.z, n1.z, t.y), hn_i_d_corner(n0.x, n1.x), s.y),
                      hn_i_lerp(n0.w, n1.w, t.y));
@@ -41,8 +42,8 @@ HN_FN hn_i_num4 hn_i_face_d(hn_uvec4 h, hn_i_num3 f, bool back, hn_i_num3 t, hn_
 // The noise and its derivatives before they are scaled, from the hashes of the corners of both faces, the fades and
 // their slopes.
 HN_FN hn_i_num4 hn_i_perlin_d(hn_uvec4 a, hn_uvec4 b, hn_i_num3 f, hn_i_num3 t, hn_i_num3 s, bool turned) {
-  hn_i_num4 front = hn_i_face_d(a, f, false, t, s, turned);
-  hn_i_num4 back = hn_i_face_d(b, f, true, t, s, turned);
+  hn_i_num4 front = hn_i_bilerp_ramps_d(a, f, false, t, s, turned);
+  hn_i_num4 back = hn_i_bilerp_ramps_d(b, f, true, t, s, turned);
   return hn_i_vector(hn_i_lerp(front.x, back.x, t.z), hn_i_lerp(front.y, back.y, t.z), hn_i_lerp(front.z, back.z, t.z),
                      hn_i_d_faded(hn_i_lerp(front.w, back.w, t.z), hn_i_d_corner(front.x, back.x), s.z));
 }
@@ -62,10 +63,11 @@ HN_FN hn_vec4 hn_i_scaled_perlin_d(hn_i_num4 n) { return hn_i_scaled_d(n, 985); 
 //   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 10
 HN_FN hn_vec4 hn_perlin_d(hn_place3 place, hn_uint seed) {
-  hn_i_box3 box = hn_i_box(place);
+  hn_i_cell_corners3 corners = hn_i_cell_corners(place);
   hn_i_num3 f = place.fraction;
-  return hn_i_scaled_perlin_d(hn_i_perlin_d(hn_i_corners(box, false, seed), hn_i_corners(box, true, seed), f,
-                                            hn_i_fade(f), hn_i_d_fade(f), false));
+  return hn_i_scaled_perlin_d(hn_i_perlin_d(hn_i_corner_hashes(corners, false, seed),
+                                            hn_i_corner_hashes(corners, true, seed), f, hn_i_fade(f), hn_i_d_fade(f),
+                                            false));
 }
 HN_FN hn_vec4 hn_perlin_d(hn_vec3 p, hn_uint seed) { return hn_perlin_d(hn_place(p), seed); }
 HN_FN hn_vec4 hn_perlin_d(hn_vec3 p) { return hn_perlin_d(p, 0u); }

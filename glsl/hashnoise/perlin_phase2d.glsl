@@ -40,7 +40,8 @@ HN_FN hn_vec3 hn_i_perlin_phase_d(hn_uvec4 h, hn_i_num2 f, hn_i_num2 rotation) {
 //   cost     the hashes of hn_perlin, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/reference/contract.md, section 14
 HN_FN hn_float hn_perlin(hn_place2 place, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_perlin_phase(hn_i_corners(hn_i_box(place), seed), place.fraction, hn_i_rotation(phase)));
+  return hn_i_value(
+      hn_i_perlin_phase(hn_i_corner_hashes(hn_i_cell_corners(place), seed), place.fraction, hn_i_rotation(phase)));
 }
 HN_FN hn_float hn_perlin(hn_vec2 p, hn_float phase, hn_uint seed) { return hn_perlin(hn_place(p), phase, seed); }
 
@@ -51,7 +52,7 @@ HN_FN hn_float hn_perlin(hn_vec2 p, hn_float phase, hn_uint seed) { return hn_pe
 //   cost     as above, and about twice the rest
 //   (parameters as above)
 HN_FN hn_vec3 hn_perlin_d(hn_place2 place, hn_float phase, hn_uint seed) {
-  return hn_i_perlin_phase_d(hn_i_corners(hn_i_box(place), seed), place.fraction, hn_i_rotation(phase));
+  return hn_i_perlin_phase_d(hn_i_corner_hashes(hn_i_cell_corners(place), seed), place.fraction, hn_i_rotation(phase));
 }
 HN_FN hn_vec3 hn_perlin_d(hn_vec2 p, hn_float phase, hn_uint seed) { return hn_perlin_d(hn_place(p), phase, seed); }
 

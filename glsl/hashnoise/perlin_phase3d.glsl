@@ -12,18 +12,18 @@
 
 // The noise in the numbers of HN_ARITHMETIC. 879 / 1024 is below 1 / 1.1642: the largest value that it has before it is
 // scaled (tools/make bounds), where all gradients around a place are in the middle between two edges.
-HN_FN hn_i_num hn_i_perlin_phase(hn_i_box3 box, hn_i_num3 f, hn_i_num2 rotation, hn_uint seed) {
-  hn_uvec4 a = hn_i_corners(box, false, seed);
-  hn_uvec4 b = hn_i_corners(box, true, seed);
+HN_FN hn_i_num hn_i_perlin_phase(hn_i_cell_corners3 corners, hn_i_num3 f, hn_i_num2 rotation, hn_uint seed) {
+  hn_uvec4 a = hn_i_corner_hashes(corners, false, seed);
+  hn_uvec4 b = hn_i_corner_hashes(corners, true, seed);
   hn_i_num3 t = hn_i_fade(f);
   return hn_i_scaled(hn_i_mixed(rotation, hn_i_cell_of_ramps(a, b, f, t, false), hn_i_cell_of_ramps(a, b, f, t, true)),
                      879);
 }
 
 // The noise and its derivatives.
-HN_FN hn_vec4 hn_i_perlin_phase_d(hn_i_box3 box, hn_i_num3 f, hn_i_num2 rotation, hn_uint seed) {
-  hn_uvec4 a = hn_i_corners(box, false, seed);
-  hn_uvec4 b = hn_i_corners(box, true, seed);
+HN_FN hn_vec4 hn_i_perlin_phase_d(hn_i_cell_corners3 corners, hn_i_num3 f, hn_i_num2 rotation, hn_uint seed) {
+  hn_uvec4 a = hn_i_corner_hashes(corners, false, seed);
+  hn_uvec4 b = hn_i_corner_hashes(corners, true, seed);
   hn_i_num3 t = hn_i_fade(f);
   hn_i_num3 s = hn_i_d_fade(f);
   return hn_i_scaled_d(hn_i_mixed(rotation, hn_i_perlin_d(a, b, f, t, s, false), hn_i_perlin_d(a, b, f, t, s, true)),
@@ -47,7 +47,7 @@ HN_FN hn_vec4 hn_i_perlin_phase_d(hn_i_box3 box, hn_i_num3 f, hn_i_num2 rotation
 //   cost     the hashes of hn_perlin, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/reference/contract.md, section 14
 HN_FN hn_float hn_perlin(hn_place3 place, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_perlin_phase(hn_i_box(place), place.fraction, hn_i_rotation3(phase), seed));
+  return hn_i_value(hn_i_perlin_phase(hn_i_cell_corners(place), place.fraction, hn_i_rotation3(phase), seed));
 }
 HN_FN hn_float hn_perlin(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_perlin(hn_place(p), phase, seed); }
 
@@ -58,7 +58,7 @@ HN_FN hn_float hn_perlin(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_pe
 //   cost     as above, and about twice the rest
 //   (parameters as above)
 HN_FN hn_vec4 hn_perlin_d(hn_place3 place, hn_float phase, hn_uint seed) {
-  return hn_i_perlin_phase_d(hn_i_box(place), place.fraction, hn_i_rotation3(phase), seed);
+  return hn_i_perlin_phase_d(hn_i_cell_corners(place), place.fraction, hn_i_rotation3(phase), seed);
 }
 HN_FN hn_vec4 hn_perlin_d(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_perlin_d(hn_place(p), phase, seed); }
 

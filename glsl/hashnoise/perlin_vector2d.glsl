@@ -23,11 +23,11 @@
 //   cost     hn_perlin's, and the same again without the hashes; for each corner a multiplication more
 //   source   Perlin, "Improving noise", 2002; docs/reference/contract.md, section 22
 HN_FN hn_vec2 hn_perlin_vector(hn_place2 place, hn_uint seed) {
-  hn_uvec4 h = hn_i_corners(hn_i_box(place), seed);
+  hn_uvec4 h = hn_i_corner_hashes(hn_i_cell_corners(place), seed);
   hn_i_num2 f = place.fraction;
   hn_i_num2 t = hn_i_fade(f);
   return vec2(hn_i_value(hn_i_scaled2(hn_i_cell_of_ramps(h, f, t, false))),
-              hn_i_value(hn_i_scaled2(hn_i_cell_of_ramps(hn_i_words_of_y(h), f, t, false))));
+              hn_i_value(hn_i_scaled2(hn_i_cell_of_ramps(hn_i_hashes_of_y(h), f, t, false))));
 }
 HN_FN hn_vec2 hn_perlin_vector(hn_vec2 p, hn_uint seed) { return hn_perlin_vector(hn_place(p), seed); }
 HN_FN hn_vec2 hn_perlin_vector(hn_vec2 p) { return hn_perlin_vector(p, 0u); }

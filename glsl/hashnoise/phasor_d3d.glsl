@@ -55,7 +55,7 @@ HN_FN hn_derivatives2x3 hn_phasor_d(hn_place3 place, hn_vec3 wave, hn_float phas
   hn_i_num4 y;
   hn_i_num4 z;
   hn_i_num4 t;
-  hn_uvec4 h = hn_i_four_points(hn_i_block(place), place.fraction, seed, x, y, z, t);
+  hn_uvec4 h = hn_i_four_points(hn_i_neighbourhood(place), place.fraction, seed, x, y, z, t);
   hn_i_num3 k = hn_i_vector(hn_i_waves(wave.x), hn_i_waves(wave.y), hn_i_waves(wave.z));
   hn_uint angle = hn_i_angle(phase);
   hn_i_waves3 s = hn_i_waves_at(h.x + angle + hn_i_waves_from(k, x.x, y.x, z.x), x.x, y.x, z.x, t.x);

@@ -80,16 +80,16 @@ HN_FN hn_vec2 hn_scatter_point(hn_ivec2 cell, hn_uint seed) { return hn_scatter_
 //   cost     9 hashes (none with HN_HASH_LATTICE) and 80 multiplications
 //   source   Matern, "Spatial variation", 1960 (his second process); docs/reference/contract.md, section 19
 HN_FN hn_uint hn_scattered(hn_place2 place, hn_float radius, hn_uint seed) {
-  hn_i_block2 block = hn_i_block(place);
-  hn_uint s = hn_i_mix(seed);
-  hn_uint h = hn_i_lattice(block.cell, s);
+  hn_i_neighbourhood2 cells = hn_i_neighbourhood(place);
+  hn_uint s = hn_i_scramble(seed);
+  hn_uint h = hn_i_lattice(cells.cell, s);
   hn_ivec2 own = hn_i_candidate2(h);
   hn_uint reach = hn_i_square_of_reach(radius);
   hn_uint nearest = reach;
   for (hn_int j = -1; j <= 1; ++j) {
-    hn_uint y = hn_i_triple_at(hn_i_coordinates_y(block), j);
+    hn_uint y = hn_i_triple_at(hn_i_coordinates_y(cells), j);
     for (hn_int i = -1; i <= 1; ++i) {
-      hn_uint x = hn_i_triple_at(hn_i_coordinates_x(block), i);
+      hn_uint x = hn_i_triple_at(hn_i_coordinates_x(cells), i);
       hn_uint rival = hn_i_lattice(uvec2(x, y), s);
       hn_ivec2 other = hn_i_candidate2(rival);
       hn_uint square =
@@ -134,18 +134,18 @@ HN_FN hn_vec3 hn_scatter_point(hn_ivec3 cell, hn_uint seed) { return hn_scatter_
 //   cost     27 hashes (none with HN_HASH_LATTICE) and 330 multiplications
 //   source   Matern, "Spatial variation", 1960 (his second process); docs/reference/contract.md, section 19
 HN_FN hn_uint hn_scattered(hn_place3 place, hn_float radius, hn_uint seed) {
-  hn_i_block3 block = hn_i_block(place);
-  hn_uint s = hn_i_mix(seed);
-  hn_uint h = hn_i_lattice(block.cell, s);
+  hn_i_neighbourhood3 cells = hn_i_neighbourhood(place);
+  hn_uint s = hn_i_scramble(seed);
+  hn_uint h = hn_i_lattice(cells.cell, s);
   hn_ivec3 own = hn_i_candidate3(h);
   hn_uint reach = hn_i_square_of_reach(radius);
   hn_uint nearest = reach;
   for (hn_int k = -1; k <= 1; ++k) {
-    hn_uint z = hn_i_triple_at(hn_i_coordinates_z(block), k);
+    hn_uint z = hn_i_triple_at(hn_i_coordinates_z(cells), k);
     for (hn_int j = -1; j <= 1; ++j) {
-      hn_uint y = hn_i_triple_at(hn_i_coordinates_y(block), j);
+      hn_uint y = hn_i_triple_at(hn_i_coordinates_y(cells), j);
       for (hn_int i = -1; i <= 1; ++i) {
-        hn_uint x = hn_i_triple_at(hn_i_coordinates_x(block), i);
+        hn_uint x = hn_i_triple_at(hn_i_coordinates_x(cells), i);
         hn_uint rival = hn_i_lattice(uvec3(x, y, z), s);
         hn_ivec3 other = hn_i_candidate3(rival);
         hn_uint square = hn_i_square_below_cell(other.x - own.x + i * 32768) +

@@ -10,7 +10,7 @@
 // Multiplies a float by a power of two that makes a whole number of it, and returns that as a uint.
 HN_FN hn_uint hn_i_in_units(hn_float x, hn_float units) { return uint(int(x * units)); }
 
-HN_FN hn_uint hn_i_checked(hn_uint w, hn_uint n) { return hn_i_mix(w + n); }
+HN_FN hn_uint hn_i_checked(hn_uint w, hn_uint n) { return hn_i_scramble(w + n); }
 HN_FN hn_uint hn_i_checked(hn_uint w, hn_vec2 v, hn_float units) {
   return hn_i_checked(hn_i_checked(w, hn_i_in_units(v.x, units)), hn_i_in_units(v.y, units));
 }

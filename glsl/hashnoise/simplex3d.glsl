@@ -14,12 +14,12 @@ HN_FN hn_i_num hn_i_simplex(hn_uvec4 h, hn_i_num4 x, hn_i_num4 y, hn_i_num4 z, h
   n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of(h.z, x.z, y.z, z.z, turned), hn_i_weight4(t.z)));
   return hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of(h.w, x.w, y.w, z.w, turned), hn_i_weight4(t.w)));
 }
-HN_FN hn_i_num hn_i_simplex(hn_i_block3 block, hn_i_num3 f, hn_uint seed) {
+HN_FN hn_i_num hn_i_simplex(hn_i_neighbourhood3 cells, hn_i_num3 f, hn_uint seed) {
   hn_i_num4 x;
   hn_i_num4 y;
   hn_i_num4 z;
   hn_i_num4 t;
-  hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
+  hn_uvec4 h = hn_i_four_points(cells, f, seed, x, y, z, t);
   return hn_i_scaled_simplex3(hn_i_simplex(h, x, y, z, t, false));
 }
 
@@ -40,7 +40,7 @@ HN_FN hn_i_num hn_i_simplex(hn_i_block3 block, hn_i_num3 f, hn_uint seed) {
 //            for a seed that is not constant
 //   source   Perlin, "Noise hardware", 2001, for the sum over lattice points; docs/reference/contract.md, section 13
 HN_FN hn_float hn_simplex(hn_place3 place, hn_uint seed) {
-  return hn_i_value(hn_i_simplex(hn_i_block(place), place.fraction, seed));
+  return hn_i_value(hn_i_simplex(hn_i_neighbourhood(place), place.fraction, seed));
 }
 HN_FN hn_float hn_simplex(hn_vec3 p, hn_uint seed) { return hn_simplex(hn_place(p), seed); }
 HN_FN hn_float hn_simplex(hn_vec3 p) { return hn_simplex(p, 0u); }

@@ -7,13 +7,13 @@
 #include "detail/body_centred_lattice.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_i_num hn_i_simplex(hn_i_block4 block, hn_i_num4 f, hn_uint seed) {
+HN_FN hn_i_num hn_i_simplex(hn_i_neighbourhood4 cells, hn_i_num4 f, hn_uint seed) {
   hn_i_num4 x;
   hn_i_num4 y;
   hn_i_num4 z;
   hn_i_num4 w;
   hn_i_num4 t;
-  hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, w, t);
+  hn_uvec4 h = hn_i_four_points(cells, f, seed, x, y, z, w, t);
   hn_i_num n = hn_i_weighted_ramp(hn_i_ramp_of4(hn_i_along4(h.x, x.x, y.x, z.x, w.x)), hn_i_weight3(t.x));
   n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of4(hn_i_along4(h.y, x.y, y.y, z.y, w.y)), hn_i_weight3(t.y)));
   n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of4(hn_i_along4(h.z, x.z, y.z, z.z, w.z)), hn_i_weight3(t.z)));
@@ -38,7 +38,7 @@ HN_FN hn_i_num hn_i_simplex(hn_i_block4 block, hn_i_num4 f, hn_uint seed) {
 //            for a seed that is not constant
 //   source   Perlin, "Noise hardware", 2001, for the sum over lattice points; docs/reference/contract.md, section 13
 HN_FN hn_float hn_simplex(hn_place4 place, hn_uint seed) {
-  return hn_i_value(hn_i_simplex(hn_i_block(place), place.fraction, seed));
+  return hn_i_value(hn_i_simplex(hn_i_neighbourhood(place), place.fraction, seed));
 }
 HN_FN hn_float hn_simplex(hn_vec4 p, hn_uint seed) { return hn_simplex(hn_place(p), seed); }
 HN_FN hn_float hn_simplex(hn_vec4 p) { return hn_simplex(p, 0u); }

@@ -21,12 +21,12 @@ HN_FN hn_i_num4 hn_i_simplex_d(hn_uvec4 h, hn_i_num4 x, hn_i_num4 y, hn_i_num4 z
                    hn_i_weighted_ramp_d(h.w, x.w, y.w, z.w, t.w, turned));
 }
 HN_FN hn_vec4 hn_i_scaled_simplex_d(hn_i_num4 n) { return hn_i_scaled_d(n, 4918); }
-HN_FN hn_vec4 hn_i_simplex_d(hn_i_block3 block, hn_i_num3 f, hn_uint seed) {
+HN_FN hn_vec4 hn_i_simplex_d(hn_i_neighbourhood3 cells, hn_i_num3 f, hn_uint seed) {
   hn_i_num4 x;
   hn_i_num4 y;
   hn_i_num4 z;
   hn_i_num4 t;
-  hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
+  hn_uvec4 h = hn_i_four_points(cells, f, seed, x, y, z, t);
   return hn_i_scaled_simplex_d(hn_i_simplex_d(h, x, y, z, t, false));
 }
 
@@ -44,7 +44,7 @@ HN_FN hn_vec4 hn_i_simplex_d(hn_i_block3 block, hn_i_num3 f, hn_uint seed) {
 //   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and ramp; docs/reference/contract.md, section 13
 HN_FN hn_vec4 hn_simplex_d(hn_place3 place, hn_uint seed) {
-  return hn_i_simplex_d(hn_i_block(place), place.fraction, seed);
+  return hn_i_simplex_d(hn_i_neighbourhood(place), place.fraction, seed);
 }
 HN_FN hn_vec4 hn_simplex_d(hn_vec3 p, hn_uint seed) { return hn_simplex_d(hn_place(p), seed); }
 HN_FN hn_vec4 hn_simplex_d(hn_vec3 p) { return hn_simplex_d(p, 0u); }

@@ -15,13 +15,13 @@ HN_FN hn_i_num4 hn_i_weighted_ramp_d(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num
                      hn_i_d_weighted_ramp4(g.z, weight, k, z), hn_i_d_weighted_ramp4(g.w, weight, k, w));
 }
 
-HN_FN hn_derivatives4 hn_i_simplex_d(hn_i_block4 block, hn_i_num4 f, hn_uint seed) {
+HN_FN hn_derivatives4 hn_i_simplex_d(hn_i_neighbourhood4 cells, hn_i_num4 f, hn_uint seed) {
   hn_i_num4 x;
   hn_i_num4 y;
   hn_i_num4 z;
   hn_i_num4 w;
   hn_i_num4 t;
-  hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, w, t);
+  hn_uvec4 h = hn_i_four_points(cells, f, seed, x, y, z, w, t);
   hn_i_num4 corners =
       hn_i_plus(hn_i_weighted_ramp_d(h.x, x.x, y.x, z.x, w.x, t.x), hn_i_weighted_ramp_d(h.y, x.y, y.y, z.y, w.y, t.y));
   hn_i_num4 d = hn_i_plus(hn_i_plus(corners, hn_i_weighted_ramp_d(h.z, x.z, y.z, z.z, w.z, t.z)),
@@ -51,7 +51,7 @@ HN_FN hn_derivatives4 hn_i_simplex_d(hn_i_block4 block, hn_i_num4 f, hn_uint see
 //   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and ramp; docs/reference/contract.md, section 13
 HN_FN hn_derivatives4 hn_simplex_d(hn_place4 place, hn_uint seed) {
-  return hn_i_simplex_d(hn_i_block(place), place.fraction, seed);
+  return hn_i_simplex_d(hn_i_neighbourhood(place), place.fraction, seed);
 }
 HN_FN hn_derivatives4 hn_simplex_d(hn_vec4 p, hn_uint seed) { return hn_simplex_d(hn_place(p), seed); }
 HN_FN hn_derivatives4 hn_simplex_d(hn_vec4 p) { return hn_simplex_d(p, 0u); }

@@ -9,22 +9,22 @@
 #include "simplex_d3d.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC. Its weighted ramps sum up to at most 1024 / 4902 (tools/make bounds).
-HN_FN hn_i_num hn_i_simplex_phase(hn_i_block3 block, hn_i_num3 f, hn_i_num2 rotation, hn_uint seed) {
+HN_FN hn_i_num hn_i_simplex_phase(hn_i_neighbourhood3 cells, hn_i_num3 f, hn_i_num2 rotation, hn_uint seed) {
   hn_i_num4 x;
   hn_i_num4 y;
   hn_i_num4 z;
   hn_i_num4 t;
-  hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
+  hn_uvec4 h = hn_i_four_points(cells, f, seed, x, y, z, t);
   return hn_i_scaled(hn_i_mixed(rotation, hn_i_simplex(h, x, y, z, t, false), hn_i_simplex(h, x, y, z, t, true)), 4902);
 }
 
 // The noise and its derivatives.
-HN_FN hn_vec4 hn_i_simplex_phase_d(hn_i_block3 block, hn_i_num3 f, hn_i_num2 rotation, hn_uint seed) {
+HN_FN hn_vec4 hn_i_simplex_phase_d(hn_i_neighbourhood3 cells, hn_i_num3 f, hn_i_num2 rotation, hn_uint seed) {
   hn_i_num4 x;
   hn_i_num4 y;
   hn_i_num4 z;
   hn_i_num4 t;
-  hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
+  hn_uvec4 h = hn_i_four_points(cells, f, seed, x, y, z, t);
   return hn_i_scaled_d(hn_i_mixed(rotation, hn_i_simplex_d(h, x, y, z, t, false), hn_i_simplex_d(h, x, y, z, t, true)),
                        4902);
 }
@@ -46,7 +46,7 @@ HN_FN hn_vec4 hn_i_simplex_phase_d(hn_i_block3 block, hn_i_num3 f, hn_i_num2 rot
 //   cost     the hashes of hn_simplex, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/reference/contract.md, section 14
 HN_FN hn_float hn_simplex(hn_place3 place, hn_float phase, hn_uint seed) {
-  return hn_i_value(hn_i_simplex_phase(hn_i_block(place), place.fraction, hn_i_rotation3(phase), seed));
+  return hn_i_value(hn_i_simplex_phase(hn_i_neighbourhood(place), place.fraction, hn_i_rotation3(phase), seed));
 }
 HN_FN hn_float hn_simplex(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_simplex(hn_place(p), phase, seed); }
 
@@ -57,7 +57,7 @@ HN_FN hn_float hn_simplex(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_s
 //   cost     as above, and about twice the rest
 //   (parameters as above)
 HN_FN hn_vec4 hn_simplex_d(hn_place3 place, hn_float phase, hn_uint seed) {
-  return hn_i_simplex_phase_d(hn_i_block(place), place.fraction, hn_i_rotation3(phase), seed);
+  return hn_i_simplex_phase_d(hn_i_neighbourhood(place), place.fraction, hn_i_rotation3(phase), seed);
 }
 HN_FN hn_vec4 hn_simplex_d(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_simplex_d(hn_place(p), phase, seed); }
 

@@ -58,9 +58,9 @@ HN_FN hn_i_num hn_i_simplex_smooth(hn_place2 place, hn_uint seed) {
     x0 = uvec2(c.x, hn_i_upper(c.x));
     x1 = uvec2(x, hn_i_upper(x));
   }
-  hn_uint s = hn_i_mix(seed);
-  return hn_i_simplex_smooth(uvec4(hn_i_seeded_word(uvec2(x0.x, y.x), s), hn_i_seeded_word(uvec2(x0.y, y.x), s),
-                                   hn_i_seeded_word(uvec2(x1.x, y.y), s), hn_i_seeded_word(uvec2(x1.y, y.y), s)),
+  hn_uint s = hn_i_scramble(seed);
+  return hn_i_simplex_smooth(uvec4(hn_i_seeded_hash(uvec2(x0.x, y.x), s), hn_i_seeded_hash(uvec2(x0.y, y.x), s),
+                                   hn_i_seeded_hash(uvec2(x1.x, y.y), s), hn_i_seeded_hash(uvec2(x1.y, y.y), s)),
                              hn_i_fract(lower), hn_i_fract(upper), hn_i_fract(p.y));
 }
 

@@ -29,7 +29,7 @@ HN_FN hn_i_num hn_i_neighbour(hn_uvec3 one, hn_uvec3 others, hn_i_num3 d, hn_i_n
   hn_i_num z = hn_i_select(excess > middle, e.z, d.z);
   hn_i_num more =
       min(hn_i_minus(HN_I_ONE, twice), hn_i_plus(hn_i_minus(hn_i_quarters(8), hn_i_plus(total, total)), twice));
-  return hn_i_weighted_ramp(hn_i_ramp_of(hn_i_word(c, join, sum), x, y, z, false),
+  return hn_i_weighted_ramp(hn_i_ramp_of(hn_i_point_hash(c, join, sum), x, y, z, false),
                             hn_i_weight5(hn_i_falloff(hn_i_square_plus(q, more), 768, 1)));
 }
 
@@ -38,7 +38,7 @@ HN_FN hn_i_num hn_i_neighbour(hn_uvec3 one, hn_uvec3 others, hn_i_num3 d, hn_i_n
 HN_FN hn_i_num hn_i_cube(hn_uvec3 n, hn_uvec3 m, hn_i_num3 d, hn_i_num3 e, hn_i_num3 size, hn_i_square_number q,
                          hn_uint join, hn_uint sum) {
   hn_i_num total = hn_i_plus(hn_i_plus(size.x, size.y), size.z);
-  hn_i_num a = hn_i_weighted_ramp(hn_i_ramp_of(hn_i_word(n, join, sum), d.x, d.y, d.z, false),
+  hn_i_num a = hn_i_weighted_ramp(hn_i_ramp_of(hn_i_point_hash(n, join, sum), d.x, d.y, d.z, false),
                                   hn_i_weight5(hn_i_falloff(q, 768, 1)));
   a = hn_i_plus(a, hn_i_neighbour(uvec3(m.x, n.y, n.z), uvec3(n.x, m.y, m.z), hn_i_vector(e.x, d.y, d.z),
                                   hn_i_vector(d.x, e.y, e.z), size.x, total, q, join, sum));
@@ -49,18 +49,18 @@ HN_FN hn_i_num hn_i_cube(hn_uvec3 n, hn_uvec3 m, hn_i_num3 d, hn_i_num3 e, hn_i_
 }
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_i_num hn_i_simplex_smooth(hn_i_block3 block, hn_i_num3 f, hn_uint seed) {
+HN_FN hn_i_num hn_i_simplex_smooth(hn_i_neighbourhood3 cells, hn_i_num3 f, hn_uint seed) {
   hn_i_num4 x = hn_i_offsets(f.x);
   hn_i_num4 y = hn_i_offsets(f.y);
   hn_i_num4 z = hn_i_offsets(f.z);
-  hn_i_num3 size = hn_i_vector(hn_i_size(x.x), hn_i_size(y.x), hn_i_size(z.x));
-  hn_i_num3 inner = hn_i_vector(hn_i_size(x.z), hn_i_size(y.z), hn_i_size(z.z));
-  hn_uint s = hn_i_mix(seed);
+  hn_i_num3 size = hn_i_vector(hn_i_magnitude(x.x), hn_i_magnitude(y.x), hn_i_magnitude(z.x));
+  hn_i_num3 inner = hn_i_vector(hn_i_magnitude(x.z), hn_i_magnitude(y.z), hn_i_magnitude(z.z));
+  hn_uint s = hn_i_scramble(seed);
   hn_uint join = hn_i_seed_join(s);
   hn_i_num corners =
-      hn_i_cube(hn_i_nearer(f, block.cell, block.following), hn_i_nearer(f, block.following, block.cell),
+      hn_i_cube(hn_i_nearer(f, cells.cell, cells.following), hn_i_nearer(f, cells.following, cells.cell),
                 hn_i_vector(x.x, y.x, z.x), hn_i_vector(x.y, y.y, z.y), size, hn_i_square(x.x, y.x, z.x), join, s);
-  hn_i_num centres = hn_i_cube(block.cell, hn_i_nearer(f, block.previous, block.following), hn_i_vector(x.z, y.z, z.z),
+  hn_i_num centres = hn_i_cube(cells.cell, hn_i_nearer(f, cells.previous, cells.following), hn_i_vector(x.z, y.z, z.z),
                                hn_i_vector(x.w, y.w, z.w), inner, hn_i_square(x.z, y.z, z.z), join ^ HN_I_CENTRE_JOIN,
                                s + HN_I_CENTRE_SUM);
   return hn_i_scaled_smooth3(hn_i_plus(corners, centres));
@@ -82,7 +82,7 @@ HN_FN hn_i_num hn_i_simplex_smooth(hn_i_block3 block, hn_i_num3 f, hn_uint seed)
 //            for a seed that is not constant
 //   source   Perlin, "Noise hardware", 2001, for the sum over lattice points; docs/reference/contract.md, section 13
 HN_FN hn_float hn_simplex_smooth(hn_place3 place, hn_uint seed) {
-  return hn_i_value(hn_i_simplex_smooth(hn_i_block(place), place.fraction, seed));
+  return hn_i_value(hn_i_simplex_smooth(hn_i_neighbourhood(place), place.fraction, seed));
 }
 HN_FN hn_float hn_simplex_smooth(hn_vec3 p, hn_uint seed) { return hn_simplex_smooth(hn_place(p), seed); }
 HN_FN hn_float hn_simplex_smooth(hn_vec3 p) { return hn_simplex_smooth(p, 0u); }

@@ -123,7 +123,7 @@ HN_FN hn_float hn_i_root_of_ratio(hn_float ratio) { return hn_i_root(min(ratio, 
 
 // Goes from p to q, which is not smaller, by a weight. The result does not fall where p, q or y rises; with HN_FIXED
 // not by a single unit, as the product is rounded down once. So neither does the tail.
-HN_FN hn_i_num hn_i_mix(hn_i_num p, hn_i_num q, hn_i_num y) {
+HN_FN hn_i_num hn_i_scramble(hn_i_num p, hn_i_num q, hn_i_num y) {
   return hn_i_plus(p, hn_i_weight_times(hn_i_minus(q, p), y));
 }
 
@@ -144,22 +144,22 @@ HN_FN hn_i_tail hn_i_tail_of(hn_float value, hn_vec4 distribution) {
   hn_i_num b = max(a, hn_i_as_value(distribution.z, 0.0f, 1.0f));
   hn_i_num c = max(b, hn_i_as_value(distribution.w, 0.0f, 1.0f));
   // A quotient of floats may be beyond 1.
-  hn_i_num s = hn_i_mean(min(hn_i_size(tail.value), tail.reach), tail.reach);
+  hn_i_num s = hn_i_mean(min(hn_i_magnitude(tail.value), tail.reach), tail.reach);
   tail.w = max(hn_i_minus(HN_I_WEIGHT_ONE, s), HN_I_NO_WEIGHT);
   // De Casteljau's rounds, without the round of the last two numbers.
   hn_i_num y = hn_i_weight_times(tail.w, tail.w);
-  hn_i_num ab = hn_i_mix(a, b, y);
-  hn_i_num bc = hn_i_mix(b, c, y);
-  hn_i_num low = hn_i_mix(hn_i_weight_times(a, y), ab, y);
-  hn_i_num middle = hn_i_mix(ab, bc, y);
-  hn_i_num high = hn_i_mix(bc, hn_i_mix(c, HN_I_VALUE_ONE, y), y);
-  tail.low = hn_i_mix(low, middle, y);
-  tail.high = hn_i_mix(middle, high, y);
+  hn_i_num ab = hn_i_scramble(a, b, y);
+  hn_i_num bc = hn_i_scramble(b, c, y);
+  hn_i_num low = hn_i_scramble(hn_i_weight_times(a, y), ab, y);
+  hn_i_num middle = hn_i_scramble(ab, bc, y);
+  hn_i_num high = hn_i_scramble(bc, hn_i_scramble(c, HN_I_VALUE_ONE, y), y);
+  tail.low = hn_i_scramble(low, middle, y);
+  tail.high = hn_i_scramble(middle, high, y);
   return tail;
 }
 
 HN_FN hn_float hn_i_uniform(hn_i_tail tail) {
-  hn_i_num n = hn_i_mix(tail.low, tail.high, hn_i_weight_times(tail.w, tail.w));
+  hn_i_num n = hn_i_scramble(tail.low, tail.high, hn_i_weight_times(tail.w, tail.w));
   return hn_i_half_value(hn_i_select(tail.value < HN_I_NO_WEIGHT, n, hn_i_minus(HN_I_VALUE_TWO, n)));
 }
 

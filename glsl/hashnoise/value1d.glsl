@@ -8,8 +8,8 @@
 #include "detail/value.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_i_num hn_i_value_noise(hn_i_box1 box, hn_i_num f, hn_uint seed) {
-  hn_uvec2 h = hn_i_corners(box, seed);
+HN_FN hn_i_num hn_i_value_noise(hn_i_cell_corners1 corners, hn_i_num f, hn_uint seed) {
+  hn_uvec2 h = hn_i_corner_hashes(corners, seed);
   return hn_i_noise_of_numbers(hn_i_lerp(hn_i_number(h.x), hn_i_number(h.y), hn_i_fade(f)));
 }
 
@@ -29,7 +29,7 @@ HN_FN hn_i_num hn_i_value_noise(hn_i_box1 box, hn_i_num f, hn_uint seed) {
 //            for a seed that is not constant
 //   source   Perlin, "Improving noise", 2002, for the interpolant
 HN_FN hn_float hn_value(hn_place1 place, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(hn_i_box(place), place.fraction, seed));
+  return hn_i_value(hn_i_value_noise(hn_i_cell_corners(place), place.fraction, seed));
 }
 HN_FN hn_float hn_value(hn_float p, hn_uint seed) { return hn_value(hn_place(p), seed); }
 HN_FN hn_float hn_value(hn_float p) { return hn_value(p, 0u); }

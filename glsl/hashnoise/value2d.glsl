@@ -24,7 +24,7 @@
 //            for a seed that is not constant
 //   source   Perlin, "Improving noise", 2002, for the interpolant
 HN_FN hn_float hn_value(hn_place2 place, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(hn_i_corners(hn_i_box(place), seed), hn_i_fade(place.fraction)));
+  return hn_i_value(hn_i_value_noise(hn_i_corner_hashes(hn_i_cell_corners(place), seed), hn_i_fade(place.fraction)));
 }
 HN_FN hn_float hn_value(hn_vec2 p, hn_uint seed) { return hn_value(hn_place(p), seed); }
 HN_FN hn_float hn_value(hn_vec2 p) { return hn_value(p, 0u); }

@@ -24,9 +24,9 @@
 //            for a seed that is not constant
 //   source   Perlin, "Improving noise", 2002, for the interpolant
 HN_FN hn_float hn_value(hn_place3 place, hn_uint seed) {
-  hn_i_box3 box = hn_i_box(place);
-  return hn_i_value(
-      hn_i_value_noise(hn_i_corners(box, false, seed), hn_i_corners(box, true, seed), hn_i_fade(place.fraction)));
+  hn_i_cell_corners3 corners = hn_i_cell_corners(place);
+  return hn_i_value(hn_i_value_noise(hn_i_corner_hashes(corners, false, seed), hn_i_corner_hashes(corners, true, seed),
+                                     hn_i_fade(place.fraction)));
 }
 HN_FN hn_float hn_value(hn_vec3 p, hn_uint seed) { return hn_value(hn_place(p), seed); }
 HN_FN hn_float hn_value(hn_vec3 p) { return hn_value(p, 0u); }

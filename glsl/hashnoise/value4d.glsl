@@ -8,15 +8,16 @@
 #include "detail/value.glsl"
 
 // Interpolates the square that z and w choose, at a place that t gives by its fades.
-HN_FN hn_i_num hn_i_value_square(hn_i_box4 box, bool far_z, bool far_w, hn_i_num4 t, hn_uint seed) {
-  return hn_i_lerp(hn_i_numbers(hn_i_corners(box, far_z, far_w, seed)), t.x, t.y);
+HN_FN hn_i_num hn_i_value_square(hn_i_cell_corners4 corners, bool far_z, bool far_w, hn_i_num4 t, hn_uint seed) {
+  return hn_i_lerp(hn_i_numbers(hn_i_corner_hashes(corners, far_z, far_w, seed)), t.x, t.y);
 }
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_i_num hn_i_value_noise(hn_i_box4 box, hn_i_num4 f, hn_uint seed) {
+HN_FN hn_i_num hn_i_value_noise(hn_i_cell_corners4 corners, hn_i_num4 f, hn_uint seed) {
   hn_i_num4 t = hn_i_fade(f);
-  hn_i_num4 n = hn_i_vector(hn_i_value_square(box, false, false, t, seed), hn_i_value_square(box, true, false, t, seed),
-                            hn_i_value_square(box, false, true, t, seed), hn_i_value_square(box, true, true, t, seed));
+  hn_i_num4 n =
+      hn_i_vector(hn_i_value_square(corners, false, false, t, seed), hn_i_value_square(corners, true, false, t, seed),
+                  hn_i_value_square(corners, false, true, t, seed), hn_i_value_square(corners, true, true, t, seed));
   return hn_i_noise_of_numbers(hn_i_lerp(n, t.z, t.w));
 }
 
@@ -36,7 +37,7 @@ HN_FN hn_i_num hn_i_value_noise(hn_i_box4 box, hn_i_num4 f, hn_uint seed) {
 //            for a seed that is not constant
 //   source   Perlin, "Improving noise", 2002, for the interpolant
 HN_FN hn_float hn_value(hn_place4 place, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(hn_i_box(place), place.fraction, seed));
+  return hn_i_value(hn_i_value_noise(hn_i_cell_corners(place), place.fraction, seed));
 }
 HN_FN hn_float hn_value(hn_vec4 p, hn_uint seed) { return hn_value(hn_place(p), seed); }
 HN_FN hn_float hn_value(hn_vec4 p) { return hn_value(p, 0u); }

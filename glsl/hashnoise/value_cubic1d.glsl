@@ -8,7 +8,7 @@
 
 // The noise in the numbers of HN_ARITHMETIC. x are the spread coordinates of four points.
 HN_FN hn_i_num hn_i_value_cubic(hn_uvec4 x, hn_i_num f, hn_uint seed) {
-  hn_uint s = hn_i_mix(seed);
+  hn_uint s = hn_i_scramble(seed);
   return hn_i_noise_of_numbers(hn_i_cubic_row(x, hn_i_seed_join(s), hn_i_odd(x.y, s), hn_i_spline(f)));
 }
 

@@ -8,7 +8,7 @@
 
 // The noise in the numbers of HN_ARITHMETIC. x and y are the spread coordinates of four points along each axis.
 HN_FN hn_i_num hn_i_value_cubic(hn_uvec4 x, hn_uvec4 y, hn_i_num2 f, hn_uint seed) {
-  hn_uint s = hn_i_mix(seed);
+  hn_uint s = hn_i_scramble(seed);
   hn_uint odd = hn_i_odd(uvec2(x.y, y.y), s);
   return hn_i_noise_of_numbers(hn_i_cubic_square(x, y, hn_i_seed_join(s), odd, hn_i_spline(f.x), hn_i_spline(f.y)));
 }

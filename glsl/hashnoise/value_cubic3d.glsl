@@ -8,7 +8,7 @@
 
 // The noise in the numbers of HN_ARITHMETIC. x, y and z are the spread coordinates of four points along each axis.
 HN_FN hn_i_num hn_i_value_cubic(hn_uvec4 x, hn_uvec4 y, hn_uvec4 z, hn_i_num3 f, hn_uint seed) {
-  hn_uint s = hn_i_mix(seed);
+  hn_uint s = hn_i_scramble(seed);
   hn_i_num4 wx = hn_i_spline(f.x);
   hn_i_num4 wy = hn_i_spline(f.y);
   hn_uvec4 high = hn_i_high_of_line(z, 10u);

@@ -9,8 +9,8 @@
 #include "detail/value.glsl"
 
 // The noise and its derivative.
-HN_FN hn_vec2 hn_i_value_d(hn_i_box1 box, hn_i_num f, hn_uint seed) {
-  hn_uvec2 h = hn_i_corners(box, seed);
+HN_FN hn_vec2 hn_i_value_d(hn_i_cell_corners1 corners, hn_i_num f, hn_uint seed) {
+  hn_uvec2 h = hn_i_corner_hashes(corners, seed);
   hn_i_num left = hn_i_number(h.x);
   hn_i_num right = hn_i_number(h.y);
   return vec2(hn_i_value(hn_i_noise_of_numbers(hn_i_lerp(left, right, hn_i_fade(f)))),
@@ -30,7 +30,9 @@ HN_FN hn_vec2 hn_i_value_d(hn_i_box1 box, hn_i_num f, hn_uint seed) {
 //   period   2^32 cells, or the tile's
 //   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 10
-HN_FN hn_vec2 hn_value_d(hn_place1 place, hn_uint seed) { return hn_i_value_d(hn_i_box(place), place.fraction, seed); }
+HN_FN hn_vec2 hn_value_d(hn_place1 place, hn_uint seed) {
+  return hn_i_value_d(hn_i_cell_corners(place), place.fraction, seed);
+}
 HN_FN hn_vec2 hn_value_d(hn_float p, hn_uint seed) { return hn_value_d(hn_place(p), seed); }
 HN_FN hn_vec2 hn_value_d(hn_float p) { return hn_value_d(p, 0u); }
 

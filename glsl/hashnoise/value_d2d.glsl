@@ -30,7 +30,7 @@ HN_FN hn_vec3 hn_i_value_d(hn_uvec4 h, hn_i_num2 f) {
 //   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 10
 HN_FN hn_vec3 hn_value_d(hn_place2 place, hn_uint seed) {
-  return hn_i_value_d(hn_i_corners(hn_i_box(place), seed), place.fraction);
+  return hn_i_value_d(hn_i_corner_hashes(hn_i_cell_corners(place), seed), place.fraction);
 }
 HN_FN hn_vec3 hn_value_d(hn_vec2 p, hn_uint seed) { return hn_value_d(hn_place(p), seed); }
 HN_FN hn_vec3 hn_value_d(hn_vec2 p) { return hn_value_d(p, 0u); }

@@ -36,8 +36,9 @@ HN_FN hn_vec4 hn_i_value_d(hn_uvec4 a, hn_uvec4 b, hn_i_num3 f) {
 //   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 10
 HN_FN hn_vec4 hn_value_d(hn_place3 place, hn_uint seed) {
-  hn_i_box3 box = hn_i_box(place);
-  return hn_i_value_d(hn_i_corners(box, false, seed), hn_i_corners(box, true, seed), place.fraction);
+  hn_i_cell_corners3 corners = hn_i_cell_corners(place);
+  return hn_i_value_d(hn_i_corner_hashes(corners, false, seed), hn_i_corner_hashes(corners, true, seed),
+                      place.fraction);
 }
 HN_FN hn_vec4 hn_value_d(hn_vec3 p, hn_uint seed) { return hn_value_d(hn_place(p), seed); }
 HN_FN hn_vec4 hn_value_d(hn_vec3 p) { return hn_value_d(p, 0u); }

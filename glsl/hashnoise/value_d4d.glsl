@@ -9,20 +9,20 @@
 #include "detail/value.glsl"
 
 // The share of the two squares along z that w chooses in the noise: the value, and its derivatives along x, y and z.
-HN_FN hn_i_num4 hn_i_value_cube_d(hn_i_box4 box, bool far_w, hn_i_num4 t, hn_i_num4 s, hn_uint seed) {
+HN_FN hn_i_num4 hn_i_value_cube_d(hn_i_cell_corners4 corners, bool far_w, hn_i_num4 t, hn_i_num4 s, hn_uint seed) {
   hn_i_num2 t2 = hn_i_vector(t.x, t.y);
   hn_i_num2 s2 = hn_i_vector(s.x, s.y);
-  hn_i_num3 front = hn_i_lerp_d(hn_i_numbers(hn_i_corners(box, false, far_w, seed)), t2, s2);
-  hn_i_num3 back = hn_i_lerp_d(hn_i_numbers(hn_i_corners(box, true, far_w, seed)), t2, s2);
+  hn_i_num3 front = hn_i_lerp_d(hn_i_numbers(hn_i_corner_hashes(corners, false, far_w, seed)), t2, s2);
+  hn_i_num3 back = hn_i_lerp_d(hn_i_numbers(hn_i_corner_hashes(corners, true, far_w, seed)), t2, s2);
   return hn_i_vector(hn_i_lerp(front.x, back.x, t.z), hn_i_lerp(front.y, back.y, t.z), hn_i_lerp(front.z, back.z, t.z),
                      hn_i_d_faded(hn_i_d_corner(front.x, back.x), s.z));
 }
 
-HN_FN hn_derivatives4 hn_i_value_d(hn_i_box4 box, hn_i_num4 f, hn_uint seed) {
+HN_FN hn_derivatives4 hn_i_value_d(hn_i_cell_corners4 corners, hn_i_num4 f, hn_uint seed) {
   hn_i_num4 t = hn_i_fade(f);
   hn_i_num4 s = hn_i_d_fade(f);
-  hn_i_num4 a = hn_i_value_cube_d(box, false, t, s, seed);
-  hn_i_num4 b = hn_i_value_cube_d(box, true, t, s, seed);
+  hn_i_num4 a = hn_i_value_cube_d(corners, false, t, s, seed);
+  hn_i_num4 b = hn_i_value_cube_d(corners, true, t, s, seed);
   HN_I_NEW(hn_derivatives4, n);
   n.gradient = vec4(hn_i_derivative(hn_i_of_d_corners(hn_i_lerp(a.y, b.y, t.w))),
                     hn_i_derivative(hn_i_of_d_corners(hn_i_lerp(a.z, b.z, t.w))),
@@ -46,7 +46,7 @@ HN_FN hn_derivatives4 hn_i_value_d(hn_i_box4 box, hn_i_num4 f, hn_uint seed) {
 //   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 10
 HN_FN hn_derivatives4 hn_value_d(hn_place4 place, hn_uint seed) {
-  return hn_i_value_d(hn_i_box(place), place.fraction, seed);
+  return hn_i_value_d(hn_i_cell_corners(place), place.fraction, seed);
 }
 HN_FN hn_derivatives4 hn_value_d(hn_vec4 p, hn_uint seed) { return hn_value_d(hn_place(p), seed); }
 HN_FN hn_derivatives4 hn_value_d(hn_vec4 p) { return hn_value_d(p, 0u); }

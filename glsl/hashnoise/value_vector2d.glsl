@@ -22,9 +22,9 @@
 //   cost     hn_value's, and for each corner a multiplication more
 //   source   Perlin, "Improving noise", 2002, for the interpolant; docs/reference/contract.md, section 22
 HN_FN hn_vec2 hn_value_vector(hn_place2 place, hn_uint seed) {
-  hn_uvec4 h = hn_i_corners(hn_i_box(place), seed);
+  hn_uvec4 h = hn_i_corner_hashes(hn_i_cell_corners(place), seed);
   hn_i_num2 t = hn_i_fade(place.fraction);
-  return vec2(hn_i_value(hn_i_value_noise(h, t)), hn_i_value(hn_i_value_noise(hn_i_words_of_y(h), t)));
+  return vec2(hn_i_value(hn_i_value_noise(h, t)), hn_i_value(hn_i_value_noise(hn_i_hashes_of_y(h), t)));
 }
 HN_FN hn_vec2 hn_value_vector(hn_vec2 p, hn_uint seed) { return hn_value_vector(hn_place(p), seed); }
 HN_FN hn_vec2 hn_value_vector(hn_vec2 p) { return hn_value_vector(p, 0u); }

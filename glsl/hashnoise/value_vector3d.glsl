@@ -22,13 +22,13 @@
 //   cost     hn_value's, and for each corner two multiplications more
 //   source   Perlin, "Improving noise", 2002, for the interpolant; docs/reference/contract.md, section 22
 HN_FN hn_vec3 hn_value_vector(hn_place3 place, hn_uint seed) {
-  hn_i_box3 box = hn_i_box(place);
-  hn_uvec4 a = hn_i_corners(box, false, seed);
-  hn_uvec4 b = hn_i_corners(box, true, seed);
+  hn_i_cell_corners3 corners = hn_i_cell_corners(place);
+  hn_uvec4 a = hn_i_corner_hashes(corners, false, seed);
+  hn_uvec4 b = hn_i_corner_hashes(corners, true, seed);
   hn_i_num3 t = hn_i_fade(place.fraction);
   return vec3(hn_i_value(hn_i_value_noise(a, b, t)),
-              hn_i_value(hn_i_value_noise(hn_i_words_of_y(a), hn_i_words_of_y(b), t)),
-              hn_i_value(hn_i_value_noise(hn_i_words_of_z(a), hn_i_words_of_z(b), t)));
+              hn_i_value(hn_i_value_noise(hn_i_hashes_of_y(a), hn_i_hashes_of_y(b), t)),
+              hn_i_value(hn_i_value_noise(hn_i_hashes_of_z(a), hn_i_hashes_of_z(b), t)));
 }
 HN_FN hn_vec3 hn_value_vector(hn_vec3 p, hn_uint seed) { return hn_value_vector(hn_place(p), seed); }
 HN_FN hn_vec3 hn_value_vector(hn_vec3 p) { return hn_value_vector(p, 0u); }

@@ -21,9 +21,9 @@
 //   cost     hn_value_d's, and the same again without the hashes; for each corner a multiplication more
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 22
 HN_FN hn_derivatives2x2 hn_value_vector_d(hn_place2 place, hn_uint seed) {
-  hn_uvec4 h = hn_i_corners(hn_i_box(place), seed);
+  hn_uvec4 h = hn_i_corner_hashes(hn_i_cell_corners(place), seed);
   hn_i_num2 f = place.fraction;
-  return hn_i_of_components(hn_i_value_d(h, f), hn_i_value_d(hn_i_words_of_y(h), f));
+  return hn_i_of_components(hn_i_value_d(h, f), hn_i_value_d(hn_i_hashes_of_y(h), f));
 }
 HN_FN hn_derivatives2x2 hn_value_vector_d(hn_vec2 p, hn_uint seed) { return hn_value_vector_d(hn_place(p), seed); }
 HN_FN hn_derivatives2x2 hn_value_vector_d(hn_vec2 p) { return hn_value_vector_d(p, 0u); }

@@ -21,13 +21,13 @@
 //   cost     hn_value_d's, and twice the same again without the hashes; for each corner two multiplications more
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 22
 HN_FN hn_derivatives3x3 hn_value_vector_d(hn_place3 place, hn_uint seed) {
-  hn_i_box3 box = hn_i_box(place);
-  hn_uvec4 a = hn_i_corners(box, false, seed);
-  hn_uvec4 b = hn_i_corners(box, true, seed);
+  hn_i_cell_corners3 corners = hn_i_cell_corners(place);
+  hn_uvec4 a = hn_i_corner_hashes(corners, false, seed);
+  hn_uvec4 b = hn_i_corner_hashes(corners, true, seed);
   hn_i_num3 f = place.fraction;
   hn_vec4 x = hn_i_value_d(a, b, f);
-  hn_vec4 y = hn_i_value_d(hn_i_words_of_y(a), hn_i_words_of_y(b), f);
-  hn_vec4 z = hn_i_value_d(hn_i_words_of_z(a), hn_i_words_of_z(b), f);
+  hn_vec4 y = hn_i_value_d(hn_i_hashes_of_y(a), hn_i_hashes_of_y(b), f);
+  hn_vec4 z = hn_i_value_d(hn_i_hashes_of_z(a), hn_i_hashes_of_z(b), f);
   return hn_i_of_components(x, y, z);
 }
 HN_FN hn_derivatives3x3 hn_value_vector_d(hn_vec3 p, hn_uint seed) { return hn_value_vector_d(hn_place(p), seed); }

@@ -26,7 +26,7 @@ struct hn_shifts2 {
 // The position of an octave, moved by n of the octave's cells.
 HN_FN void hn_i_move(HN_I_INOUT(hn_octaves2) o, hn_i_num2 n) {
 #if HN_ARITHMETIC != HN_FIXED
-  if (!o.is_whole) {
+  if (!o.is_fixed_point) {
     o.p = vec2(hn_i_plus(o.p.x, n.x), hn_i_plus(o.p.y, n.y));
   } else
 #endif

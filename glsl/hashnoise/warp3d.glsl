@@ -28,7 +28,7 @@ struct hn_shifts3 {
 // The position of an octave, moved by n of the octave's cells.
 HN_FN void hn_i_move(HN_I_INOUT(hn_octaves3) o, hn_i_num3 n) {
 #if HN_ARITHMETIC != HN_FIXED
-  if (!o.is_whole) {
+  if (!o.is_fixed_point) {
     o.p = vec3(hn_i_plus(o.p.x, n.x), hn_i_plus(o.p.y, n.y), hn_i_plus(o.p.z, n.z));
   } else
 #endif

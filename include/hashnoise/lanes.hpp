@@ -285,13 +285,13 @@ using Float = Lanes<float>;
 using Int = Lanes<std::int32_t>;
 using Uint = Lanes<std::uint32_t>;
 
-HN_I_INLINE bool hn_i_truth(Mask condition) { return static_cast<bool>(condition); }
+HN_I_INLINE bool hn_i_to_bool(Mask condition) { return static_cast<bool>(condition); }
 HN_I_INLINE bool hn_i_any(Mask condition) {
   std::int32_t any = 0;
   for (int i = 0; i < kCount; ++i) any |= condition.v[i];
   return any != 0;
 }
-HN_I_INLINE Int hn_i_choice(Mask condition, Int a, Int b) { return hn_i_select(condition, a, b); }
+HN_I_INLINE Int hn_i_select_int(Mask condition, Int a, Int b) { return hn_i_select(condition, a, b); }
 
 // In each lane a where the condition holds, else b: select(n > 0.0f, n, 0.5f * n). Both are computed.
 HN_I_INLINE Float select(Mask condition, Float a, Float b) { return hn_i_select(condition, a, b); }

@@ -134,7 +134,7 @@ test("a slope becomes a colour of a normal map", () => {
 test("names distinguish files, and a file brings its setting back", async () => {
   const state = stateFor({ seed: 12, file: "heights" });
   assert.equal(nameOfFile(state), "hashnoise-fbm-perlin-seed12-heights-600x450.png");
-  const kinds = ["colours", "heights", "normals", "tiff", "gif", "webm", "r16", "r32", "json"];
+  const kinds = ["colours", "heights", "normals", "tiff", "gif", "r16", "r32", "json"];
   assert.equal(new Set(kinds.map((file) => nameOfFile({ ...state, file }))).size, kinds.length);
   for (const file of ["json", "colours"]) {
     const made = await fileOf({ ...state, file, width: 4, height: 3 }, async (_, first, rows) => new Uint8Array(4 * 4 * rows));

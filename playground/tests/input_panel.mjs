@@ -21,30 +21,21 @@ test("a keyboard alone is enough", async () => {
   state = await stateOfPage(page);
   assert.ok(state.x === 0n && state.y === 0n && state.cells > 8 && state.seed !== 7);
 
-  await tabTo(page, "sum");
-  await press(page, "ArrowDown", "ArrowDown", "ArrowDown", "ArrowDown");
-  await tabTo(page, "noise");
-  await press(page, "ArrowDown");
-  await tabTo(page, "dimensions-2");
-  await press(page, "ArrowRight");
-  await tabTo(page, "octaves");
-  await press(page, "ArrowRight", "ArrowRight");
-  await tabTo(page, "z");
-  await press(page, "ArrowLeft");
-  await tabTo(page, "seed");
-  await page.keyboard.down("Control");
-  await press(page, "a");
-  await page.keyboard.up("Control");
-  await page.keyboard.type("99");
-  await press(page, "Enter", "ArrowUp");
-  await tabTo(page, "map-dusk");
-  await press(page, "ArrowRight");
-  await tabTo(page, "arithmetic-fast");
-  await press(page, "ArrowRight");
-  await tabTo(page, "language");
-  await press(page, "ArrowDown", "ArrowDown");
-  await tabTo(page, "copy");
-  await press(page, "Enter");
+  for (const [id, ...keys] of [
+    ["sum", "ArrowDown", "ArrowDown", "ArrowDown", "ArrowDown"],
+    ["noise", "ArrowDown"],
+    ["dimensions-2", "ArrowRight"],
+    ["octaves", "ArrowRight", "ArrowRight"],
+    ["z", "ArrowLeft"],
+    ["seed", "9", "9", "Enter", "ArrowUp"], // Tab selects the number
+    ["map-dusk", "ArrowRight"],
+    ["arithmetic-fast", "ArrowRight"],
+    ["language", "ArrowDown", "ArrowDown"],
+    ["copy", "Enter"],
+  ]) {
+    await tabTo(page, id);
+    await press(page, ...keys);
+  }
   state = await stateOfPage(page);
   assert.deepEqual(
     [state.sum, state.noise, state.dimensions, state.octaves, state.z, state.seed, state.map, state.arithmetic],
@@ -146,19 +137,12 @@ test("it fits a phone", async () => {
     await ready(page);
     const found = await page.evaluate((size) => {
       const sheet = document.getElementById("sheet");
-      const small = [
-        ...document.querySelectorAll(
-          "button, select, input:not([type=radio], [type=checkbox]), .choices label, .swatches label",
-        ),
-      ]
+      const controls = "button, select, input:not([type=radio], [type=checkbox]), .choices label, .swatches label";
+      const small = [...document.querySelectorAll(controls)]
         .filter((control) => control.checkVisibility() && control.getBoundingClientRect().height < size)
         .map((control) => control.id || control.textContent);
-      const wide = [...sheet.querySelectorAll("*")]
-        .filter(
-          (inner) =>
-            !inner.closest("#looks, pre, .unseen, select") && inner.getBoundingClientRect().right > innerWidth + 1,
-        )
-        .map((inner) => inner.id || inner.className);
+      const isWide = (inner) => !inner.closest("#looks, pre, .unseen, select") && inner.getBoundingClientRect().right > innerWidth + 1;
+      const wide = [...sheet.querySelectorAll("*")].filter(isWide).map((inner) => inner.id || inner.className);
       const cut = [...document.querySelectorAll(".row > select")].filter((select) => {
         const width = select.offsetWidth;
         select.style.width = "max-content"; // as wide as the widest of its choices
@@ -370,12 +354,9 @@ test("copy, save and link are in sight, and the settings hide", async () => {
     await page.setViewport({ ...viewport, deviceScaleFactor: 0.125 });
     await ready(page); // another kind of device loads the page again
     const boxes = () =>
-      page.evaluate(() =>
-        ["copy", "save", "link"].map((id) => {
-          const box = document.getElementById(id).getBoundingClientRect();
-          return box.height > 0 && box.top >= 0 && box.bottom <= innerHeight && box.right <= innerWidth;
-        }),
-      );
+      page.$$eval("#copy, #save, #link", (buttons) =>
+        buttons.map((button) => button.getBoundingClientRect()).map(({ top, right, bottom, height }) =>
+          height > 0 && top >= 0 && bottom <= innerHeight && right <= innerWidth));
     assert.deepEqual(await boxes(), [true, true, true]);
     await page.focus("#picture-webgl2");
     await press(page, "h");

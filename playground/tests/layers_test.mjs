@@ -13,7 +13,7 @@ import {
 const kThree = "#sum=none&noise=value&weight=2&sum2=none&blend2=add&offset2=0.5&scale2=4&blend3=mix&weight3=0.25";
 // The text alone, without that of the library.
 const textOf = (state, language = "glsl", forms = ["position"]) =>
-  functions(undefined, language, state, numbers(language, state), forms).lines.join("\n");
+  functions(language, state, numbers(language, state), forms).lines.join("\n");
 
 test("links of one layer are as they were, and a number names another layer", () => {
   const one = stateOf("#sum=ridged&noise=simplex&seed=42&weight=0.5&sum2=none");

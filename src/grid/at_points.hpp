@@ -103,8 +103,8 @@ HN_I_INLINE Uint odd_of(uvec2 c, Uint s) {
 }
 HN_I_INLINE Uint odd_of(uvec3 c, Uint s) { return odd_of(uvec2(c.x, c.y), s) + c.z * HN_GRID_ODD_Z; }
 
-// Calls a function with both joins of each corner of a square, and returns the four results. With hn_i_word they are
-// the words that hn_i_corners has.
+// Calls a function with both joins of each corner of a square, and returns the four results. With hn_i_point_hash they
+// are the words that hn_i_corner_hashes has.
 template <typename Function>
 HN_I_INLINE auto corners_of(uvec2 lower, uvec2 upper, Uint join, Uint odd, const Function& of) {
   return Vector4<decltype(of(join, odd))>(of(joined(lower.x, lower.y, join), odd),
@@ -113,7 +113,7 @@ HN_I_INLINE auto corners_of(uvec2 lower, uvec2 upper, Uint join, Uint odd, const
                                           of(joined(upper.x, upper.y, join), odd + (HN_GRID_ODD_X + HN_GRID_ODD_Y)));
 }
 HN_I_INLINE uvec4 corners_of(uvec2 lower, uvec2 upper, Uint join, Uint odd) {
-  return corners_of(lower, upper, join, odd, [](Uint a, Uint b) HN_I_INLINED { return hn_i_word(a, b); });
+  return corners_of(lower, upper, join, odd, [](Uint a, Uint b) HN_I_INLINED { return hn_i_point_hash(a, b); });
 }
 
 // The numbers of the corners. They are the low 23 bits of a word, and the second join need not be cut off to 24 for
@@ -124,17 +124,17 @@ HN_I_INLINE hn_i_num4 numbers_of(uvec2 lower, uvec2 upper, Uint join, Uint odd) 
 }
 HN_I_INLINE hn_i_num value_at(const Place<2>& place, Uint seed) {
   const auto t = hn_i_fade(place.fraction);
-  const Uint s = hn_i_mix(seed);
-  const auto box = hn_i_box(place);
-  return hn_i_noise_of_numbers(
-      hn_i_lerp(numbers_of(hn_i_high(box.lower), hn_i_high(box.upper), hn_i_seed_join(s), odd_of(uvec2(place.cell), s)),
-                t.x, t.y));
+  const Uint s = hn_i_scramble(seed);
+  const auto corners = hn_i_cell_corners(place);
+  return hn_i_noise_of_numbers(hn_i_lerp(
+      numbers_of(hn_i_high(corners.lower), hn_i_high(corners.upper), hn_i_seed_join(s), odd_of(uvec2(place.cell), s)),
+      t.x, t.y));
 }
 HN_I_INLINE hn_i_num value_at(const Place<3>& place, Uint seed) {
   const auto t = hn_i_fade(place.fraction);
-  const Uint s = hn_i_mix(seed);
-  const auto box = hn_i_box(place);
-  const uvec3 lower = hn_i_high(box.lower), upper = hn_i_high(box.upper);
+  const Uint s = hn_i_scramble(seed);
+  const auto corners = hn_i_cell_corners(place);
+  const uvec3 lower = hn_i_high(corners.lower), upper = hn_i_high(corners.upper);
   const Uint odd = odd_of(uvec3(place.cell), s);
   const auto face = [&](Uint high, Uint second) HN_I_INLINED {
     return hn_i_lerp(numbers_of(uvec2(lower.x, lower.y), uvec2(upper.x, upper.y), high ^ hn_i_seed_join(s), second),
@@ -146,27 +146,27 @@ HN_I_INLINE hn_i_num value_at(const Place<3>& place, Uint seed) {
 HN_I_INLINE hn_i_num perlin_at(const Place<2>& place, Uint seed) {
   const auto f = place.fraction;
   const auto t = hn_i_fade(f);
-  const Uint s = hn_i_mix(seed);
-  const auto box = hn_i_box(place);
+  const Uint s = hn_i_scramble(seed);
+  const auto corners = hn_i_cell_corners(place);
   const uvec4 h =
-      corners_of(hn_i_high(box.lower), hn_i_high(box.upper), hn_i_seed_join(s), odd_of(uvec2(place.cell), s));
+      corners_of(hn_i_high(corners.lower), hn_i_high(corners.upper), hn_i_seed_join(s), odd_of(uvec2(place.cell), s));
   const hn_i_num x1 = hn_i_minus_one(f.x), y1 = hn_i_minus_one(f.y);
-  return hn_i_scaled2(hn_i_face2(
+  return hn_i_scaled2(hn_i_bilerp_ramps2(
       hn_i_vector(along2(h.x, f.x, f.y), along2(h.y, x1, f.y), along2(h.z, f.x, y1), along2(h.w, x1, y1)), t.x, t.y));
 }
 HN_I_INLINE hn_i_num perlin_at(const Place<3>& place, Uint seed) {
   const auto f = place.fraction;
   const auto t = hn_i_fade(f);
-  const Uint s = hn_i_mix(seed);
-  const auto box = hn_i_box(place);
-  const uvec3 lower = hn_i_high(box.lower), upper = hn_i_high(box.upper);
+  const Uint s = hn_i_scramble(seed);
+  const auto corners = hn_i_cell_corners(place);
+  const uvec3 lower = hn_i_high(corners.lower), upper = hn_i_high(corners.upper);
   const Uint odd = odd_of(uvec3(place.cell), s);
   const Float x = hn_i_offset(f.x), x1 = hn_i_far(x);
   const Float y = hn_i_offset(f.y), y1 = hn_i_far(y);
   const auto face = [&](Uint high, Uint second, hn_i_num along) HN_I_INLINED {
     const uvec4 h = corners_of(uvec2(lower.x, lower.y), uvec2(upper.x, upper.y), high ^ hn_i_seed_join(s), second);
     const Float z = hn_i_offset(along);
-    return hn_i_face3(
+    return hn_i_bilerp_ramps3(
         hn_i_vector(along3(h.x, x, y, z), along3(h.y, x1, y, z), along3(h.z, x, y1, z), along3(h.w, x1, y1, z)), t.x,
         t.y);
   };
@@ -190,7 +190,7 @@ struct Skewed {
 #else
     const auto beyond = [](Float x, Int whole) HN_I_INLINED { return x - Float(whole); };
 #endif
-    const Int column = hn_i_whole(skewed.x);
+    const Int column = hn_i_truncate(skewed.x);
     u = beyond(skewed.x, column);
 #if HN_ARITHMETIC == HN_FAST
     // A fraction of 1 is the upper end of the second row, and not the first place of a third. It is the same place.
@@ -198,7 +198,7 @@ struct Skewed {
     v = minus_where(is_odd, skewed.y, Float(1.0f));
     first = uvec2(doubled.x + minus_where(is_odd, Uint(column), Uint(1u)), plus_where(is_odd, doubled.y, Uint(1u)));
 #else
-    const Int row = hn_i_whole(skewed.y);
+    const Int row = hn_i_truncate(skewed.y);
     v = beyond(skewed.y, row);
     is_odd = (row & 1) != 0;
     first = uvec2(doubled.x + Uint(column) - Uint(min(row, Int(1))), doubled.y + Uint(row));
@@ -210,7 +210,7 @@ HN_I_INLINE hn_i_num simplex_at(const Place<2>& place, Uint seed) {
   const Skewed at(place);
   const uvec2 first = hn_i_spread(at.first);
   const uvec2 next = hn_i_upper(first);
-  const Uint s = hn_i_mix(seed);
+  const Uint s = hn_i_scramble(seed);
   const Uint lower = hn_i_high(first).y ^ hn_i_seed_join(s), upper = hn_i_high(next).y ^ hn_i_seed_join(s);
   const Uint step_x = HN_GRID_ODD_X, odd = odd_of(at.first, s);
   const Uint last = plus_where(at.is_odd, first.x, Uint(HN_I_STEP_X));
@@ -224,7 +224,7 @@ HN_I_INLINE hn_i_num simplex_at(const Place<2>& place, Uint seed) {
 #else
     const hn_i_num t = hn_i_falloff(hn_i_square(x, y), HN_I_TRIANGLE_RADIUS, 1);
 #endif
-    return hn_i_weighted_ramp(hn_i_ramp_of2(along2(hn_i_word(join, second), x, y)), hn_i_weight_plane(t));
+    return hn_i_weighted_ramp(hn_i_ramp_of2(along2(hn_i_point_hash(join, second), x, y)), hn_i_weight_plane(t));
   };
   const hn_i_num x = hn_i_minus(at.u, hn_i_half(at.v)), one = HN_I_ONE, half = hn_i_quarters(2);
   const hn_i_num y = hn_i_minus(at.v, one);
@@ -251,7 +251,7 @@ HN_I_INLINE hn_i_num simplex_at(const Place<3>& place, Uint seed) {
     a.is_far = along > half;
     a.near_by = minus_where(a.is_far, along, one);
     a.inner = hn_i_minus(along, half);
-    a.size = hn_i_size(a.near_by);
+    a.size = hn_i_magnitude(a.near_by);
     a.other = one_of(a.is_far, one, -one);
     a.here = cell >> high;
     a.ahead = (cell + step) >> high;
@@ -263,7 +263,7 @@ HN_I_INLINE hn_i_num simplex_at(const Place<3>& place, Uint seed) {
   const Axis ax = axis_of(f.x, cell.x, Uint(HN_I_STEP_X), HN_I_HIGH_X, HN_GRID_ODD_X);
   const Axis ay = axis_of(f.y, cell.y, Uint(HN_I_STEP_Y), HN_I_HIGH_Y, HN_GRID_ODD_Y);
   const Axis az = axis_of(f.z, cell.z, Uint(HN_I_STEP_Z), HN_I_HIGH_Z, HN_GRID_ODD_Z);
-  const Uint s = hn_i_mix(seed);
+  const Uint s = hn_i_scramble(seed);
   Uint corner = joined(ax.here, ay.here, az.here ^ hn_i_seed_join(s)), corner_odd = odd_of(uvec3(place.cell), s);
   Uint centre = corner ^ HN_I_CENTRE_JOIN, centre_odd = hn_i_odd_x(Uint(HN_I_CENTRE_SUM), corner_odd);
   const auto to_corner = [&](const Axis& a, Uint odd_step) HN_I_INLINED {
@@ -293,7 +293,7 @@ HN_I_INLINE hn_i_num simplex_at(const Place<3>& place, Uint seed) {
                   hn_i_falloff(hn_i_square_plus(q_centre, hn_i_plus(smallest, smallest)), 1024, 2));
 #endif
   const auto weighted = [](Uint join, Uint second, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num near_by) HN_I_INLINED {
-    const hn_i_num n = along3(hn_i_word(join, second), hn_i_offset(x), hn_i_offset(y), hn_i_offset(z));
+    const hn_i_num n = along3(hn_i_point_hash(join, second), hn_i_offset(x), hn_i_offset(y), hn_i_offset(z));
     return hn_i_weighted_ramp(hn_i_ramp_of3(n), hn_i_weight4(near_by));
   };
   hn_i_num n = weighted(corner, corner_odd, ax.near_by, ay.near_by, az.near_by, t.x);

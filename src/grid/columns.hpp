@@ -56,17 +56,17 @@ class PerlinColumns : public CellNumbers<D> {
 
   HN_I_INLINE void put(int column, Int number, Place<D> place, Uint seed) {
     place.cell.x = number;
-    const auto box = hn_i_box(place);
+    const auto corners = hn_i_cell_corners(place);
     const auto f = place.fraction;
     const auto t = hn_i_fade(f);
     if constexpr (D == 2) {
-      const auto h = hn_i_corners(box, seed);
+      const auto h = hn_i_corner_hashes(corners, seed);
       put_pair(0, column, line2(h.x, f.y), line2(h.z, hn_i_minus_one(f.y)), t.y);
     } else {
       const auto line = [&](Uint word, bool upper, bool back) HN_I_INLINED {
         return line3(word, upper ? hn_i_minus_one(f.y) : f.y, back ? hn_i_minus_one(f.z) : f.z);
       };
-      const auto front = hn_i_corners(box, false, seed), back = hn_i_corners(box, true, seed);
+      const auto front = hn_i_corner_hashes(corners, false, seed), back = hn_i_corner_hashes(corners, true, seed);
 #if HN_ARITHMETIC == HN_FAST
       put_pair(0, column, between(line(front.x, false, false), line(front.z, true, false), t.y),
                between(line(back.x, false, true), line(back.z, true, true), t.y), t.z);
@@ -92,9 +92,9 @@ class PerlinColumns : public CellNumbers<D> {
                          ramp(corners_[i + 1].of(column, index), x), ramp(corners_[i + 1].behind(column, index), x1));
     };
     if constexpr (D == 2) {
-      return hn_i_scaled2(hn_i_face2(face(0), t.x, t.y));
+      return hn_i_scaled2(hn_i_bilerp_ramps2(face(0), t.x, t.y));
     } else {
-      return hn_i_scaled3(hn_i_lerp(hn_i_face3(face(0), t.x, t.y), hn_i_face3(face(2), t.x, t.y), t.z));
+      return hn_i_scaled3(hn_i_lerp(hn_i_bilerp_ramps3(face(0), t.x, t.y), hn_i_bilerp_ramps3(face(2), t.x, t.y), t.z));
     }
 #endif
   }
@@ -128,14 +128,14 @@ class ValueColumns : public CellNumbers<D> {
 
   HN_I_INLINE void put(int column, Int number, Place<D> place, Uint seed) {
     place.cell.x = number;
-    const auto box = hn_i_box(place);
+    const auto corners = hn_i_cell_corners(place);
     if constexpr (D == 2) {
-      const auto h = hn_i_corners(box, seed);
+      const auto h = hn_i_corner_hashes(corners, seed);
       numbers_[0].put(column, hn_i_number(h.x));
       numbers_[1].put(column, hn_i_number(h.z));
     } else {
       for (int face = 0; face < 2; ++face) {
-        const auto h = hn_i_corners(box, face == 1, seed);
+        const auto h = hn_i_corner_hashes(corners, face == 1, seed);
         numbers_[2 * face].put(column, hn_i_number(h.x));
         numbers_[2 * face + 1].put(column, hn_i_number(h.z));
       }
@@ -163,9 +163,9 @@ class ValueColumns : public CellNumbers<D> {
 struct Neighbours {
   uvec3 corner, across, beyond;
 };
-HN_I_INLINE Neighbours around(const hn_i_block3& block, hn_i_num3 f) {
-  return {hn_i_nearer(f, block.cell, block.following), hn_i_nearer(f, block.following, block.cell),
-          hn_i_nearer(f, block.previous, block.following)};
+HN_I_INLINE Neighbours around(const hn_i_neighbourhood3& cells, hn_i_num3 f) {
+  return {hn_i_nearer(f, cells.cell, cells.following), hn_i_nearer(f, cells.following, cells.cell),
+          hn_i_nearer(f, cells.previous, cells.following)};
 }
 
 template <int D>
@@ -191,9 +191,9 @@ class SimplexColumns<2> {
     const Int shift = hn_i_column_of(skewed) - hn_i_floor(skewed.x);
     // From twice the cell on, as of a place in it.
     const Int lower = Int(Uint(number) - 2u * Uint(place.cell.x)) + shift;
-    const Uint s = hn_i_mix(seed);
+    const Uint s = hn_i_scramble(seed);
     const auto word = [&](Int x, Int y)
-                          HN_I_INLINED { return hn_i_seeded_word(hn_i_spread(triangle_point(place, x, y)), s); };
+                          HN_I_INLINED { return hn_i_seeded_hash(hn_i_spread(triangle_point(place, x, y)), s); };
     const hn_i_num3 y = hn_i_triangle_y(skewed);
     lower_.put(column, line2(word(lower, row), y.x));
     upper_.put(column, line2(word(lower + (row & 1), row + 1), y.z));
@@ -228,32 +228,32 @@ class SimplexColumns<3> : public CellNumbers<3> {
 
   HN_I_INLINE void put(int column, Int number, Place<3> place, Uint seed) {
     place.cell.x = number;
-    const hn_i_block3 block = hn_i_block(place);
+    const hn_i_neighbourhood3 cells = hn_i_neighbourhood(place);
     const hn_i_num3 f = place.fraction;
     const hn_i_num4 y = hn_i_offsets(f.y), z = hn_i_offsets(f.z);
-    const hn_i_num size_y = hn_i_size(y.x), size_z = hn_i_size(z.x);
-    const auto [corner, across, beyond] = around(block, f);
-    const Uint x = block.cell.x, s = hn_i_mix(seed);
+    const hn_i_num size_y = hn_i_magnitude(y.x), size_z = hn_i_magnitude(z.x);
+    const auto [corner, across, beyond] = around(cells, f);
+    const Uint x = cells.cell.x, s = hn_i_scramble(seed);
     const auto put_corner = [&](Lines& row, Uint cy, Uint cz, hn_i_num along_y, hn_i_num along_z) HN_I_INLINED {
-      row.put(column, line3(hn_i_seeded_word(uvec3(x, cy, cz), s), along_y, along_z));
+      row.put(column, line3(hn_i_seeded_hash(uvec3(x, cy, cz), s), along_y, along_z));
     };
     const auto put_centre = [&](Lines& row, Uint cy, Uint cz, hn_i_num along_y, hn_i_num along_z) HN_I_INLINED {
-      const Uint h = hn_i_word(uvec3(x, cy, cz), hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM);
+      const Uint h = hn_i_point_hash(uvec3(x, cy, cz), hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM);
       row.put(column, line3(h, along_y, along_z));
     };
     const Mask next_y = size_y >= size_z, next_z = size_z >= size_y;  // of a corner, and of a centre the other one
     put_corner(corners_, corner.y, corner.z, y.x, z.x);
     put_corner(next_corners_, hn_i_select(next_y, across.y, corner.y), hn_i_select(next_z, across.z, corner.z),
                hn_i_select(next_y, y.y, y.x), hn_i_select(next_z, z.y, z.x));
-    put_centre(centres_, block.cell.y, block.cell.z, y.z, z.z);
-    put_centre(next_centres_, hn_i_select(next_z, beyond.y, block.cell.y), hn_i_select(next_y, beyond.z, block.cell.z),
+    put_centre(centres_, cells.cell.y, cells.cell.z, y.z, z.z);
+    put_centre(next_centres_, hn_i_select(next_z, beyond.y, cells.cell.y), hn_i_select(next_y, beyond.z, cells.cell.z),
                hn_i_select(next_z, y.w, y.z), hn_i_select(next_y, z.w, z.z));
   }
   HN_I_INLINE hn_i_num noise(int column, Int index, const Place<3>& place) const {
     const hn_i_num3 f = place.fraction;
     hn_i_num4 x, y, z, t;
-    hn_i_four_points(hn_i_block3{}, f, Uint(0u), x, y, z, t);  // without the words
-    const auto size_of = [](hn_i_num along) HN_I_INLINED { return hn_i_size(hn_i_offsets(along).x); };
+    hn_i_four_points(hn_i_neighbourhood3{}, f, Uint(0u), x, y, z, t);  // without the words
+    const auto size_of = [](hn_i_num along) HN_I_INLINED { return hn_i_magnitude(hn_i_offsets(along).x); };
     const hn_i_num size = size_of(f.x);
     const hn_i_num larger = max(size_of(f.y), size_of(f.z));
     const hn_i_num smaller = min(size_of(f.y), size_of(f.z));
@@ -297,9 +297,9 @@ class SmoothSimplexColumns<2> {
     const hn_i_num y = hn_i_steps(place.fraction).y;
     const Int row = hn_i_floor(y);
     const Int x = Int(Uint(number) - 2u * Uint(place.cell.x));
-    const Uint s = hn_i_mix(seed);
+    const Uint s = hn_i_scramble(seed);
     const auto word = [&](Int of_row)
-                          HN_I_INLINED { return hn_i_seeded_word(hn_i_spread(triangle_point(place, x, of_row)), s); };
+                          HN_I_INLINED { return hn_i_seeded_hash(hn_i_spread(triangle_point(place, x, of_row)), s); };
     lower_.put(column, line2(word(row), hn_i_fract(y)));
     upper_.put(column, line2(word(row + 1), hn_i_minus_one(hn_i_fract(y))));
   }
@@ -336,25 +336,25 @@ class SmoothSimplexColumns<3> : public CellNumbers<3> {
 
   HN_I_INLINE void put(int column, Int number, Place<3> place, Uint seed) {
     place.cell.x = number;
-    const hn_i_block3 block = hn_i_block(place);
+    const hn_i_neighbourhood3 cells = hn_i_neighbourhood(place);
     const hn_i_num3 f = place.fraction;
     const hn_i_num4 y = hn_i_offsets(f.y), z = hn_i_offsets(f.z);
-    const auto [corner, across, beyond] = around(block, f);
-    const Uint s = hn_i_mix(seed), join = hn_i_seed_join(s);
+    const auto [corner, across, beyond] = around(cells, f);
+    const Uint s = hn_i_scramble(seed), join = hn_i_seed_join(s);
     for (int row = 0; row < 4; ++row) {
       const bool far_y = (row & 1) != 0, far_z = (row & 2) != 0;
-      const uvec3 c(block.cell.x, far_y ? across.y : corner.y, far_z ? across.z : corner.z);
-      corners_[row].put(column, line3(hn_i_word(c, join, s), far_y ? y.y : y.x, far_z ? z.y : z.x));
-      const uvec3 d(block.cell.x, far_y ? beyond.y : block.cell.y, far_z ? beyond.z : block.cell.z);
-      const Uint h = hn_i_word(d, join ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM);
+      const uvec3 c(cells.cell.x, far_y ? across.y : corner.y, far_z ? across.z : corner.z);
+      corners_[row].put(column, line3(hn_i_point_hash(c, join, s), far_y ? y.y : y.x, far_z ? z.y : z.x));
+      const uvec3 d(cells.cell.x, far_y ? beyond.y : cells.cell.y, far_z ? beyond.z : cells.cell.z);
+      const Uint h = hn_i_point_hash(d, join ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM);
       centres_[row].put(column, line3(h, far_y ? y.w : y.z, far_z ? z.w : z.z));
     }
   }
   HN_I_INLINE hn_i_num noise(int column, Int index, const Place<3>& place) const {
     const hn_i_num3 f = place.fraction;
     const hn_i_num4 x = hn_i_offsets(f.x), y = hn_i_offsets(f.y), z = hn_i_offsets(f.z);
-    const hn_i_num3 size = hn_i_vector(hn_i_size(x.x), hn_i_size(y.x), hn_i_size(z.x));
-    const hn_i_num3 inner = hn_i_vector(hn_i_size(x.z), hn_i_size(y.z), hn_i_size(z.z));
+    const hn_i_num3 size = hn_i_vector(hn_i_magnitude(x.x), hn_i_magnitude(y.x), hn_i_magnitude(z.x));
+    const hn_i_num3 inner = hn_i_vector(hn_i_magnitude(x.z), hn_i_magnitude(y.z), hn_i_magnitude(z.z));
     const Mask is_behind = f.x > hn_i_quarters(2);
     const Int near = index + Int(is_behind), far = index + Int(f.x <= hn_i_quarters(2));
     const Int next = index + hn_i_select(is_behind, Int(2), Int(0));
@@ -406,24 +406,24 @@ class CellularColumns : public CellNumbers<D> {
   HN_I_INLINE explicit CellularColumns(Float jitter) : jitter_(hn_i_jitter(jitter)) {}
   HN_I_INLINE void put(int column, Int number, Place<D> place, Uint seed) {
     place.cell.x = number;
-    const auto block = hn_i_block(place);
+    const auto cells = hn_i_neighbourhood(place);
     const auto d = hn_i_from_centre(place.fraction);
-    const Uint s = hn_i_mix(seed);
+    const Uint s = hn_i_scramble(seed);
     const hn_i_num3 middle = hn_i_equal_triple(hn_i_num(Number{0}));
     const hn_i_num3 y = hn_i_row(d.y);
     if constexpr (D == 2) {
-      const hn_uvec3 words = hn_i_words_along_y(block, block.cell.x, s);
+      const hn_uvec3 words = hn_i_hashes_along_y(cells, cells.cell.x, s);
       const hn_i_num3 from_x = hn_i_from_x(words, middle, jitter_), from_y = hn_i_from_y(words, y, jitter_);
       points_[0].put(column, kept(from_x.x, from_y.x));
       points_[1].put(column, kept(from_x.y, from_y.y));
       points_[2].put(column, kept(from_x.z, from_y.z));
     } else {
       const hn_i_num3 z = hn_i_row(d.z);
-      const Uint cz[] = {block.previous.z, block.cell.z, block.following.z};
+      const Uint cz[] = {cells.previous.z, cells.cell.z, cells.following.z};
       const hn_i_num offset[] = {z.x, z.y, z.z};
       for (int slab = 0; slab < 3; ++slab) {
-        const auto word = [&](Uint cy) HN_I_INLINED { return hn_i_seeded_word(uvec3(block.cell.x, cy, cz[slab]), s); };
-        const hn_uvec3 words(word(block.previous.y), word(block.cell.y), word(block.following.y));
+        const auto word = [&](Uint cy) HN_I_INLINED { return hn_i_seeded_hash(uvec3(cells.cell.x, cy, cz[slab]), s); };
+        const hn_uvec3 words(word(cells.previous.y), word(cells.cell.y), word(cells.following.y));
         const hn_i_num3 w = hn_i_from_z(words, hn_i_equal_triple(offset[slab]), jitter_);
         // Along x, y and z with HN_FIXED, else along x + y, x - y and z, and the y of the row is left to the points.
         const hn_i_num3 across = HN_ARITHMETIC == HN_FIXED ? y : middle;
@@ -470,12 +470,12 @@ class CellularColumns : public CellNumbers<D> {
   HN_I_INLINE static vec2 kept(Float x, Float y) { return vec2(x, hn_i_times(y, y)); }
   HN_I_INLINE static Float square(vec2 point, Float x, Float) {
     const Float from = hn_i_plus(x, point.x);
-    return hn_i_times_plus(from, from, point.y);
+    return hn_i_multiply_add(from, from, point.y);
   }
   HN_I_INLINE static vec3 kept(Float u, Float v, Float z) { return vec3(u, v, hn_i_times(z, z)); }
   HN_I_INLINE static Float square(vec3 point, Float x, Float y) {
     const Float u = hn_i_plus(hn_i_plus(x, y), point.x), v = hn_i_plus(hn_i_minus(x, y), point.y);
-    return hn_i_times_plus(hn_i_times_plus(u, u, hn_i_times(v, v)), 0.5f, point.z);
+    return hn_i_multiply_add(hn_i_multiply_add(u, u, hn_i_times(v, v)), 0.5f, point.z);
   }
 #endif
 

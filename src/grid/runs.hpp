@@ -146,7 +146,7 @@ class PerlinPieces {
 
   HN_I_INLINE static Uint key(const Place<D>& place) { return key_of<D>(place.cell); }
   HN_I_INLINE void put(int run, const Place<D>& place, Uint seed) {
-    const auto box = hn_i_box(place);
+    const auto corners = hn_i_cell_corners(place);
     const auto put_face = [&](int i, const uvec4& h) HN_I_INLINED {
       corners_[i].put(run, gradient(h.x));
       corners_[i + 1].put(run, gradient(h.y));
@@ -154,10 +154,10 @@ class PerlinPieces {
       corners_[i + 3].put(run, gradient(h.w));
     };
     if constexpr (D == 2) {
-      put_face(0, hn_i_corners(box, seed));
+      put_face(0, hn_i_corner_hashes(corners, seed));
     } else {
-      put_face(0, hn_i_corners(box, false, seed));
-      put_face(4, hn_i_corners(box, true, seed));
+      put_face(0, hn_i_corner_hashes(corners, false, seed));
+      put_face(4, hn_i_corner_hashes(corners, true, seed));
     }
   }
   HN_I_INLINE hn_i_num noise(int run, Int index, const Place<D>& place) const {
@@ -178,10 +178,11 @@ class PerlinPieces {
                          ramp(i + 3, x1, y1, z...));
     };
     if constexpr (D == 2) {
-      return hn_i_scaled2(hn_i_face2(face(0), t.x, t.y));
+      return hn_i_scaled2(hn_i_bilerp_ramps2(face(0), t.x, t.y));
     } else {
       const Float z = hn_i_offset(f.z);
-      return hn_i_scaled3(hn_i_lerp(hn_i_face3(face(0, z), t.x, t.y), hn_i_face3(face(4, hn_i_far(z)), t.x, t.y), t.z));
+      return hn_i_scaled3(
+          hn_i_lerp(hn_i_bilerp_ramps3(face(0, z), t.x, t.y), hn_i_bilerp_ramps3(face(4, hn_i_far(z)), t.x, t.y), t.z));
     }
   }
 
@@ -205,7 +206,7 @@ class ValuePieces {
 
   HN_I_INLINE static Uint key(const Place<D>& place) { return key_of<D>(place.cell); }
   HN_I_INLINE void put(int run, const Place<D>& place, Uint seed) {
-    const auto box = hn_i_box(place);
+    const auto corners = hn_i_cell_corners(place);
     const auto put_face = [&](int i, const uvec4& h) HN_I_INLINED {
       numbers_[i].put(run, hn_i_number(h.x));
       numbers_[i + 1].put(run, hn_i_number(h.y));
@@ -213,10 +214,10 @@ class ValuePieces {
       numbers_[i + 3].put(run, hn_i_number(h.w));
     };
     if constexpr (D == 2) {
-      put_face(0, hn_i_corners(box, seed));
+      put_face(0, hn_i_corner_hashes(corners, seed));
     } else {
-      put_face(0, hn_i_corners(box, false, seed));
-      put_face(4, hn_i_corners(box, true, seed));
+      put_face(0, hn_i_corner_hashes(corners, false, seed));
+      put_face(4, hn_i_corner_hashes(corners, true, seed));
     }
   }
   HN_I_INLINE hn_i_num noise(int run, Int index, const Place<D>& place) const {

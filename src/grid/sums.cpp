@@ -231,11 +231,11 @@ void at_points(const Batch& batch, const Options& options, Octave octave) {
   for (int i = 0; i < b.count; i += kCount) store(b, i, sum.at(At::of(b, i, given)));
 }
 
-// Where some points are, for octaves that are whole positions, and for those that are not. The arrays are of numbers,
-// since those of vectors would be filled with zeros first.
+// Where some points are, for octaves that are fixed-point positions, and for those that are not. The arrays are of
+// numbers, since those of vectors would be filled with zeros first.
 template <int D, bool kIsWhole>
 struct BlockPositions {
-  // The fraction of a whole position, or the position.
+  // The fraction of a fixed-point position, or the position.
   std::conditional_t<kIsWhole, std::int32_t, float> rest[D][kPointsAtOnce];
   // For kernels that take these. Only the first of the octaves at positions is passed so.
   std::int32_t cell[D][kPointsAtOnce];
@@ -278,7 +278,7 @@ struct BlockPositions {
   }
 
  private:
-  // The component of a position, or the whole position of octaves along an axis.
+  // The component of a position, or the fixed-point position of octaves along an axis.
   template <int axis, typename Point>
   HN_I_INLINE static auto& component(Point& point) {
     if constexpr (axis == 0) {
@@ -346,7 +346,7 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
   const hn_i_num total = hn_i_total(min(given.octaves, Int(32)), hn_i_gain(given.gain), HN_I_WEIGHT_ONE);
   const bool is_row = b.stride[D - 1] == 0;
   BlockPositions<D, kIsWhole> spots;
-  Number value[kPointsAtOnce], carried[kPointsAtOnce], weight[kPointsAtOnce];
+  Number value[kPointsAtOnce], feedback[kPointsAtOnce], weight[kPointsAtOnce];
   float noise[kPointsAtOnce];
   for (int start = 0; start < b.count; start += kPointsAtOnce) {
     Batch now = b;
@@ -369,7 +369,7 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
         });
       }
       o.sum.value.store(value + i);
-      o.sum.carried.store(carried + i);
+      o.sum.feedback.store(feedback + i);
       o.sum.weight.store(weight + i);
     }
     std::int32_t bits = 0;
@@ -389,11 +389,11 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
       with_step(options.sum, [&](const auto& step, auto bends, auto carries) HN_I_INLINED {
         for (int i = 0; i < now.count; i += kCount) {
           o.sum.value = hn_i_num::load(value + i);
-          if constexpr (carries) o.sum.carried = hn_i_num::load(carried + i);
+          if constexpr (carries) o.sum.feedback = hn_i_num::load(feedback + i);
           if constexpr (bends) o.sum.weight = hn_i_num::load(weight + i);
           const hn_i_octave_sum next = step(o.sum, Float::load(noise + i), given.strength);
           next.value.store(value + i);
-          if constexpr (carries) next.carried.store(carried + i);
+          if constexpr (carries) next.feedback.store(feedback + i);
           if constexpr (bends) hn_i_weight_times(next.weight, next.gain).store(weight + i);
         }
         if constexpr (!bends) o.sum.weight = hn_i_weight_times(o.sum.weight, o.sum.gain);

@@ -102,10 +102,10 @@ TEST_F(Vulkan, UniformsHoldWhatTheyShould) {
 }
 
 TEST_F(Vulkan, AnErrorInAShaderNamesItsFile) {
-  const auto broken = build_whole("#define hn_i_mix 1\n#include \"hash.glsl\"\nvoid main() {}\n");
+  const auto broken = build_whole("#define hn_i_scramble 1\n#include \"hash.glsl\"\nvoid main() {}\n");
   ASSERT_FALSE(broken);
   EXPECT_NE(broken.error().log.find("glsl/hashnoise/detail/word.glsl:"), std::string::npos) << broken.error().log;
-  const auto hlsl = build_whole("#include \"begin.hlsl\"\n#define hn_i_mix 1\n#include \"hash.glsl\"\n", "hlsl60");
+  const auto hlsl = build_whole("#include \"begin.hlsl\"\n#define hn_i_scramble 1\n#include \"hash.glsl\"\n", "hlsl60");
   ASSERT_FALSE(hlsl);
   EXPECT_NE(hlsl.error().log.find("glsl/hashnoise/detail/word.glsl:"), std::string::npos) << hlsl.error().log;
 }

@@ -18,11 +18,11 @@
 //   hn_i_cell(p)               the cell of a position; p is a float or a vector, and so is f in the next two
 //   hn_i_fraction(p)           the fraction in that cell
 //   hn_i_to_num(f)             the same from a fraction that the caller passes
-//   hn_i_plus(a, b), hn_i_minus(a, b); floats only: hn_i_times(a, b), hn_i_times_plus(a, b, c): a b + c
+//   hn_i_plus(a, b), hn_i_minus(a, b); floats only: hn_i_times(a, b), hn_i_multiply_add(a, b, c): a b + c
 //   hn_i_minus_one(f)          f - 1: the offset from the far corner
 //   hn_i_dot(g, x, y, ...)     a gradient times an offset
-//   hn_i_signed(m, word)       m, or -m if the highest bit of the hash is set; floats: m >= 0
-//   hn_i_size(x)               the absolute value
+//   hn_i_signed(m, h)          m, or -m if the highest bit of the hash is set; floats: m >= 0
+//   hn_i_magnitude(x)          the absolute value
 //   hn_i_fade(f)               6 f^5 - 15 f^4 + 10 f^3, along each axis
 //   hn_i_lerp(a, b, t)         interpolates from a to b by a fade t
 //   hn_i_lerp(n, x, y)         between four corners 00, 10, 01, 11
@@ -30,9 +30,9 @@
 //   hn_i_flushed(n)            floats only: n, or 0 where subnormal numbers could have changed it
 //   hn_i_value(n)              the float of a noise; hn_i_derivative(n), of a derivative
 //   hn_i_select(c, a, b)       a where the condition holds, else b; both are computed
-//   hn_i_choice(c, a, b)       the same of two integers, which may be literals: in HLSL a literal has no type of its
+//   hn_i_select_int(c, a, b)   such an integer of two, which may be literals: in HLSL a literal has no type of its
 //                              own, so an overload for integers would be ambiguous
-//   hn_i_truth(c)              the condition as a bool, if it is the same for all points
+//   hn_i_to_bool(c)            the condition as a bool, if it is the same for all points
 //   hn_i_any(c)                whether the condition holds at one of the points
 //
 // cell2d.glsl has the cell, the fraction and the fade of a vector; place.glsl and cell.glsl have them in
@@ -45,7 +45,7 @@
 //
 //   n       name      quantity
 //   20      FRACTION  a fraction, an offset and a jitter, in cells; a rank that is not squared
-//   24      POSITION  the fraction of a whole position, and a footprint, in cells
+//   24      POSITION  the fraction of a fixed-point position, and a footprint, in cells
 //   21      VALUE     a value, a fractal, and a component of a unit vector
 //   19      SLOPE     a derivative; of simplex noise on the plane in units of 2^-18
 //   18      WEIGHT    a fade and its derivative; the weight of a spline, of a point of simplex noise and of an octave;
@@ -75,8 +75,8 @@
 HN_FN hn_float hn_i_select(bool condition, hn_float a, hn_float b) { return condition ? a : b; }
 HN_FN hn_int hn_i_select(bool condition, hn_int a, hn_int b) { return condition ? a : b; }
 HN_FN hn_uint hn_i_select(bool condition, hn_uint a, hn_uint b) { return condition ? a : b; }
-HN_FN hn_int hn_i_choice(bool condition, hn_int a, hn_int b) { return condition ? a : b; }
-HN_FN bool hn_i_truth(bool condition) { return condition; }
+HN_FN hn_int hn_i_select_int(bool condition, hn_int a, hn_int b) { return condition ? a : b; }
+HN_FN bool hn_i_to_bool(bool condition) { return condition; }
 HN_FN bool hn_i_any(bool condition) { return condition; }
 
 HN_FN hn_float hn_i_minus(hn_float a, hn_float b) {
@@ -85,17 +85,17 @@ HN_FN hn_float hn_i_minus(hn_float a, hn_float b) {
 }
 
 // abs and max would do for integers, too, but drivers got both wrong: abs(x), and -x of max(max(x, -x), y).
-HN_FN hn_float hn_i_size(hn_float x) { return abs(x); }
-HN_FN hn_int hn_i_size(hn_int x) { return hn_i_select(x < 0, -x, x); }
+HN_FN hn_float hn_i_magnitude(hn_float x) { return abs(x); }
+HN_FN hn_int hn_i_magnitude(hn_int x) { return hn_i_select(x < 0, -x, x); }
 
-HN_FN hn_float hn_i_signed(hn_float m, hn_uint word) {
+HN_FN hn_float hn_i_signed(hn_float m, hn_uint h) {
 #if HN_I_BITCAST
-  return uintBitsToFloat(floatBitsToUint(m) | (word & 0x80000000u));
+  return uintBitsToFloat(floatBitsToUint(m) | (h & 0x80000000u));
 #else
-  return hn_i_select((word & 0x80000000u) != 0u, -m, m);
+  return hn_i_select((h & 0x80000000u) != 0u, -m, m);
 #endif
 }
-HN_FN hn_int hn_i_signed(hn_int m, hn_uint word) { return hn_i_select((word & 0x80000000u) != 0u, -m, m); }
+HN_FN hn_int hn_i_signed(hn_int m, hn_uint h) { return hn_i_select((h & 0x80000000u) != 0u, -m, m); }
 
 #if HN_ARITHMETIC != HN_FIXED
 
@@ -153,7 +153,7 @@ HN_FN hn_float hn_i_times(hn_float a, hn_float b) {
   return n;
 }
 
-HN_FN hn_float hn_i_times_plus(hn_float a, hn_float b, hn_float c) {
+HN_FN hn_float hn_i_multiply_add(hn_float a, hn_float b, hn_float c) {
   HN_I_PRECISE hn_float n = a * b + c;
   return n;
 }

@@ -36,58 +36,58 @@ HN_FN hn_uvec3 hn_i_following(hn_uvec3 c, hn_ivec3 period) {
 
 // From here block.glsl is generated from block2d.glsl, in 3 and 4 dimensions.
 
-// A block has the spread coordinates of a cell, of the previous one along each axis, and of the following one: all that
-// simplex noise and cellular noise visit.
-struct hn_i_block3 {
+// The spread coordinates of a cell, of the previous one along each axis, and of the following one: all that simplex
+// noise and cellular noise visit.
+struct hn_i_neighbourhood3 {
   hn_uvec3 previous;
   hn_uvec3 cell;
   hn_uvec3 following;
 };
-struct hn_i_block4 {
+struct hn_i_neighbourhood4 {
   hn_uvec4 previous;
   hn_uvec4 cell;
   hn_uvec4 following;
 };
 
-HN_FN hn_i_block3 hn_i_block(hn_place3 place) {
-  HN_I_NEW(hn_i_block3, block);
+HN_FN hn_i_neighbourhood3 hn_i_neighbourhood(hn_place3 place) {
+  HN_I_NEW(hn_i_neighbourhood3, cells);
   if (place.tiled) {
     hn_uvec3 c = hn_i_wrap(place.cell, place.period);
-    block.cell = hn_i_spread(c);
-    block.previous = hn_i_spread(hn_i_previous(c, place.period));
-    block.following = hn_i_upper(block.cell, c, place.period);
+    cells.cell = hn_i_spread(c);
+    cells.previous = hn_i_spread(hn_i_previous(c, place.period));
+    cells.following = hn_i_upper(cells.cell, c, place.period);
   } else {
-    block.cell = hn_i_spread(uvec3(place.cell));
-    block.previous = hn_i_previous(block.cell);
-    block.following = hn_i_upper(block.cell);
+    cells.cell = hn_i_spread(uvec3(place.cell));
+    cells.previous = hn_i_previous(cells.cell);
+    cells.following = hn_i_upper(cells.cell);
   }
-  return block;
+  return cells;
 }
-HN_FN hn_i_block4 hn_i_block(hn_place4 place) {
-  HN_I_NEW(hn_i_block4, block);
+HN_FN hn_i_neighbourhood4 hn_i_neighbourhood(hn_place4 place) {
+  HN_I_NEW(hn_i_neighbourhood4, cells);
   if (place.tiled) {
     hn_uvec4 c = hn_i_wrap(place.cell, place.period);
-    block.cell = hn_i_spread(c);
-    block.previous = hn_i_spread(hn_i_previous(c, place.period));
-    block.following = hn_i_upper(block.cell, c, place.period);
+    cells.cell = hn_i_spread(c);
+    cells.previous = hn_i_spread(hn_i_previous(c, place.period));
+    cells.following = hn_i_upper(cells.cell, c, place.period);
   } else {
-    block.cell = hn_i_spread(uvec4(place.cell));
-    block.previous = hn_i_previous(block.cell);
-    block.following = hn_i_upper(block.cell);
+    cells.cell = hn_i_spread(uvec4(place.cell));
+    cells.previous = hn_i_previous(cells.cell);
+    cells.following = hn_i_upper(cells.cell);
   }
-  return block;
+  return cells;
 }
 
 // To here block.glsl is generated from block2d.glsl, in 3 and 4 dimensions.
 
-HN_FN hn_uvec3 hn_i_coordinates_x(hn_i_block3 block) {
-  return uvec3(block.previous.x, block.cell.x, block.following.x);
+HN_FN hn_uvec3 hn_i_coordinates_x(hn_i_neighbourhood3 cells) {
+  return uvec3(cells.previous.x, cells.cell.x, cells.following.x);
 }
-HN_FN hn_uvec3 hn_i_coordinates_y(hn_i_block3 block) {
-  return uvec3(block.previous.y, block.cell.y, block.following.y);
+HN_FN hn_uvec3 hn_i_coordinates_y(hn_i_neighbourhood3 cells) {
+  return uvec3(cells.previous.y, cells.cell.y, cells.following.y);
 }
-HN_FN hn_uvec3 hn_i_coordinates_z(hn_i_block3 block) {
-  return uvec3(block.previous.z, block.cell.z, block.following.z);
+HN_FN hn_uvec3 hn_i_coordinates_z(hn_i_neighbourhood3 cells) {
+  return uvec3(cells.previous.z, cells.cell.z, cells.following.z);
 }
 
 #endif

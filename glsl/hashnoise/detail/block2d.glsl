@@ -33,38 +33,38 @@ HN_FN hn_uvec2 hn_i_following(hn_uvec2 c, hn_ivec2 period) {
 
 // From here block.glsl is generated from block2d.glsl, in 3 and 4 dimensions.
 
-// A block has the spread coordinates of a cell, of the previous one along each axis, and of the following one: all that
-// simplex noise and cellular noise visit.
-struct hn_i_block2 {
+// The spread coordinates of a cell, of the previous one along each axis, and of the following one: all that simplex
+// noise and cellular noise visit.
+struct hn_i_neighbourhood2 {
   hn_uvec2 previous;
   hn_uvec2 cell;
   hn_uvec2 following;
 };
 
-HN_FN hn_i_block2 hn_i_block(hn_place2 place) {
-  HN_I_NEW(hn_i_block2, block);
+HN_FN hn_i_neighbourhood2 hn_i_neighbourhood(hn_place2 place) {
+  HN_I_NEW(hn_i_neighbourhood2, cells);
   if (place.tiled) {
     hn_uvec2 c = hn_i_wrap(place.cell, place.period);
-    block.cell = hn_i_spread(c);
-    block.previous = hn_i_spread(hn_i_previous(c, place.period));
-    block.following = hn_i_upper(block.cell, c, place.period);
+    cells.cell = hn_i_spread(c);
+    cells.previous = hn_i_spread(hn_i_previous(c, place.period));
+    cells.following = hn_i_upper(cells.cell, c, place.period);
   } else {
-    block.cell = hn_i_spread(uvec2(place.cell));
-    block.previous = hn_i_previous(block.cell);
-    block.following = hn_i_upper(block.cell);
+    cells.cell = hn_i_spread(uvec2(place.cell));
+    cells.previous = hn_i_previous(cells.cell);
+    cells.following = hn_i_upper(cells.cell);
   }
-  return block;
+  return cells;
 }
 
 // To here block.glsl is generated from block2d.glsl, in 3 and 4 dimensions.
 
-// The spread coordinates of a block along an axis. hn_i_triple_at chooses the first, the second or the
-// third, for an n of -1, 0 or 1.
-HN_FN hn_uvec3 hn_i_coordinates_x(hn_i_block2 block) {
-  return uvec3(block.previous.x, block.cell.x, block.following.x);
+// The spread coordinates of these cells along an axis. hn_i_triple_at chooses the first, the second or the third, for
+// an n of -1, 0 or 1.
+HN_FN hn_uvec3 hn_i_coordinates_x(hn_i_neighbourhood2 cells) {
+  return uvec3(cells.previous.x, cells.cell.x, cells.following.x);
 }
-HN_FN hn_uvec3 hn_i_coordinates_y(hn_i_block2 block) {
-  return uvec3(block.previous.y, block.cell.y, block.following.y);
+HN_FN hn_uvec3 hn_i_coordinates_y(hn_i_neighbourhood2 cells) {
+  return uvec3(cells.previous.y, cells.cell.y, cells.following.y);
 }
 HN_FN hn_uint hn_i_triple_at(hn_uvec3 v, hn_int n) { return hn_i_select(n < 0, v.x, hn_i_select(n > 0, v.z, v.y)); }
 

@@ -62,12 +62,12 @@ HN_FN hn_i_num hn_i_smallest(hn_i_num4 size) { return min(min(size.x, size.y), m
 // The hashes of the four points of a cell and, through the out parameters, the offsets from them along each axis and
 // how near they are. The size of an offset from a centre is 1/2 less that from a corner: so it is the largest where
 // that is the smallest. The squares of the distances differ by sums of sizes alone.
-HN_FN hn_uvec4 hn_i_four_points(hn_i_block3 block, hn_i_num3 f, hn_uint seed, HN_I_OUT(hn_i_num4) x,
+HN_FN hn_uvec4 hn_i_four_points(hn_i_neighbourhood3 cells, hn_i_num3 f, hn_uint seed, HN_I_OUT(hn_i_num4) x,
                                 HN_I_OUT(hn_i_num4) y, HN_I_OUT(hn_i_num4) z, HN_I_OUT(hn_i_num4) near_by) {
   hn_i_num4 dx = hn_i_offsets(f.x);
   hn_i_num4 dy = hn_i_offsets(f.y);
   hn_i_num4 dz = hn_i_offsets(f.z);
-  hn_i_num3 size = hn_i_vector(hn_i_size(dx.x), hn_i_size(dy.x), hn_i_size(dz.x));
+  hn_i_num3 size = hn_i_vector(hn_i_magnitude(dx.x), hn_i_magnitude(dy.x), hn_i_magnitude(dz.x));
   hn_i_num a = hn_i_largest(size);
   hn_i_num b = hn_i_smallest(size);
   x = hn_i_vector(dx.x, hn_i_select(size.x >= a, dx.y, dx.x), dx.z, hn_i_select(size.x <= b, dx.w, dx.z));
@@ -79,31 +79,31 @@ HN_FN hn_uvec4 hn_i_four_points(hn_i_block3 block, hn_i_num3 f, hn_uint seed, HN
   near_by = hn_i_vector(
       hn_i_falloff(q, 1024, 2), hn_i_falloff(hn_i_square_plus(q, hn_i_minus(HN_I_ONE, hn_i_plus(a, a))), 1024, 2),
       hn_i_falloff(q_centre, 1024, 2), hn_i_falloff(hn_i_square_plus(q_centre, hn_i_plus(b, b)), 1024, 2));
-  hn_uvec3 cell = block.cell;
-  hn_uvec3 corner = hn_i_nearer(f, cell, block.following);
-  hn_uvec3 opposite = hn_i_nearer(f, block.following, cell);
-  hn_uvec3 next_centre = hn_i_nearer(f, block.previous, block.following);
-  hn_uint s = hn_i_mix(seed);
-  return uvec4(
-      hn_i_seeded_word(corner, s),
-      hn_i_seeded_word(
-          uvec3(hn_i_select(size.x >= a, opposite.x, corner.x), hn_i_select(size.y >= a, opposite.y, corner.y),
-                hn_i_select(size.z >= a, opposite.z, corner.z)),
-          s),
-      hn_i_word(cell, hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
-      hn_i_word(uvec3(hn_i_select(size.x <= b, next_centre.x, cell.x), hn_i_select(size.y <= b, next_centre.y, cell.y),
-                      hn_i_select(size.z <= b, next_centre.z, cell.z)),
-                hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM));
+  hn_uvec3 cell = cells.cell;
+  hn_uvec3 corner = hn_i_nearer(f, cell, cells.following);
+  hn_uvec3 opposite = hn_i_nearer(f, cells.following, cell);
+  hn_uvec3 next_centre = hn_i_nearer(f, cells.previous, cells.following);
+  hn_uint s = hn_i_scramble(seed);
+  return uvec4(hn_i_seeded_hash(corner, s),
+               hn_i_seeded_hash(
+                   uvec3(hn_i_select(size.x >= a, opposite.x, corner.x), hn_i_select(size.y >= a, opposite.y, corner.y),
+                         hn_i_select(size.z >= a, opposite.z, corner.z)),
+                   s),
+               hn_i_point_hash(cell, hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
+               hn_i_point_hash(uvec3(hn_i_select(size.x <= b, next_centre.x, cell.x),
+                                     hn_i_select(size.y <= b, next_centre.y, cell.y),
+                                     hn_i_select(size.z <= b, next_centre.z, cell.z)),
+                               hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM));
 }
 
-HN_FN hn_uvec4 hn_i_four_points(hn_i_block4 block, hn_i_num4 f, hn_uint seed, HN_I_OUT(hn_i_num4) x,
+HN_FN hn_uvec4 hn_i_four_points(hn_i_neighbourhood4 cells, hn_i_num4 f, hn_uint seed, HN_I_OUT(hn_i_num4) x,
                                 HN_I_OUT(hn_i_num4) y, HN_I_OUT(hn_i_num4) z, HN_I_OUT(hn_i_num4) w,
                                 HN_I_OUT(hn_i_num4) near_by) {
   hn_i_num4 dx = hn_i_offsets(f.x);
   hn_i_num4 dy = hn_i_offsets(f.y);
   hn_i_num4 dz = hn_i_offsets(f.z);
   hn_i_num4 dw = hn_i_offsets(f.w);
-  hn_i_num4 size = hn_i_vector(hn_i_size(dx.x), hn_i_size(dy.x), hn_i_size(dz.x), hn_i_size(dw.x));
+  hn_i_num4 size = hn_i_vector(hn_i_magnitude(dx.x), hn_i_magnitude(dy.x), hn_i_magnitude(dz.x), hn_i_magnitude(dw.x));
   hn_i_num a = hn_i_largest(size);
   hn_i_num b = hn_i_smallest(size);
   x = hn_i_vector(dx.x, hn_i_select(size.x >= a, dx.y, dx.x), dx.z, hn_i_select(size.x <= b, dx.w, dx.z));
@@ -116,21 +116,22 @@ HN_FN hn_uvec4 hn_i_four_points(hn_i_block4 block, hn_i_num4 f, hn_uint seed, HN
   near_by = hn_i_vector(
       hn_i_falloff(q, 1024, 2), hn_i_falloff(hn_i_square_plus(q, hn_i_minus(HN_I_ONE, hn_i_plus(a, a))), 1024, 2),
       hn_i_falloff(q_centre, 1024, 2), hn_i_falloff(hn_i_square_plus(q_centre, hn_i_plus(b, b)), 1024, 2));
-  hn_uvec4 cell = block.cell;
-  hn_uvec4 corner = hn_i_nearer(f, cell, block.following);
-  hn_uvec4 opposite = hn_i_nearer(f, block.following, cell);
-  hn_uvec4 next_centre = hn_i_nearer(f, block.previous, block.following);
-  hn_uint s = hn_i_mix(seed);
+  hn_uvec4 cell = cells.cell;
+  hn_uvec4 corner = hn_i_nearer(f, cell, cells.following);
+  hn_uvec4 opposite = hn_i_nearer(f, cells.following, cell);
+  hn_uvec4 next_centre = hn_i_nearer(f, cells.previous, cells.following);
+  hn_uint s = hn_i_scramble(seed);
   return uvec4(
-      hn_i_seeded_word(corner, s),
-      hn_i_seeded_word(
+      hn_i_seeded_hash(corner, s),
+      hn_i_seeded_hash(
           uvec4(hn_i_select(size.x >= a, opposite.x, corner.x), hn_i_select(size.y >= a, opposite.y, corner.y),
                 hn_i_select(size.z >= a, opposite.z, corner.z), hn_i_select(size.w >= a, opposite.w, corner.w)),
           s),
-      hn_i_word(cell, hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
-      hn_i_word(uvec4(hn_i_select(size.x <= b, next_centre.x, cell.x), hn_i_select(size.y <= b, next_centre.y, cell.y),
-                      hn_i_select(size.z <= b, next_centre.z, cell.z), hn_i_select(size.w <= b, next_centre.w, cell.w)),
-                hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM));
+      hn_i_point_hash(cell, hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
+      hn_i_point_hash(
+          uvec4(hn_i_select(size.x <= b, next_centre.x, cell.x), hn_i_select(size.y <= b, next_centre.y, cell.y),
+                hn_i_select(size.z <= b, next_centre.z, cell.z), hn_i_select(size.w <= b, next_centre.w, cell.w)),
+          hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM));
 }
 
 #endif

@@ -55,87 +55,88 @@ HN_FN hn_uvec4 hn_i_wrap(hn_ivec4 c, hn_ivec4 period) {
 
 // From here cell.glsl is generated from cell2d.glsl, in 1, 3 and 4 dimensions.
 
-// A box has the spread coordinates of the lower and of the upper corner of a cell. With a period the corners are
-// wrapped. All lattice noises are functions of a box and of the place in it.
-struct hn_i_box1 {
+// The spread coordinates of the lower and the upper corner of a cell, wrapped where it has a period. All lattice noises
+// are functions of the corners and of the place between them.
+struct hn_i_cell_corners1 {
   hn_uint lower;
   hn_uint upper;
 };
-struct hn_i_box3 {
+struct hn_i_cell_corners3 {
   hn_uvec3 lower;
   hn_uvec3 upper;
 };
-struct hn_i_box4 {
+struct hn_i_cell_corners4 {
   hn_uvec4 lower;
   hn_uvec4 upper;
 };
 
-HN_FN hn_i_box1 hn_i_box(hn_place1 place) {
-  HN_I_NEW(hn_i_box1, box);
+HN_FN hn_i_cell_corners1 hn_i_cell_corners(hn_place1 place) {
+  HN_I_NEW(hn_i_cell_corners1, corners);
   if (place.tiled) {
     hn_uint c = hn_i_wrap(place.cell, place.period);
-    box.lower = hn_i_spread(c);
-    box.upper = hn_i_upper(box.lower, c, place.period);
+    corners.lower = hn_i_spread(c);
+    corners.upper = hn_i_upper(corners.lower, c, place.period);
   } else {
-    box.lower = hn_i_spread(uint(place.cell));
-    box.upper = hn_i_upper(box.lower);
+    corners.lower = hn_i_spread(uint(place.cell));
+    corners.upper = hn_i_upper(corners.lower);
   }
-  return box;
+  return corners;
 }
-HN_FN hn_i_box3 hn_i_box(hn_place3 place) {
-  HN_I_NEW(hn_i_box3, box);
+HN_FN hn_i_cell_corners3 hn_i_cell_corners(hn_place3 place) {
+  HN_I_NEW(hn_i_cell_corners3, corners);
   if (place.tiled) {
     hn_uvec3 c = hn_i_wrap(place.cell, place.period);
-    box.lower = hn_i_spread(c);
-    box.upper = hn_i_upper(box.lower, c, place.period);
+    corners.lower = hn_i_spread(c);
+    corners.upper = hn_i_upper(corners.lower, c, place.period);
   } else {
-    box.lower = hn_i_spread(uvec3(place.cell));
-    box.upper = hn_i_upper(box.lower);
+    corners.lower = hn_i_spread(uvec3(place.cell));
+    corners.upper = hn_i_upper(corners.lower);
   }
-  return box;
+  return corners;
 }
-HN_FN hn_i_box4 hn_i_box(hn_place4 place) {
-  HN_I_NEW(hn_i_box4, box);
+HN_FN hn_i_cell_corners4 hn_i_cell_corners(hn_place4 place) {
+  HN_I_NEW(hn_i_cell_corners4, corners);
   if (place.tiled) {
     hn_uvec4 c = hn_i_wrap(place.cell, place.period);
-    box.lower = hn_i_spread(c);
-    box.upper = hn_i_upper(box.lower, c, place.period);
+    corners.lower = hn_i_spread(c);
+    corners.upper = hn_i_upper(corners.lower, c, place.period);
   } else {
-    box.lower = hn_i_spread(uvec4(place.cell));
-    box.upper = hn_i_upper(box.lower);
+    corners.lower = hn_i_spread(uvec4(place.cell));
+    corners.upper = hn_i_upper(corners.lower);
   }
-  return box;
+  return corners;
 }
 
 // To here cell.glsl is generated from cell2d.glsl, in 1, 3 and 4 dimensions.
 
-// The hashes of the corners of a box: of both ends of a line, of the front or back face of a cube along z, and in four
+// The hashes of the corners of a cell: of both ends of a line, of the front or back face of a cube along z, and in four
 // dimensions of the square that z and w choose.
-HN_FN hn_uvec2 hn_i_corners(hn_i_box1 box, hn_uint seed) {
-  hn_uint s = hn_i_mix(seed);
+HN_FN hn_uvec2 hn_i_corner_hashes(hn_i_cell_corners1 corners, hn_uint seed) {
+  hn_uint s = hn_i_scramble(seed);
   hn_uint join = hn_i_seed_join(s);
-  hn_uint odd = hn_i_odd(box.lower, s);
-  return uvec2(hn_i_word(hn_i_high(box.lower) ^ join, odd),
-               hn_i_word(hn_i_high(box.upper) ^ join, hn_i_odd_x(hn_i_step_x(box.lower, box.upper), odd)));
+  hn_uint odd = hn_i_odd(corners.lower, s);
+  return uvec2(
+      hn_i_point_hash(hn_i_high(corners.lower) ^ join, odd),
+      hn_i_point_hash(hn_i_high(corners.upper) ^ join, hn_i_odd_x(hn_i_step_x(corners.lower, corners.upper), odd)));
 }
-HN_FN hn_uvec4 hn_i_corners(hn_i_box3 box, bool back, hn_uint seed) {
-  hn_uint s = hn_i_mix(seed);
-  hn_uvec3 lower = box.lower;
-  hn_uvec3 upper = box.upper;
+HN_FN hn_uvec4 hn_i_corner_hashes(hn_i_cell_corners3 corners, bool back, hn_uint seed) {
+  hn_uint s = hn_i_scramble(seed);
+  hn_uvec3 lower = corners.lower;
+  hn_uvec3 upper = corners.upper;
   hn_uint join = hn_i_select(back, hn_i_high(upper).z, hn_i_high(lower).z) ^ hn_i_seed_join(s);
   hn_uint more = hn_i_select(back, hn_i_odd_z(upper.z - lower.z, 0u), 0u);
-  return hn_i_corners(uvec2(lower.x, lower.y), uvec2(upper.x, upper.y), join, hn_i_odd(lower, s), more);
+  return hn_i_corner_hashes(uvec2(lower.x, lower.y), uvec2(upper.x, upper.y), join, hn_i_odd(lower, s), more);
 }
-HN_FN hn_uvec4 hn_i_corners(hn_i_box4 box, bool far_z, bool far_w, hn_uint seed) {
-  hn_uint s = hn_i_mix(seed);
-  hn_uvec4 lower = box.lower;
-  hn_uvec4 upper = box.upper;
+HN_FN hn_uvec4 hn_i_corner_hashes(hn_i_cell_corners4 corners, bool far_z, bool far_w, hn_uint seed) {
+  hn_uint s = hn_i_scramble(seed);
+  hn_uvec4 lower = corners.lower;
+  hn_uvec4 upper = corners.upper;
   hn_uvec4 a = hn_i_high(lower);
   hn_uvec4 b = hn_i_high(upper);
   hn_uint join = hn_i_select(far_z, b.z, a.z) ^ hn_i_select(far_w, b.w, a.w) ^ hn_i_seed_join(s);
   hn_uint more = hn_i_select(far_z, hn_i_odd_z(upper.z - lower.z, 0u), 0u) +
                  hn_i_select(far_w, hn_i_odd_w(upper.w - lower.w, 0u), 0u);
-  return hn_i_corners(uvec2(lower.x, lower.y), uvec2(upper.x, upper.y), join, hn_i_odd(lower, s), more);
+  return hn_i_corner_hashes(uvec2(lower.x, lower.y), uvec2(upper.x, upper.y), join, hn_i_odd(lower, s), more);
 }
 
 #endif

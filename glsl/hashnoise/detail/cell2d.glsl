@@ -183,15 +183,15 @@ HN_FN hn_uvec2 hn_i_upper(hn_uvec2 lower, hn_uvec2 c, hn_ivec2 period) {
 // corner. Other axes and the seed add `join` to the exclusive or. `odd` is the odd number of the first corner, and
 // `more` is added to all four (it is even). Without a period `more` and the steps along x and y are constants, so they
 // are added first.
-HN_FN hn_uvec4 hn_i_corners(hn_uvec2 c0, hn_uvec2 c1, hn_uint join, hn_uint odd, hn_uint more) {
+HN_FN hn_uvec4 hn_i_corner_hashes(hn_uvec2 c0, hn_uvec2 c1, hn_uint join, hn_uint odd, hn_uint more) {
   hn_uvec2 a = hn_i_high(c0);
   hn_uvec2 b = hn_i_high(c1);
   a.y ^= join;
   b.y ^= join;
   hn_uint x = hn_i_odd_x(hn_i_step_x(c0.x, c1.x), 0u);
   hn_uint y = hn_i_odd_y(c1.y - c0.y, 0u);
-  return uvec4(hn_i_word(a.x ^ a.y, odd + more), hn_i_word(b.x ^ a.y, odd + (x + more)),
-               hn_i_word(a.x ^ b.y, odd + (y + more)), hn_i_word(b.x ^ b.y, odd + (x + y + more)));
+  return uvec4(hn_i_point_hash(a.x ^ a.y, odd + more), hn_i_point_hash(b.x ^ a.y, odd + (x + more)),
+               hn_i_point_hash(a.x ^ b.y, odd + (y + more)), hn_i_point_hash(b.x ^ b.y, odd + (x + y + more)));
 }
 
 // From here cell.glsl is generated from cell2d.glsl, in 3 and 4 dimensions.
@@ -215,31 +215,31 @@ HN_FN hn_uvec2 hn_i_wrap(hn_ivec2 c, hn_ivec2 period) {
 
 // From here cell.glsl is generated from cell2d.glsl, in 1, 3 and 4 dimensions.
 
-// A box has the spread coordinates of the lower and of the upper corner of a cell. With a period the corners are
-// wrapped. All lattice noises are functions of a box and of the place in it.
-struct hn_i_box2 {
+// The spread coordinates of the lower and the upper corner of a cell, wrapped where it has a period. All lattice noises
+// are functions of the corners and of the place between them.
+struct hn_i_cell_corners2 {
   hn_uvec2 lower;
   hn_uvec2 upper;
 };
 
-HN_FN hn_i_box2 hn_i_box(hn_place2 place) {
-  HN_I_NEW(hn_i_box2, box);
+HN_FN hn_i_cell_corners2 hn_i_cell_corners(hn_place2 place) {
+  HN_I_NEW(hn_i_cell_corners2, corners);
   if (place.tiled) {
     hn_uvec2 c = hn_i_wrap(place.cell, place.period);
-    box.lower = hn_i_spread(c);
-    box.upper = hn_i_upper(box.lower, c, place.period);
+    corners.lower = hn_i_spread(c);
+    corners.upper = hn_i_upper(corners.lower, c, place.period);
   } else {
-    box.lower = hn_i_spread(uvec2(place.cell));
-    box.upper = hn_i_upper(box.lower);
+    corners.lower = hn_i_spread(uvec2(place.cell));
+    corners.upper = hn_i_upper(corners.lower);
   }
-  return box;
+  return corners;
 }
 
 // To here cell.glsl is generated from cell2d.glsl, in 1, 3 and 4 dimensions.
 
-HN_FN hn_uvec4 hn_i_corners(hn_i_box2 box, hn_uint seed) {
-  hn_uint s = hn_i_mix(seed);
-  return hn_i_corners(box.lower, box.upper, hn_i_seed_join(s), hn_i_odd(box.lower, s), 0u);
+HN_FN hn_uvec4 hn_i_corner_hashes(hn_i_cell_corners2 corners, hn_uint seed) {
+  hn_uint s = hn_i_scramble(seed);
+  return hn_i_corner_hashes(corners.lower, corners.upper, hn_i_seed_join(s), hn_i_odd(corners.lower, s), 0u);
 }
 
 #endif

@@ -78,9 +78,10 @@ HN_FN hn_uvec4 hn_i_high_of_line(hn_uvec4 v, hn_uint shift) {
 // exclusive or. `odd` is the odd number of the second point.
 HN_FN hn_i_num hn_i_cubic_row(hn_uvec4 x, hn_uint join, hn_uint odd, hn_i_num4 w) {
   hn_uvec4 a = hn_i_high_of_line(x, 12u);
-  hn_uvec4 h = uvec4(hn_i_word(a.x ^ join, hn_i_odd_x(hn_i_step_x(x.y, x.x), odd)), hn_i_word(a.y ^ join, odd),
-                     hn_i_word(a.z ^ join, hn_i_odd_x(hn_i_step_x(x.y, x.z), odd)),
-                     hn_i_word(a.w ^ join, hn_i_odd_x(hn_i_step_x(x.y, x.w), odd)));
+  hn_uvec4 h =
+      uvec4(hn_i_point_hash(a.x ^ join, hn_i_odd_x(hn_i_step_x(x.y, x.x), odd)), hn_i_point_hash(a.y ^ join, odd),
+            hn_i_point_hash(a.z ^ join, hn_i_odd_x(hn_i_step_x(x.y, x.z), odd)),
+            hn_i_point_hash(a.w ^ join, hn_i_odd_x(hn_i_step_x(x.y, x.w), odd)));
   return hn_i_blend(hn_i_numbers(h), w);
 }
 

@@ -43,7 +43,7 @@ HN_FN hn_vec4 hn_i_d_fade(hn_vec4 f) {
 
 HN_FN hn_float hn_i_d_corner(hn_float a, hn_float b) { return hn_i_minus(b, a); }
 HN_FN hn_float hn_i_d_faded(hn_float rise, hn_float slope) { return hn_i_times(rise, slope); }
-HN_FN hn_float hn_i_d_faded(hn_float g, hn_float rise, hn_float slope) { return hn_i_times_plus(rise, slope, g); }
+HN_FN hn_float hn_i_d_faded(hn_float g, hn_float rise, hn_float slope) { return hn_i_multiply_add(rise, slope, g); }
 
 HN_FN hn_float hn_i_of_d_corners(hn_float n) { return n; }
 

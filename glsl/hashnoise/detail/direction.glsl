@@ -16,8 +16,8 @@
 //   hn_i_direction2(h, turned)       the gradient of a hash on the plane, or what a quarter turn makes of it
 //   hn_i_along2(g, x, y)             a gradient times an offset; in HN_FIXED in units of 2^-22
 //   hn_i_ramp_of2(n)                 takes it to the units of ramps
-//   hn_i_edge2(a, b, t)              interpolates from a to b by a fade, to a ramp
-//   hn_i_d_edge2(a, b)               their difference, in the units of derivatives
+//   hn_i_lerp_ramps2(a, b, t)        interpolates from a to b by a fade, to a ramp
+//   hn_i_ramp_difference2(a, b)      their difference, in the units of derivatives
 //   hn_i_weighted_component(g, w)    HN_FIXED only: a component of a gradient times an exact weight, in the units of
 //                                    derivatives
 //   hn_i_lerp_components(g, h, t)    interpolates from g to h by an exact fade, to the units of derivatives
@@ -57,8 +57,8 @@ HN_FN hn_float hn_i_far(hn_float x) { return hn_i_minus_one(x); }
 HN_FN hn_float hn_i_exact(hn_float t) { return t; }
 HN_FN hn_float hn_i_along2(hn_vec2 g, hn_float x, hn_float y) { return hn_i_dot(g, x, y); }
 HN_FN hn_float hn_i_ramp_of2(hn_float n) { return n; }
-HN_FN hn_float hn_i_edge2(hn_float a, hn_float b, hn_float t) { return hn_i_lerp(a, b, t); }
-HN_FN hn_float hn_i_d_edge2(hn_float a, hn_float b) { return hn_i_minus(b, a); }
+HN_FN hn_float hn_i_lerp_ramps2(hn_float a, hn_float b, hn_float t) { return hn_i_lerp(a, b, t); }
+HN_FN hn_float hn_i_ramp_difference2(hn_float a, hn_float b) { return hn_i_minus(b, a); }
 HN_FN hn_float hn_i_lerp_components(hn_float g, hn_float h, hn_float t) { return hn_i_lerp(g, h, t); }
 
 HN_FN hn_float hn_i_gradient1(hn_uint h) {
@@ -92,11 +92,11 @@ HN_FN hn_int hn_i_along2(hn_vec2 g, hn_float x, hn_float y) { return hn_i_beyond
 HN_FN hn_int hn_i_ramp_of2(hn_int n) { return n * 128; }
 
 // These are hn_i_lerp and hn_i_d_corner of ramps, without the bits that are 0 in them.
-HN_FN hn_int hn_i_edge2(hn_int a, hn_int b, hn_int t) {
+HN_FN hn_int hn_i_lerp_ramps2(hn_int a, hn_int b, hn_int t) {
   hn_int d = b - a;
   return a * 128 + ((d >> 2) * (t >> 9) + (d >> 11) * (t & 511));
 }
-HN_FN hn_int hn_i_d_edge2(hn_int a, hn_int b) { return (b - a) * 32; }
+HN_FN hn_int hn_i_ramp_difference2(hn_int a, hn_int b) { return (b - a) * 32; }
 
 HN_FN hn_int hn_i_weighted_component(hn_float g, hn_float w) { return hn_i_beyond_3(g * w + 3.0f) * 32; }
 HN_FN hn_int hn_i_lerp_components(hn_float g, hn_float h, hn_float t) {
@@ -113,9 +113,9 @@ HN_FN hn_i_num hn_i_scaled1(hn_i_num n) { return hn_i_scaled(n, 2048); }
 
 // Each HN_GRADIENT offers these functions:
 //
-//   hn_i_ramps(box, f, seed)  what the corners 00, 10, 01, 11 of a cell add at the place f in it
-//   hn_i_face2(n, x, y)       interpolates between such four by fades x and y
-//   hn_i_scaled2(n)           noise that is interpolated between ramps, in [-1, 1]
+//   hn_i_ramps(corners, f, seed)  what the corners 00, 10, 01, 11 of a cell add at the place f in it
+//   hn_i_bilerp_ramps2(n, x, y)   interpolates between such four by fades x and y
+//   hn_i_scaled2(n)               noise that is interpolated between ramps, in [-1, 1]
 
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
@@ -129,17 +129,17 @@ HN_FN hn_i_num4 hn_i_ramps(hn_uvec4 h, hn_i_num2 f, bool turned) {
                      hn_i_along2(hn_i_direction2(h.z, turned), x, y1),
                      hn_i_along2(hn_i_direction2(h.w, turned), x1, y1));
 }
-HN_FN hn_i_num4 hn_i_ramps(hn_i_box2 box, hn_i_num2 f, hn_uint seed) {
-  return hn_i_ramps(hn_i_corners(box, seed), f, false);
+HN_FN hn_i_num4 hn_i_ramps(hn_i_cell_corners2 corners, hn_i_num2 f, hn_uint seed) {
+  return hn_i_ramps(hn_i_corner_hashes(corners, seed), f, false);
 }
 
-HN_FN hn_i_num hn_i_face2(hn_i_num4 n, hn_i_num x, hn_i_num y) {
-  return hn_i_lerp(hn_i_edge2(n.x, n.y, x), hn_i_edge2(n.z, n.w, x), y);
+HN_FN hn_i_num hn_i_bilerp_ramps2(hn_i_num4 n, hn_i_num x, hn_i_num y) {
+  return hn_i_lerp(hn_i_lerp_ramps2(n.x, n.y, x), hn_i_lerp_ramps2(n.z, n.w, x), y);
 }
 
 // Noise before it is scaled, from the hashes of the corners and the fades.
 HN_FN hn_i_num hn_i_cell_of_ramps(hn_uvec4 h, hn_i_num2 f, hn_i_num2 t, bool turned) {
-  return hn_i_face2(hn_i_ramps(h, f, turned), t.x, t.y);
+  return hn_i_bilerp_ramps2(hn_i_ramps(h, f, turned), t.x, t.y);
 }
 
 // 1831 / 1024 is just below 1 / 0.55902: the largest value that a noise has before it is scaled, with rotating

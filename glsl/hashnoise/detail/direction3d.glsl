@@ -16,7 +16,7 @@
 //   hn_i_direction3(h, turned)      all three components
 //   hn_i_along3(g, x, y, z)         a gradient times an offset; in HN_FIXED in units of offsets, 2^-20
 //   hn_i_along3(h, x, y, z, turned)  the same without the component that is 0
-//   hn_i_ramp_of3, hn_i_edge3 and hn_i_d_edge3 are as in direction.glsl, from these units
+//   hn_i_ramp_of3, hn_i_lerp_ramps3 and hn_i_ramp_difference3 are as in direction.glsl, from these units
 //   hn_i_scaled_d(n, s)             a noise and its derivatives times s / 1024
 
 #if HN_I_BITCAST && HN_ARITHMETIC != HN_FIXED
@@ -66,8 +66,8 @@ HN_FN hn_vec3 hn_i_direction3(hn_uint h, bool turned) {
 HN_FN hn_float hn_i_along3(hn_vec2 g, hn_float a, hn_float b) { return hn_i_dot(g, a, b); }
 HN_FN hn_float hn_i_along3(hn_vec3 g, hn_float x, hn_float y, hn_float z) { return hn_i_dot(g, x, y, z); }
 HN_FN hn_float hn_i_ramp_of3(hn_float n) { return n; }
-HN_FN hn_float hn_i_edge3(hn_float a, hn_float b, hn_float t) { return hn_i_lerp(a, b, t); }
-HN_FN hn_float hn_i_d_edge3(hn_float a, hn_float b) { return hn_i_minus(b, a); }
+HN_FN hn_float hn_i_lerp_ramps3(hn_float a, hn_float b, hn_float t) { return hn_i_lerp(a, b, t); }
+HN_FN hn_float hn_i_ramp_difference3(hn_float a, hn_float b) { return hn_i_minus(b, a); }
 
 #else
 
@@ -79,11 +79,11 @@ HN_FN hn_int hn_i_ramp_of3(hn_int n) { return n * 512; }
 
 // In space the difference of two ramps can be 2^31, at corners that have no weight: there uints wrap, where signed
 // integers of C++ must not.
-HN_FN hn_int hn_i_edge3(hn_int a, hn_int b, hn_int t) {
+HN_FN hn_int hn_i_lerp_ramps3(hn_int a, hn_int b, hn_int t) {
   hn_int d = b - a;
   return int(uint(a) * 512u + uint(d) * uint(t >> 9) + uint((d >> 9) * (t & 511)));
 }
-HN_FN hn_int hn_i_d_edge3(hn_int a, hn_int b) { return (b - a) * 128; }
+HN_FN hn_int hn_i_ramp_difference3(hn_int a, hn_int b) { return (b - a) * 128; }
 
 #endif
 
@@ -100,10 +100,10 @@ HN_FN hn_vec4 hn_i_scaled_d(hn_i_num4 n, hn_int s) {
 
 // Each HN_GRADIENT offers these functions:
 //
-//   hn_i_ramps(box, f, back, seed)  what the corners of the front face of a cell, or of its back face along z, add at
-//                                   the place f in it
-//   hn_i_face3(n, x, y)             interpolates between such four by fades x and y
-//   hn_i_scaled3(n)                 noise that is interpolated between ramps, in [-1, 1]
+//   hn_i_ramps(corners, f, back, seed)  what the corners of the front face of a cell, or of its back face along z, add
+//                                       at the place f in it
+//   hn_i_bilerp_ramps3(n, x, y)         interpolates between such four by fades x and y
+//   hn_i_scaled3(n)                     noise that is interpolated between ramps, in [-1, 1]
 
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
@@ -117,18 +117,18 @@ HN_FN hn_i_num4 hn_i_ramps(hn_uvec4 h, hn_i_num3 f, bool back, bool turned) {
   return hn_i_vector(hn_i_along3(h.x, x, y, z, turned), hn_i_along3(h.y, x1, y, z, turned),
                      hn_i_along3(h.z, x, y1, z, turned), hn_i_along3(h.w, x1, y1, z, turned));
 }
-HN_FN hn_i_num4 hn_i_ramps(hn_i_box3 box, hn_i_num3 f, bool back, hn_uint seed) {
-  return hn_i_ramps(hn_i_corners(box, back, seed), f, back, false);
+HN_FN hn_i_num4 hn_i_ramps(hn_i_cell_corners3 corners, hn_i_num3 f, bool back, hn_uint seed) {
+  return hn_i_ramps(hn_i_corner_hashes(corners, back, seed), f, back, false);
 }
 
-HN_FN hn_i_num hn_i_face3(hn_i_num4 n, hn_i_num x, hn_i_num y) {
-  return hn_i_lerp(hn_i_edge3(n.x, n.y, x), hn_i_edge3(n.z, n.w, x), y);
+HN_FN hn_i_num hn_i_bilerp_ramps3(hn_i_num4 n, hn_i_num x, hn_i_num y) {
+  return hn_i_lerp(hn_i_lerp_ramps3(n.x, n.y, x), hn_i_lerp_ramps3(n.z, n.w, x), y);
 }
 
 // Noise before it is scaled, from the hashes of the corners of both faces and the fades.
 HN_FN hn_i_num hn_i_cell_of_ramps(hn_uvec4 front, hn_uvec4 back, hn_i_num3 f, hn_i_num3 t, bool turned) {
-  return hn_i_lerp(hn_i_face3(hn_i_ramps(front, f, false, turned), t.x, t.y),
-                   hn_i_face3(hn_i_ramps(back, f, true, turned), t.x, t.y), t.z);
+  return hn_i_lerp(hn_i_bilerp_ramps3(hn_i_ramps(front, f, false, turned), t.x, t.y),
+                   hn_i_bilerp_ramps3(hn_i_ramps(back, f, true, turned), t.x, t.y), t.z);
 }
 
 // 985 / 1024 is below 1 / 1.0364: the largest value that a noise has before it is scaled (tools/make bounds).

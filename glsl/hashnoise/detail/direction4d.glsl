@@ -14,20 +14,20 @@
 // A ramp is the sum of two offsets. In a kernel it has 30 bits, so its units in HN_FIXED are 2^-28, twice as large as
 // other ramps. An interpolation between such ramps is scaled by twice as much there.
 //
-//   hn_i_flipped(x, word)        x, or -x if the highest bit of the hash is set
+//   hn_i_flipped(x, h)           x, or -x if the highest bit of the hash is set
 //   hn_i_along4(h, x, y, z, w)   the gradient of a hash times an offset, in the units of offsets
 //   hn_i_direction4(h)           the gradient; hn_i_along4(g, x, y, z, w), the same of offsets that are floats
-//   hn_i_ramp_of4, hn_i_edge4, hn_i_d_edge4, hn_i_lerp_components4 and hn_i_d_weighted_ramp4 are those of
-//   direction.glsl and falloff.glsl in the units of four dimensions
+//   hn_i_ramp_of4, hn_i_lerp_ramps4, hn_i_ramp_difference4, hn_i_lerp_components4 and hn_i_d_weighted_ramp4 are as in
+//   direction.glsl and falloff.glsl, in the units of four dimensions
 
-HN_FN hn_float hn_i_flipped(hn_float x, hn_uint word) {
+HN_FN hn_float hn_i_flipped(hn_float x, hn_uint h) {
 #if HN_I_BITCAST
-  return uintBitsToFloat(floatBitsToUint(x) ^ (word & 0x80000000u));
+  return uintBitsToFloat(floatBitsToUint(x) ^ (h & 0x80000000u));
 #else
-  return hn_i_select((word & 0x80000000u) != 0u, -x, x);
+  return hn_i_select((h & 0x80000000u) != 0u, -x, x);
 #endif
 }
-HN_FN hn_int hn_i_flipped(hn_int x, hn_uint word) { return hn_i_select((word & 0x80000000u) != 0u, -x, x); }
+HN_FN hn_int hn_i_flipped(hn_int x, hn_uint h) { return hn_i_select((h & 0x80000000u) != 0u, -x, x); }
 
 HN_FN hn_i_num hn_i_along4(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num w) {
   hn_uint second = h & 0x00100000u;
@@ -55,8 +55,8 @@ HN_FN hn_float hn_i_along4(hn_vec4 g, hn_float x, hn_float y, hn_float z, hn_flo
   return n;
 }
 HN_FN hn_float hn_i_ramp_of4(hn_float n) { return n; }
-HN_FN hn_float hn_i_edge4(hn_float a, hn_float b, hn_float t) { return hn_i_lerp(a, b, t); }
-HN_FN hn_float hn_i_d_edge4(hn_float a, hn_float b) { return hn_i_minus(b, a); }
+HN_FN hn_float hn_i_lerp_ramps4(hn_float a, hn_float b, hn_float t) { return hn_i_lerp(a, b, t); }
+HN_FN hn_float hn_i_ramp_difference4(hn_float a, hn_float b) { return hn_i_minus(b, a); }
 HN_FN hn_float hn_i_lerp_components4(hn_float g, hn_float h, hn_float t) { return hn_i_lerp(g, h, t); }
 HN_FN hn_float hn_i_d_weighted_ramp4(hn_float g, hn_float w, hn_float k, hn_float x) {
   return hn_i_d_weighted_ramp(g, w, k, x);
@@ -67,11 +67,11 @@ HN_FN hn_int hn_i_along4(hn_vec4 g, hn_float x, hn_float y, hn_float z, hn_float
   return hn_i_beyond_12(g.x * x + 12.0f + g.y * y + g.z * z + g.w * w);
 }
 HN_FN hn_int hn_i_ramp_of4(hn_int n) { return n * 256; }
-HN_FN hn_int hn_i_edge4(hn_int a, hn_int b, hn_int t) {
+HN_FN hn_int hn_i_lerp_ramps4(hn_int a, hn_int b, hn_int t) {
   hn_int d = b - a;
   return a * 256 + ((d >> 1) * (t >> 9) + (d >> 10) * (t & 511));
 }
-HN_FN hn_int hn_i_d_edge4(hn_int a, hn_int b) { return (b - a) * 64; }
+HN_FN hn_int hn_i_ramp_difference4(hn_int a, hn_int b) { return (b - a) * 64; }
 HN_FN hn_int hn_i_lerp_components4(hn_float g, hn_float h, hn_float t) { return hn_i_lerp_components(g, h, t) >> 1; }
 HN_FN hn_int hn_i_d_weighted_ramp4(hn_float g, hn_int w, hn_int k, hn_int x) {
   return (hn_i_weighted_component(g, hn_i_exact(w)) >> 1) - 2 * hn_i_part(k, x >> 2);

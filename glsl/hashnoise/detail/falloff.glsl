@@ -12,7 +12,7 @@
 //   hn_i_quarters(n)                  n / 4 as an offset
 //   hn_i_half(x)                      x / 2; in HN_FIXED x is even
 //   hn_i_floor(x)                     the largest int that is not above x; hn_i_fract(x) is what x has beyond it
-//   hn_i_whole(x)                     the same int of an x that is not negative. GPUs cut a float off in one step
+//   hn_i_truncate(x)                  the same int of an x that is not negative. GPUs cut a float off in one step
 //   hn_i_square(x, y, ...)            the square of the length of an offset
 //   hn_i_square_plus(q, x)            such a square plus a number that is given as an offset
 //   hn_i_falloff(q, s, m)             s / 1024 - m q, or 0 beyond the radius, where that is negative. In HN_FIXED it is
@@ -41,7 +41,7 @@
 HN_FN hn_float hn_i_quarters(hn_int n) { return hn_i_float(n) * 0.25f; }
 HN_FN hn_float hn_i_half(hn_float x) { return hn_i_times(x, 0.5f); }
 HN_FN hn_int hn_i_floor(hn_float x) { return hn_i_cell(x); }
-HN_FN hn_int hn_i_whole(hn_float x) { return ivec2(vec2(x, 0.0f)).x; }
+HN_FN hn_int hn_i_truncate(hn_float x) { return ivec2(vec2(x, 0.0f)).x; }
 HN_FN hn_float hn_i_fract(hn_float x) { return hn_i_fraction(x); }
 
 HN_FN hn_float hn_i_square(hn_float x, hn_float y) {
@@ -59,7 +59,7 @@ HN_FN hn_float hn_i_square(hn_float x, hn_float y, hn_float z, hn_float w) {
 HN_FN hn_float hn_i_square_plus(hn_float q, hn_float x) { return hn_i_plus(q, x); }
 
 HN_FN hn_float hn_i_falloff(hn_float q, hn_int s, hn_int m) {
-  return max(hn_i_times_plus(hn_i_float(-m), q, hn_i_float(s) * (1.0f / 1024.0f)), 0.0f);
+  return max(hn_i_multiply_add(hn_i_float(-m), q, hn_i_float(s) * (1.0f / 1024.0f)), 0.0f);
 }
 HN_FN hn_float hn_i_weight3(hn_float t) {
   HN_I_PRECISE hn_float w = t * t * t;
@@ -104,28 +104,28 @@ HN_FN hn_float hn_i_d_weighted_ramp(hn_float g, hn_float w, hn_float k, hn_float
 HN_FN hn_int hn_i_quarters(hn_int n) { return n * (HN_I_UNITS_FRACTION / 4); }
 HN_FN hn_int hn_i_half(hn_int x) { return x >> 1; }
 HN_FN hn_int hn_i_floor(hn_int x) { return x >> 20; }
-HN_FN hn_int hn_i_whole(hn_int x) { return x >> 20; }
+HN_FN hn_int hn_i_truncate(hn_int x) { return x >> 20; }
 HN_FN hn_int hn_i_fract(hn_int x) { return x & (HN_I_UNITS_FRACTION - 1); }
 
 // Squares have 41 bits. They are summed by the products of the high digits, of a high and a low digit, and of the low
 // digits, so that the sum is exact before it is rounded down. A digit has 10 bits.
 #ifndef HN_I_OWN_SQUARES  // lanes.hpp has its own
 HN_FN hn_uint hn_i_square(hn_int x, hn_int y) {
-  hn_uvec2 v = uvec2(ivec2(hn_i_size(x), hn_i_size(y)));
+  hn_uvec2 v = uvec2(ivec2(hn_i_magnitude(x), hn_i_magnitude(y)));
   hn_uvec2 h = uvec2(v.x >> 10u, v.y >> 10u);
   hn_uvec2 l = uvec2(v.x & 1023u, v.y & 1023u);
   return ((h.x * h.x + h.y * h.y) << 10u) + (h.x * l.x + h.y * l.y) * 2u + ((l.x * l.x + l.y * l.y) >> 10u);
 }
 // Generated for 3 and 4 dimensions from the lines above.
 HN_FN hn_uint hn_i_square(hn_int x, hn_int y, hn_int z) {
-  hn_uvec3 v = uvec3(ivec3(hn_i_size(x), hn_i_size(y), hn_i_size(z)));
+  hn_uvec3 v = uvec3(ivec3(hn_i_magnitude(x), hn_i_magnitude(y), hn_i_magnitude(z)));
   hn_uvec3 h = uvec3(v.x >> 10u, v.y >> 10u, v.z >> 10u);
   hn_uvec3 l = uvec3(v.x & 1023u, v.y & 1023u, v.z & 1023u);
   return ((h.x * h.x + h.y * h.y + h.z * h.z) << 10u) + (h.x * l.x + h.y * l.y + h.z * l.z) * 2u +
          ((l.x * l.x + l.y * l.y + l.z * l.z) >> 10u);
 }
 HN_FN hn_uint hn_i_square(hn_int x, hn_int y, hn_int z, hn_int w) {
-  hn_uvec4 v = uvec4(ivec4(hn_i_size(x), hn_i_size(y), hn_i_size(z), hn_i_size(w)));
+  hn_uvec4 v = uvec4(ivec4(hn_i_magnitude(x), hn_i_magnitude(y), hn_i_magnitude(z), hn_i_magnitude(w)));
   hn_uvec4 h = uvec4(v.x >> 10u, v.y >> 10u, v.z >> 10u, v.w >> 10u);
   hn_uvec4 l = uvec4(v.x & 1023u, v.y & 1023u, v.z & 1023u, v.w & 1023u);
   return ((h.x * h.x + h.y * h.y + h.z * h.z + h.w * h.w) << 10u) +

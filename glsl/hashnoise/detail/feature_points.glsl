@@ -75,15 +75,15 @@ HN_FN hn_vec3 hn_i_fields3(hn_uvec3 h) { return hn_i_fields(hn_i_and(h >> 15u, 2
 #endif
 
 // hn_i_signed of three numbers at once.
-HN_FN hn_vec3 hn_i_signed(hn_vec3 m, hn_uvec3 words) {
+HN_FN hn_vec3 hn_i_signed(hn_vec3 m, hn_uvec3 hashes) {
 #if HN_I_BITCAST
-  return uintBitsToFloat(floatBitsToUint(m) | hn_i_and(words, 0x80000000u));
+  return uintBitsToFloat(floatBitsToUint(m) | hn_i_and(hashes, 0x80000000u));
 #else
-  return vec3(hn_i_signed(m.x, words.x), hn_i_signed(m.y, words.y), hn_i_signed(m.z, words.z));
+  return vec3(hn_i_signed(m.x, hashes.x), hn_i_signed(m.y, hashes.y), hn_i_signed(m.z, hashes.z));
 #endif
 }
-HN_FN hn_ivec3 hn_i_signed(hn_ivec3 m, hn_uvec3 words) {
-  hn_ivec3 sign = ivec3(words) >> 31;  // -1 or 0
+HN_FN hn_ivec3 hn_i_signed(hn_ivec3 m, hn_uvec3 hashes) {
+  hn_ivec3 sign = ivec3(hashes) >> 31;  // -1 or 0
   return (m ^ sign) - sign;
 }
 
@@ -100,7 +100,7 @@ HN_FN hn_int hn_i_z_of(hn_int code) { return (code >> 4) - 1; }
 #define HN_I_NO_OFFSET 0.0f
 
 HN_FN hn_float hn_i_jitter(hn_float jitter) { return hn_i_to_num(min(max(0.0f, jitter), 1.0f)); }
-HN_FN hn_float hn_i_from_centre(hn_float f) { return hn_i_times_plus(f, 2.0f, -1.0f); }
+HN_FN hn_float hn_i_from_centre(hn_float f) { return hn_i_multiply_add(f, 2.0f, -1.0f); }
 HN_FN hn_float hn_i_offset_from_cell(hn_float d, hn_int n) { return hn_i_minus(d, hn_i_float(n) * 2.0f); }
 HN_FN hn_vec3 hn_i_triple(hn_float a, hn_float b, hn_float c) { return vec3(a, b, c); }
 HN_FN hn_vec3 hn_i_offsets_from_points(hn_vec3 d, hn_vec3 a, hn_float jitter) {
@@ -125,11 +125,11 @@ HN_FN hn_vec4 hn_i_far_away() { return vec4(65536.0f, 65536.0f, 65536.0f, 0.0f);
 HN_FN hn_vec4 hn_i_ranks(hn_float x, hn_float y, hn_float z, hn_float w) { return vec4(x, y, z, w); }
 HN_FN hn_vec3 hn_i_ranks(hn_float x, hn_float y, hn_float z) { return vec3(x, y, z); }
 
-HN_FN hn_vec3 hn_i_times_plus(hn_vec3 a, hn_float b, hn_vec3 c) {
+HN_FN hn_vec3 hn_i_multiply_add(hn_vec3 a, hn_float b, hn_vec3 c) {
   HN_I_PRECISE hn_vec3 n = a * b + c;
   return n;
 }
-HN_FN hn_vec3 hn_i_hybrids(hn_vec3 squares, hn_vec3 sums) { return hn_i_times_plus(squares, 0.5f, sums); }
+HN_FN hn_vec3 hn_i_hybrids(hn_vec3 squares, hn_vec3 sums) { return hn_i_multiply_add(squares, 0.5f, sums); }
 HN_FN hn_float hn_i_distance(hn_float rank, hn_int metric) {
   if (metric == HN_METRIC_SQUARED) return rank * 0.25f;
   if (metric == HN_METRIC_MANHATTAN || metric == HN_METRIC_CHEBYSHEV || metric == HN_METRIC_HYBRID) return rank * 0.5f;
@@ -212,7 +212,7 @@ HN_FN hn_float hn_i_smooth_distance(hn_uint weights) {
 
 // The number of steps, 2 or -2, to the cell beyond the neighbours of a cell, on the side of a place with the offset d
 // from the centre of that cell.
-HN_FN hn_int hn_i_far_step(hn_i_num d) { return hn_i_choice(d > HN_I_NO_OFFSET, 2, -2); }
+HN_FN hn_int hn_i_far_step(hn_i_num d) { return hn_i_select_int(d > HN_I_NO_OFFSET, 2, -2); }
 
 // hn_i_row returns the offsets from the centres of a cell and of its neighbours along an axis. hn_i_equal_triple
 // repeats an offset, or a hash, three times.
@@ -220,7 +220,7 @@ HN_FN hn_i_num3 hn_i_row(hn_i_num d) {
   return hn_i_triple(hn_i_offset_from_cell(d, -1), d, hn_i_offset_from_cell(d, 1));
 }
 HN_FN hn_i_num3 hn_i_equal_triple(hn_i_num d) { return hn_i_triple(d, d, d); }
-HN_FN hn_uvec3 hn_i_equal_triple(hn_uint word) { return uvec3(word, word, word); }
+HN_FN hn_uvec3 hn_i_equal_triple(hn_uint h) { return uvec3(h, h, h); }
 
 // The steps from the middle one of three cells along an axis to each, as they add to the odd number. Without a period
 // they are constants.
@@ -232,10 +232,10 @@ HN_FN hn_uvec3 hn_i_odds_z(hn_uvec3 z) { return uvec3(hn_i_odd_z(z.x - z.y, 0u),
 
 // The hashes of three cells in a row. Their coordinates add `joins` and `odds` to the two joins of a hash, and all else
 // adds `join` and `odd`.
-HN_FN hn_uvec3 hn_i_row_words(hn_uvec3 joins, hn_uvec3 odds, hn_uint join, hn_uint odd) {
+HN_FN hn_uvec3 hn_i_row_hashes(hn_uvec3 joins, hn_uvec3 odds, hn_uint join, hn_uint odd) {
   joins = hn_i_xor(joins, join);
   odds = odds + odd;
-  return uvec3(hn_i_word(joins.x, odds.x), hn_i_word(joins.y, odds.y), hn_i_word(joins.z, odds.z));
+  return uvec3(hn_i_point_hash(joins.x, odds.x), hn_i_point_hash(joins.y, odds.y), hn_i_point_hash(joins.z, odds.z));
 }
 
 // Inserts a rank into the three smallest ranks so far, and keeps the code of the smallest. The first of equal ranks

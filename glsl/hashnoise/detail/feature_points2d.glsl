@@ -17,19 +17,19 @@ HN_FN hn_uvec2 hn_i_toward_place(hn_i_num2 d, hn_uvec2 a, hn_uvec2 b) {
 }
 
 // The spread coordinates of the cell that is two steps away along all axes, on the side of the place.
-HN_FN hn_uvec2 hn_i_far_cell(hn_place2 place, hn_i_block2 block, hn_i_num2 d) {
+HN_FN hn_uvec2 hn_i_far_cell(hn_place2 place, hn_i_neighbourhood2 cells, hn_i_num2 d) {
   hn_uvec2 two;
   if (place.tiled) {
     hn_uvec2 c = hn_i_wrap(place.cell, place.period);
     two = hn_i_spread(hn_i_toward_place(d, hn_i_previous(hn_i_previous(c, place.period), place.period),
                                         hn_i_following(hn_i_following(c, place.period), place.period)));
   } else {
-    two = hn_i_toward_place(d, hn_i_previous(block.previous), hn_i_upper(block.following));
+    two = hn_i_toward_place(d, hn_i_previous(cells.previous), hn_i_upper(cells.following));
   }
   return two;
 }
 
-// The cell of the block with a code, modulo the period.
+// The cell of the neighbourhood with a code, modulo the period.
 HN_FN hn_ivec2 hn_i_cell_of(hn_place2 place, hn_i_rank code) {
   hn_uvec2 c = hn_i_wrap(place.cell, place.period);
   hn_uvec2 before = hn_i_previous(c, place.period);
@@ -43,92 +43,93 @@ HN_FN hn_ivec2 hn_i_cell_of(hn_place2 place, hn_i_rank code) {
 // The directions of three hashes along each axis. In HN_FIXED they are in units of 2^-9.
 #if HN_ARITHMETIC != HN_FIXED
 
-HN_FN hn_vec3 hn_i_points_x(hn_uvec3 words) { return hn_i_fields2(words); }
-HN_FN hn_vec3 hn_i_points_y(hn_uvec3 words) {
-  HN_I_PRECISE hn_vec3 m = vec3(1.0f, 1.0f, 1.0f) - abs(hn_i_fields2(words));
-  return hn_i_signed(m, words);
+HN_FN hn_vec3 hn_i_points_x(hn_uvec3 hashes) { return hn_i_fields2(hashes); }
+HN_FN hn_vec3 hn_i_points_y(hn_uvec3 hashes) {
+  HN_I_PRECISE hn_vec3 m = vec3(1.0f, 1.0f, 1.0f) - abs(hn_i_fields2(hashes));
+  return hn_i_signed(m, hashes);
 }
 
 #else
 
 // They are computed as floats, since on GPUs the absolute value of a float costs nothing, and of an integer it does.
 // No step rounds: the floats are whole numbers of few bits.
-HN_FN hn_vec3 hn_i_whole_points(hn_uvec3 words) {
+HN_FN hn_vec3 hn_i_whole_points(hn_uvec3 hashes) {
 #if HN_I_BITCAST
-  return uintBitsToFloat(hn_i_or(hn_i_and(words, 0x007FC000u), 0x44800000u)) - 1535.0f;
+  return uintBitsToFloat(hn_i_or(hn_i_and(hashes, 0x007FC000u), 0x44800000u)) - 1535.0f;
 #else
-  return hn_i_fields2(words) * 512.0f;
+  return hn_i_fields2(hashes) * 512.0f;
 #endif
 }
-HN_FN hn_ivec3 hn_i_points_x(hn_uvec3 words) { return ivec3(hn_i_whole_points(words)); }
-HN_FN hn_ivec3 hn_i_points_y(hn_uvec3 words) {
-  return ivec3(hn_i_signed(vec3(512.0f, 512.0f, 512.0f) - abs(hn_i_whole_points(words)), words));
+HN_FN hn_ivec3 hn_i_points_x(hn_uvec3 hashes) { return ivec3(hn_i_whole_points(hashes)); }
+HN_FN hn_ivec3 hn_i_points_y(hn_uvec3 hashes) {
+  return ivec3(hn_i_signed(vec3(512.0f, 512.0f, 512.0f) - abs(hn_i_whole_points(hashes)), hashes));
 }
 
 #endif
 
 // Subtracts the points of three cells, along each axis: x and y hold the offsets of the place from the centres of the
 // cells, and the results its offsets from their points.
-HN_FN hn_i_num3 hn_i_from_x(hn_uvec3 words, hn_i_num3 x, hn_i_num jitter) {
-  return hn_i_offsets_from_points(x, hn_i_points_x(words), jitter);
+HN_FN hn_i_num3 hn_i_from_x(hn_uvec3 hashes, hn_i_num3 x, hn_i_num jitter) {
+  return hn_i_offsets_from_points(x, hn_i_points_x(hashes), jitter);
 }
-HN_FN hn_i_num3 hn_i_from_y(hn_uvec3 words, hn_i_num3 y, hn_i_num jitter) {
-  return hn_i_offsets_from_points(y, hn_i_points_y(words), jitter);
+HN_FN hn_i_num3 hn_i_from_y(hn_uvec3 hashes, hn_i_num3 y, hn_i_num jitter) {
+  return hn_i_offsets_from_points(y, hn_i_points_y(hashes), jitter);
 }
-HN_FN hn_i_rank3 hn_i_squares(hn_uvec3 words, hn_i_num3 x, hn_i_num3 y, hn_i_num jitter) {
-  return hn_i_squares(hn_i_from_x(words, x, jitter), hn_i_from_y(words, y, jitter));
+HN_FN hn_i_rank3 hn_i_squares(hn_uvec3 hashes, hn_i_num3 x, hn_i_num3 y, hn_i_num jitter) {
+  return hn_i_squares(hn_i_from_x(hashes, x, jitter), hn_i_from_y(hashes, y, jitter));
 }
 
 // The ranks of the distances to these points.
-HN_FN hn_i_rank3 hn_i_ranks(hn_uvec3 words, hn_i_num3 x, hn_i_num3 y, hn_i_num jitter, hn_int metric) {
+HN_FN hn_i_rank3 hn_i_ranks(hn_uvec3 hashes, hn_i_num3 x, hn_i_num3 y, hn_i_num jitter, hn_int metric) {
   if (metric == HN_METRIC_MANHATTAN || metric == HN_METRIC_CHEBYSHEV || metric == HN_METRIC_HYBRID) {
-    hn_i_rank3 a = hn_i_sizes(hn_i_from_x(words, x, jitter));
-    hn_i_rank3 b = hn_i_sizes(hn_i_from_y(words, y, jitter));
+    hn_i_rank3 a = hn_i_magnitudes(hn_i_from_x(hashes, x, jitter));
+    hn_i_rank3 b = hn_i_magnitudes(hn_i_from_y(hashes, y, jitter));
     if (metric == HN_METRIC_CHEBYSHEV) return max(a, b);
     if (metric == HN_METRIC_MANHATTAN) return hn_i_sum(a, b);
-    return hn_i_hybrids(hn_i_squares(words, x, y, jitter), hn_i_sum(a, b));
+    return hn_i_hybrids(hn_i_squares(hashes, x, y, jitter), hn_i_sum(a, b));
   }
-  return hn_i_squares(words, x, y, jitter);
+  return hn_i_squares(hashes, x, y, jitter);
 }
 
 // The hashes of a row of the cells around a place, from their spread coordinates: along x at y, and along y at x. s is
 // the mixed seed.
-HN_FN hn_uvec3 hn_i_words_along_x(hn_i_block2 block, hn_uint y, hn_uint s) {
-  hn_uvec3 x = hn_i_coordinates_x(block);
-  return hn_i_row_words(x >> HN_I_HIGH_X, hn_i_odds_x(x), hn_i_high(uvec2(0u, y)).y ^ hn_i_seed_join(s),
-                        hn_i_odd_y(y - block.cell.y, hn_i_odd(block.cell, s)));
+HN_FN hn_uvec3 hn_i_hashes_along_x(hn_i_neighbourhood2 cells, hn_uint y, hn_uint s) {
+  hn_uvec3 x = hn_i_coordinates_x(cells);
+  return hn_i_row_hashes(x >> HN_I_HIGH_X, hn_i_odds_x(x), hn_i_high(uvec2(0u, y)).y ^ hn_i_seed_join(s),
+                         hn_i_odd_y(y - cells.cell.y, hn_i_odd(cells.cell, s)));
 }
-HN_FN hn_uvec3 hn_i_words_along_y(hn_i_block2 block, hn_uint x, hn_uint s) {
-  hn_uvec3 y = hn_i_coordinates_y(block);
-  return hn_i_row_words(y >> HN_I_HIGH_Y, hn_i_odds_y(y), hn_i_high(x) ^ hn_i_seed_join(s),
-                        hn_i_odd_x(x - block.cell.x, hn_i_odd(block.cell, s)));
+HN_FN hn_uvec3 hn_i_hashes_along_y(hn_i_neighbourhood2 cells, hn_uint x, hn_uint s) {
+  hn_uvec3 y = hn_i_coordinates_y(cells);
+  return hn_i_row_hashes(y >> HN_I_HIGH_Y, hn_i_odds_y(y), hn_i_high(x) ^ hn_i_seed_join(s),
+                         hn_i_odd_x(x - cells.cell.x, hn_i_odd(cells.cell, s)));
 }
 
 // The three smallest ranks of the points of a cell and its neighbours, and the code of the nearest one's cell. d is the
 // offset of the place from the centre of the cell.
-HN_FN hn_i_rank4 hn_i_nearest(hn_i_block2 block, hn_i_num2 d, hn_i_num jitter, hn_int metric, hn_uint seed) {
-  hn_uint s = hn_i_mix(seed);
+HN_FN hn_i_rank4 hn_i_nearest(hn_i_neighbourhood2 cells, hn_i_num2 d, hn_i_num jitter, hn_int metric, hn_uint seed) {
+  hn_uint s = hn_i_scramble(seed);
   hn_i_num3 x = hn_i_row(d.x);
   hn_i_num3 y = hn_i_row(d.y);
-  hn_uvec3 words = hn_i_words_along_x(block, block.previous.y, s);
+  hn_uvec3 hashes = hn_i_hashes_along_x(cells, cells.previous.y, s);
   hn_i_rank4 best =
-      hn_i_insert(hn_i_far_away(), hn_i_ranks(words, x, hn_i_equal_triple(y.x), jitter, metric), hn_i_code(0, -1), 1);
-  words = hn_i_words_along_x(block, block.cell.y, s);
-  best = hn_i_insert(best, hn_i_ranks(words, x, hn_i_equal_triple(y.y), jitter, metric), hn_i_code(0, 0), 1);
-  words = hn_i_words_along_x(block, block.following.y, s);
-  return hn_i_insert(best, hn_i_ranks(words, x, hn_i_equal_triple(y.z), jitter, metric), hn_i_code(0, 1), 1);
+      hn_i_insert(hn_i_far_away(), hn_i_ranks(hashes, x, hn_i_equal_triple(y.x), jitter, metric), hn_i_code(0, -1), 1);
+  hashes = hn_i_hashes_along_x(cells, cells.cell.y, s);
+  best = hn_i_insert(best, hn_i_ranks(hashes, x, hn_i_equal_triple(y.y), jitter, metric), hn_i_code(0, 0), 1);
+  hashes = hn_i_hashes_along_x(cells, cells.following.y, s);
+  return hn_i_insert(best, hn_i_ranks(hashes, x, hn_i_equal_triple(y.z), jitter, metric), hn_i_code(0, 1), 1);
 }
 
 // The offset of the place from the point of the cell with that code.
-HN_FN hn_i_num2 hn_i_from_nearest(hn_i_block2 block, hn_i_num2 d, hn_i_num jitter, hn_uint seed, hn_i_rank code) {
+HN_FN hn_i_num2 hn_i_from_nearest(hn_i_neighbourhood2 cells, hn_i_num2 d, hn_i_num jitter, hn_uint seed,
+                                  hn_i_rank code) {
   hn_int x = hn_i_x_of(int(code));
   hn_int y = hn_i_y_of(int(code));
-  hn_uint s = hn_i_mix(seed);
-  hn_uint word = hn_i_seeded_word(
-      uvec2(hn_i_triple_at(hn_i_coordinates_x(block), x), hn_i_triple_at(hn_i_coordinates_y(block), y)), s);
-  hn_uvec3 words = hn_i_equal_triple(word);
-  return hn_i_vector(hn_i_from_x(words, hn_i_equal_triple(hn_i_offset_from_cell(d.x, x)), jitter).x,
-                     hn_i_from_y(words, hn_i_equal_triple(hn_i_offset_from_cell(d.y, y)), jitter).x);
+  hn_uint s = hn_i_scramble(seed);
+  hn_uint h = hn_i_seeded_hash(
+      uvec2(hn_i_triple_at(hn_i_coordinates_x(cells), x), hn_i_triple_at(hn_i_coordinates_y(cells), y)), s);
+  hn_uvec3 hashes = hn_i_equal_triple(h);
+  return hn_i_vector(hn_i_from_x(hashes, hn_i_equal_triple(hn_i_offset_from_cell(d.x, x)), jitter).x,
+                     hn_i_from_y(hashes, hn_i_equal_triple(hn_i_offset_from_cell(d.y, y)), jitter).x);
 }
 
 // The vector from a place to a point, as floats, from the offset of the place from it.

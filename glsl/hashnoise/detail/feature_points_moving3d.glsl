@@ -49,32 +49,32 @@ HN_FN hn_i_num3 hn_i_column(hn_i_num d, hn_i_num3 row, hn_int n) {
 
 // Inserts the ranks of nine cells in a slab across z, the n-th after that of the place, into the three smallest so far.
 // d is the offset of the place from the centre of its cell, rotated.
-HN_FN hn_i_rank4 hn_i_visit_slab(hn_i_rank4 best, hn_i_block3 block, hn_i_num3 d, hn_i_turn3 turn, hn_i_num jitter,
-                                 hn_uint at, hn_int n, hn_uint seed) {
+HN_FN hn_i_rank4 hn_i_visit_slab(hn_i_rank4 best, hn_i_neighbourhood3 cells, hn_i_num3 d, hn_i_turn3 turn,
+                                 hn_i_num jitter, hn_uint at, hn_int n, hn_uint seed) {
   hn_i_num3 x = hn_i_column(d.x, turn.x, n);
   hn_i_num3 y = hn_i_column(d.y, turn.y, n);
   hn_i_num3 z = hn_i_column(d.z, turn.z, n);
   best = hn_i_insert(best,
-                     hn_i_ranks(hn_i_slab_words(block, 2, at, -1, seed), hn_i_row(x.x, turn.x.x),
+                     hn_i_ranks(hn_i_slab_hashes(cells, 2, at, -1, seed), hn_i_row(x.x, turn.x.x),
                                 hn_i_row(y.x, turn.y.x), hn_i_row(z.x, turn.z.x), jitter, HN_METRIC_EUCLIDEAN),
                      hn_i_code(0, -1, n), 1);
   best = hn_i_insert(best,
-                     hn_i_ranks(hn_i_slab_words(block, 2, at, 0, seed), hn_i_row(x.y, turn.x.x),
+                     hn_i_ranks(hn_i_slab_hashes(cells, 2, at, 0, seed), hn_i_row(x.y, turn.x.x),
                                 hn_i_row(y.y, turn.y.x), hn_i_row(z.y, turn.z.x), jitter, HN_METRIC_EUCLIDEAN),
                      hn_i_code(0, 0, n), 1);
   return hn_i_insert(best,
-                     hn_i_ranks(hn_i_slab_words(block, 2, at, 1, seed), hn_i_row(x.z, turn.x.x),
+                     hn_i_ranks(hn_i_slab_hashes(cells, 2, at, 1, seed), hn_i_row(x.z, turn.x.x),
                                 hn_i_row(y.z, turn.y.x), hn_i_row(z.z, turn.z.x), jitter, HN_METRIC_EUCLIDEAN),
                      hn_i_code(0, 1, n), 1);
 }
 
 // The three smallest ranks of the points of a cell and its neighbours, and the code of the nearest one's cell. d is the
 // offset of the place from the centre of the cell.
-HN_FN hn_i_rank4 hn_i_nearest(hn_i_block3 block, hn_i_num3 d, hn_i_turn3 turn, hn_i_num jitter, hn_uint seed) {
+HN_FN hn_i_rank4 hn_i_nearest(hn_i_neighbourhood3 cells, hn_i_num3 d, hn_i_turn3 turn, hn_i_num jitter, hn_uint seed) {
   hn_i_num3 turned = hn_i_vector(hn_i_projected(d, turn.x), hn_i_projected(d, turn.y), hn_i_projected(d, turn.z));
-  hn_i_rank4 best = hn_i_visit_slab(hn_i_far_away(), block, turned, turn, jitter, block.previous.z, -1, seed);
-  best = hn_i_visit_slab(best, block, turned, turn, jitter, block.cell.z, 0, seed);
-  return hn_i_visit_slab(best, block, turned, turn, jitter, block.following.z, 1, seed);
+  hn_i_rank4 best = hn_i_visit_slab(hn_i_far_away(), cells, turned, turn, jitter, cells.previous.z, -1, seed);
+  best = hn_i_visit_slab(best, cells, turned, turn, jitter, cells.cell.z, 0, seed);
+  return hn_i_visit_slab(best, cells, turned, turn, jitter, cells.following.z, 1, seed);
 }
 
 // The vector from the place to the point of the cell with that code.
@@ -82,21 +82,21 @@ HN_FN hn_i_num hn_i_turned_offset(hn_i_num3 d, hn_i_num3 row, hn_int i, hn_int j
   return hn_i_turned_offset(hn_i_turned_offset(hn_i_turned_offset(hn_i_projected(d, row), row.z, k), row.y, j), row.x,
                             i);
 }
-HN_FN hn_vec3 hn_i_to_nearest(hn_i_block3 block, hn_i_num3 d, hn_i_turn3 turn, hn_i_num jitter, hn_uint seed,
+HN_FN hn_vec3 hn_i_to_nearest(hn_i_neighbourhood3 cells, hn_i_num3 d, hn_i_turn3 turn, hn_i_num jitter, hn_uint seed,
                               hn_i_rank code) {
   hn_int i = hn_i_x_of(int(code));
   hn_int j = hn_i_y_of(int(code));
   hn_int k = hn_i_z_of(int(code));
-  hn_uint s = hn_i_mix(seed);
-  hn_uvec3 words = hn_i_equal_triple(
-      hn_i_seeded_word(uvec3(hn_i_triple_at(hn_i_coordinates_x(block), i), hn_i_triple_at(hn_i_coordinates_y(block), j),
-                             hn_i_triple_at(hn_i_coordinates_z(block), k)),
+  hn_uint s = hn_i_scramble(seed);
+  hn_uvec3 hashes = hn_i_equal_triple(
+      hn_i_seeded_hash(uvec3(hn_i_triple_at(hn_i_coordinates_x(cells), i), hn_i_triple_at(hn_i_coordinates_y(cells), j),
+                             hn_i_triple_at(hn_i_coordinates_z(cells), k)),
                        s));
   hn_i_num3 x = hn_i_equal_triple(hn_i_turned_offset(d, turn.x, i, j, k));
   hn_i_num3 y = hn_i_equal_triple(hn_i_turned_offset(d, turn.y, i, j, k));
   hn_i_num3 z = hn_i_equal_triple(hn_i_turned_offset(d, turn.z, i, j, k));
   hn_i_num3 from = hn_i_from_octahedral(hn_i_vector(
-      hn_i_from_u(words, x, y, jitter).x, hn_i_from_v(words, x, y, jitter).x, hn_i_from_z(words, z, jitter).x));
+      hn_i_from_u(hashes, x, y, jitter).x, hn_i_from_v(hashes, x, y, jitter).x, hn_i_from_z(hashes, z, jitter).x));
   return vec3(hn_i_toward(hn_i_projected(from, hn_i_vector(turn.x.x, turn.y.x, turn.z.x))),
               hn_i_toward(hn_i_projected(from, hn_i_vector(turn.x.y, turn.y.y, turn.z.y))),
               hn_i_toward(hn_i_projected(from, hn_i_vector(turn.x.z, turn.y.z, turn.z.z))));

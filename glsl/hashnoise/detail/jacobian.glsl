@@ -48,7 +48,7 @@ HN_FN hn_int hn_i_octave_slope(hn_float g) { return int(min(max(-128.0f, g), 128
 
 // A float has 24 bits, and the others are dropped, towards 0.
 HN_FN hn_int hn_i_coarse(hn_int n) {
-  hn_int size = hn_i_size(n);
+  hn_int size = hn_i_magnitude(n);
   hn_int rounded = hn_i_select(size < 16777216, size, size & -128);
   return hn_i_select(n < 0, -rounded, rounded);
 }
@@ -96,10 +96,10 @@ HN_FN hn_float hn_i_summed_slope(hn_float slope, hn_float g) { return min(max(-8
 HN_FN hn_float hn_i_squared_slope(hn_float slope) { return hn_i_times(slope, slope); }
 
 HN_FN hn_float hn_i_erosion_weight(hn_float square, hn_float strength) {
-  return hn_i_quotient(1.0f, hn_i_times_plus(square, strength, 1.0f));
+  return hn_i_quotient(1.0f, hn_i_multiply_add(square, strength, 1.0f));
 }
 
-// This moves a whole position, too. Beyond the domain the number may not fit an int, which C++ leaves undefined.
+// This moves a fixed-point position, too. Beyond the domain the number may not fit an int, which C++ leaves undefined.
 HN_FN hn_ivec2 hn_i_displaced(hn_ivec2 x, hn_float n) {
   hn_float cells = floor(min(max(-1073741824.0f, n), 1073741824.0f));
   hn_int rest = x.y + int(min(max(0.0f, hn_i_minus(n, cells)), 1.0f) * HN_I_FLOAT_UNITS_POSITION);

@@ -25,8 +25,8 @@
 // A fractal under way. With HN_FIXED sums are in units of 2^-21, and weights in units of 2^-18.
 struct hn_i_octave_sum {
   hn_i_num value;
-  hn_i_num weight;   // of the octave
-  hn_i_num carried;  // how much of the next octave a ridge or a height lets count
+  hn_i_num weight;    // of the octave
+  hn_i_num feedback;  // how much of the next octave a ridge or a height lets count
   hn_i_num gain;
   hn_i_num part;       // of the last octave: how much of it counts
   hn_i_num footprint;  // in cells of the octave; with HN_FIXED in units of 2^-24
@@ -59,7 +59,7 @@ HN_FN hn_int hn_i_octave(hn_float n) { return int(min(max(-1.5f, n), 1.5f) * HN_
 HN_FN hn_int hn_i_bounded_octave(hn_float n) { return int(min(max(-1.0f, n), 1.0f) * HN_I_FLOAT_UNITS_VALUE); }
 
 // hn_i_ridge is 1 - abs(n), in the units of weights, and hn_i_weight_to_value converts these to the units of values.
-HN_FN hn_int hn_i_ridge(hn_int n) { return (HN_I_UNITS_VALUE - hn_i_size(n)) >> 3; }
+HN_FN hn_int hn_i_ridge(hn_int n) { return (HN_I_UNITS_VALUE - hn_i_magnitude(n)) >> 3; }
 HN_FN hn_int hn_i_weight_to_value(hn_int weight) { return weight << 3; }
 
 // (1 + n) / 2, in the units of weights.
@@ -95,7 +95,7 @@ HN_FN hn_int hn_i_total(hn_int octaves, hn_int gain, hn_int part) {
 // leaves room for only 9 bits at a time.
 HN_FN hn_int hn_i_mean(hn_int sum, hn_int total) {
   hn_uint divisor = uint(total);
-  hn_uint rest = uint(hn_i_size(sum));
+  hn_uint rest = uint(hn_i_magnitude(sum));
   hn_uint quotient = rest / divisor;
   rest -= quotient * divisor;
   for (hn_int i = 0; i < 2; ++i) {
@@ -168,13 +168,13 @@ HN_FN hn_float hn_i_smooth(hn_float t) {
 HN_FN hn_float hn_i_setting(hn_float x, hn_float most) { return min(max(0.0f, x), most); }
 HN_FN hn_float hn_i_gain(hn_float gain) { return gain; }
 HN_FN hn_float hn_i_weight_times(hn_float a, hn_float b) { return hn_i_times(a, b); }
-HN_FN hn_float hn_i_summed(hn_float sum, hn_float n, hn_float weight) { return hn_i_times_plus(weight, n, sum); }
+HN_FN hn_float hn_i_summed(hn_float sum, hn_float n, hn_float weight) { return hn_i_multiply_add(weight, n, sum); }
 
 HN_FN hn_float hn_i_octave(hn_float n) { return n; }
 HN_FN hn_float hn_i_bounded_octave(hn_float n) { return min(max(-1.0f, n), 1.0f); }
 HN_FN hn_float hn_i_ridge(hn_float n) { return hn_i_minus(1.0f, abs(n)); }
 HN_FN hn_float hn_i_weight_to_value(hn_float weight) { return weight; }
-HN_FN hn_float hn_i_height(hn_float n) { return hn_i_times_plus(0.5f, n, 0.5f); }
+HN_FN hn_float hn_i_height(hn_float n) { return hn_i_multiply_add(0.5f, n, 0.5f); }
 
 HN_FN hn_float hn_i_folds(hn_float n, hn_float strength) {
   HN_I_PRECISE hn_float t = (n + 1.0f) * strength;
@@ -190,7 +190,7 @@ HN_FN hn_float hn_i_weight_factor(hn_float n, hn_float strength) {
 
 HN_FN hn_float hn_i_total(hn_int octaves, hn_float gain, hn_float part) {
   hn_float total = part;
-  for (hn_int i = 1; i < octaves; ++i) total = hn_i_times_plus(gain, total, 1.0f);
+  for (hn_int i = 1; i < octaves; ++i) total = hn_i_multiply_add(gain, total, 1.0f);
   return total;
 }
 
@@ -198,17 +198,16 @@ HN_FN hn_float hn_i_mean(hn_float sum, hn_float total) { return hn_i_quotient(su
 
 // A sky of an fBm: it is clear below -1/8 and dense above 3/8, with a smooth step between.
 HN_FN hn_float hn_i_density(hn_float mean) {
-  return hn_i_smooth(min(max(0.0f, hn_i_times_plus(2.0f, mean, 0.25f)), 1.0f));
+  return hn_i_smooth(min(max(0.0f, hn_i_multiply_add(2.0f, mean, 0.25f)), 1.0f));
 }
 
-HN_FN hn_float hn_i_billows(hn_float mean) { return min(hn_i_times_plus(2.0f, mean, -1.0f), 1.0f); }
+HN_FN hn_float hn_i_billows(hn_float mean) { return min(hn_i_multiply_add(2.0f, mean, -1.0f), 1.0f); }
 
 #endif
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Positions. A sum at a place has whole positions with any arithmetic, since a float could not hold them far out. They
-// are whole numbers: along each axis x is the cell, and y the fraction in units of 2^-24. With HN_FIXED every position
-// is whole.
+// Positions. A sum at a place has fixed-point positions with any arithmetic, since a float could not hold them far out:
+// along each axis two integers, the cell x and the fraction y in units of 2^-24. With HN_FIXED every position is one.
 
 // How far an octave is shifted along each axis, in those units: 11/32, 19/32, 23/32 and 27/32 of its cells.
 #define HN_I_SHIFT_X 5767168
@@ -216,19 +215,19 @@ HN_FN hn_float hn_i_billows(hn_float mean) { return min(hn_i_times_plus(2.0f, me
 #define HN_I_SHIFT_Z 12058624
 #define HN_I_SHIFT_W 14155776
 
-// hn_i_whole converts one axis of a place to a whole position, and hn_i_whole_fraction converts the fraction of a whole
-// position back to a number of HN_ARITHMETIC.
+// hn_i_fixed_position converts one axis of a place to a fixed-point position, and hn_i_fixed_fraction the fraction of
+// one back to a number of HN_ARITHMETIC.
 #if HN_ARITHMETIC == HN_FIXED
-HN_FN hn_ivec2 hn_i_whole(hn_int cell, hn_int fraction, hn_int rest) {
+HN_FN hn_ivec2 hn_i_fixed_position(hn_int cell, hn_int fraction, hn_int rest) {
   hn_int units = fraction * 16 + rest;  // from -15 to 2^24
   return ivec2(int(uint(cell) + uint(units >> 31)), units + ((units >> 31) & HN_I_UNITS_POSITION));
 }
-HN_FN hn_int hn_i_whole_fraction(hn_ivec2 x) { return x.y >> 4; }
+HN_FN hn_int hn_i_fixed_fraction(hn_ivec2 x) { return x.y >> 4; }
 #else
-HN_FN hn_ivec2 hn_i_whole(hn_int cell, hn_float fraction, hn_int rest) {
+HN_FN hn_ivec2 hn_i_fixed_position(hn_int cell, hn_float fraction, hn_int rest) {
   return ivec2(cell, int(min(max(0.0f, fraction), 1.0f) * HN_I_FLOAT_UNITS_POSITION) + rest);
 }
-HN_FN hn_float hn_i_whole_fraction(hn_ivec2 x) {
+HN_FN hn_float hn_i_fixed_fraction(hn_ivec2 x) {
   return HN_I_NOT_WHOLE(hn_i_float(x.y) * (1.0f / HN_I_FLOAT_UNITS_POSITION));
 }
 #endif
@@ -252,8 +251,8 @@ HN_FN hn_float hn_i_lacunarity(hn_float lacunarity, bool tiled) {
   return ratio;
 }
 
-// Multiplies a whole position by a ratio. The product of the cell is exact, and the product of the fraction loses what
-// is below 2^-24. The rest and the part together are at most 2^32 - 2.
+// Multiplies a fixed-point position by a ratio. The product of the cell is exact, and the product of the fraction loses
+// what is below 2^-24. The rest and the part together are at most 2^32 - 2.
 HN_FN hn_ivec2 hn_i_times_ratio(hn_ivec2 x, hn_uint ratio) {
   if (ratio == 16777216u)
     return ivec2(int((uint(x.x) << 1u) + (uint(x.y) >> 23u)), (x.y << 1) & (HN_I_UNITS_POSITION - 1));
@@ -336,7 +335,7 @@ HN_FN hn_i_octave_sum hn_i_empty_sum(hn_int octaves, hn_float gain) {
   HN_I_NEW(hn_i_octave_sum, s);
   s.value = HN_I_NO_WEIGHT;
   s.weight = HN_I_WEIGHT_ONE;
-  s.carried = HN_I_WEIGHT_ONE;
+  s.feedback = HN_I_WEIGHT_ONE;
   s.gain = hn_i_gain(gain);
   s.part = HN_I_WEIGHT_ONE;
   s.footprint = HN_I_NO_WEIGHT;
@@ -354,29 +353,29 @@ HN_FN hn_i_octave_sum hn_i_add_octave(hn_i_octave_sum sum, hn_i_num n, hn_i_num 
 HN_FN hn_i_octave_sum hn_i_add_noise(hn_i_octave_sum s, hn_float n) {
   return hn_i_add_octave(s, hn_i_octave(n), s.weight);
 }
-HN_FN hn_i_octave_sum hn_i_add_size(hn_i_octave_sum s, hn_float n) {
-  return hn_i_add_octave(s, hn_i_size(hn_i_octave(n)), s.weight);
+HN_FN hn_i_octave_sum hn_i_add_turbulence(hn_i_octave_sum s, hn_float n) {
+  return hn_i_add_octave(s, hn_i_magnitude(hn_i_octave(n)), s.weight);
 }
-HN_FN hn_i_octave_sum hn_i_add_bounded_size(hn_i_octave_sum s, hn_float n) {
-  return hn_i_add_octave(s, hn_i_size(hn_i_bounded_octave(n)), s.weight);
+HN_FN hn_i_octave_sum hn_i_add_billow(hn_i_octave_sum s, hn_float n) {
+  return hn_i_add_octave(s, hn_i_magnitude(hn_i_bounded_octave(n)), s.weight);
 }
-HN_FN hn_i_octave_sum hn_i_add_ridge(hn_i_octave_sum s, hn_float n) {
+HN_FN hn_i_octave_sum hn_i_add_ridged(hn_i_octave_sum s, hn_float n) {
   hn_i_num ridge = hn_i_ridge(hn_i_bounded_octave(n));
-  ridge = hn_i_weight_times(hn_i_weight_times(ridge, ridge), s.carried);
+  ridge = hn_i_weight_times(hn_i_weight_times(ridge, ridge), s.feedback);
   hn_i_octave_sum next = hn_i_add_octave(s, hn_i_weight_to_value(ridge), s.weight);
-  next.carried = min(hn_i_plus(ridge, ridge), HN_I_WEIGHT_ONE);
+  next.feedback = min(hn_i_plus(ridge, ridge), HN_I_WEIGHT_ONE);
   return next;
 }
-HN_FN hn_i_octave_sum hn_i_add_height(hn_i_octave_sum s, hn_float n) {
-  hn_i_num height = hn_i_weight_times(hn_i_height(hn_i_bounded_octave(n)), s.carried);
+HN_FN hn_i_octave_sum hn_i_add_hybrid(hn_i_octave_sum s, hn_float n) {
+  hn_i_num height = hn_i_weight_times(hn_i_height(hn_i_bounded_octave(n)), s.feedback);
   hn_i_octave_sum next = hn_i_add_octave(s, hn_i_weight_to_value(height), s.weight);
-  next.carried = min(hn_i_plus(height, height), HN_I_WEIGHT_ONE);
+  next.feedback = min(hn_i_plus(height, height), HN_I_WEIGHT_ONE);
   return next;
 }
-HN_FN hn_i_octave_sum hn_i_add_wave(hn_i_octave_sum s, hn_float n, hn_float strength) {
+HN_FN hn_i_octave_sum hn_i_add_ping_pong(hn_i_octave_sum s, hn_float n, hn_float strength) {
   return hn_i_add_octave(s, hn_i_folds(hn_i_bounded_octave(n), hn_i_setting(strength, 64.0f)), s.weight);
 }
-HN_FN hn_i_octave_sum hn_i_add_bent(hn_i_octave_sum s, hn_float n, hn_float strength) {
+HN_FN hn_i_octave_sum hn_i_add_weighted(hn_i_octave_sum s, hn_float n, hn_float strength) {
   hn_i_num value = hn_i_bounded_octave(n);
   hn_i_octave_sum next = hn_i_add_octave(s, value, s.weight);
   next.weight = hn_i_weight_times(s.weight, hn_i_weight_factor(value, hn_i_setting(strength, 1.0f)));
@@ -384,7 +383,7 @@ HN_FN hn_i_octave_sum hn_i_add_bent(hn_i_octave_sum s, hn_float n, hn_float stre
 }
 
 // Adds the noise of an octave. Only a part of the last octave counts.
-HN_FN hn_i_octave_sum hn_i_add_part(hn_i_octave_sum s, hn_float n) {
+HN_FN hn_i_octave_sum hn_i_add_detail(hn_i_octave_sum s, hn_float n) {
   hn_i_num weight = s.weight;
   if (s.at + 1 == s.octaves) weight = hn_i_weight_times(weight, s.part);
   return hn_i_add_octave(s, hn_i_octave(n), weight);
@@ -392,7 +391,7 @@ HN_FN hn_i_octave_sum hn_i_add_part(hn_i_octave_sum s, hn_float n) {
 
 // Adds as much of an octave as its footprint leaves. Where that is nothing, nothing is left of the octaves behind it,
 // either, and so the sum ends.
-HN_FN hn_i_octave_sum hn_i_add_resolved(hn_i_octave_sum s, hn_float n, hn_float lacunarity) {
+HN_FN hn_i_octave_sum hn_i_add_footprint(hn_i_octave_sum s, hn_float n, hn_float lacunarity) {
   hn_i_octave_sum next =
       hn_i_add_octave(s, hn_i_octave(n), hn_i_weight_times(s.weight, hn_i_resolved_part(s.footprint)));
   next.footprint = hn_i_next_footprint(s.footprint, lacunarity);

@@ -88,10 +88,10 @@ HN_FN hn_uint hn_i_gathered(hn_uint x) { return (x - HN_I_ORIGIN_X) * 0x0E8B2F51
 HN_FN hn_uvec2 hn_i_gathered(hn_uvec2 v) { return uvec2(hn_i_gathered(v.x), v.y * 0xB6C92F47u); }
 HN_FN hn_uvec3 hn_i_gathered(hn_uvec3 v) { return uvec3(hn_i_gathered(v.x), v.y * 0xB6C92F47u, v.z * 0xA89ED915u); }
 
-HN_FN hn_i_num4 hn_i_ramps(hn_i_box2 box, hn_i_num2 f, hn_uint seed) {
-  hn_uint s = hn_i_mix(seed);
-  hn_uvec2 c0 = hn_i_gathered(box.lower);
-  hn_uvec2 c1 = hn_i_gathered(box.upper);
+HN_FN hn_i_num4 hn_i_ramps(hn_i_cell_corners2 corners, hn_i_num2 f, hn_uint seed) {
+  hn_uint s = hn_i_scramble(seed);
+  hn_uvec2 c0 = hn_i_gathered(corners.lower);
+  hn_uvec2 c1 = hn_i_gathered(corners.upper);
   hn_uint k0 = hn_i_column_key(c0.x, s);
   hn_uint k1 = hn_i_column_key(c1.x, s);
   hn_i_num x = hn_i_minus_one(f.x);
@@ -100,10 +100,10 @@ HN_FN hn_i_num4 hn_i_ramps(hn_i_box2 box, hn_i_num2 f, hn_uint seed) {
                      hn_i_dot(hn_i_gradient(k0, c1.y), f.x, y), hn_i_dot(hn_i_gradient(k1, c1.y), x, y));
 }
 
-HN_FN hn_i_num4 hn_i_ramps(hn_i_box3 box, hn_i_num3 f, bool back, hn_uint seed) {
-  hn_uint s = hn_i_mix(seed);
-  hn_uvec3 c0 = hn_i_gathered(box.lower);
-  hn_uvec3 c1 = hn_i_gathered(box.upper);
+HN_FN hn_i_num4 hn_i_ramps(hn_i_cell_corners3 corners, hn_i_num3 f, bool back, hn_uint seed) {
+  hn_uint s = hn_i_scramble(seed);
+  hn_uvec3 c0 = hn_i_gathered(corners.lower);
+  hn_uvec3 c1 = hn_i_gathered(corners.upper);
   hn_uint k0 = hn_i_column_key(c0.x, s);
   hn_uint k1 = hn_i_column_key(c1.x, s);
   hn_i_num x = hn_i_minus_one(f.x);
@@ -116,8 +116,8 @@ HN_FN hn_i_num4 hn_i_ramps(hn_i_box3 box, hn_i_num3 f, bool back, hn_uint seed) 
                      hn_i_dot(hn_i_gradient(k1, hn_i_row_key(k1, c1.y), cz), x, y, z));
 }
 
-HN_FN hn_i_num hn_i_face2(hn_i_num4 n, hn_i_num x, hn_i_num y) { return hn_i_lerp(n, x, y); }
-HN_FN hn_i_num hn_i_face3(hn_i_num4 n, hn_i_num x, hn_i_num y) { return hn_i_lerp(n, x, y); }
+HN_FN hn_i_num hn_i_bilerp_ramps2(hn_i_num4 n, hn_i_num x, hn_i_num y) { return hn_i_lerp(n, x, y); }
+HN_FN hn_i_num hn_i_bilerp_ramps3(hn_i_num4 n, hn_i_num x, hn_i_num y) { return hn_i_lerp(n, x, y); }
 
 // The noise is not scaled, as in the paper.
 #if HN_ARITHMETIC != HN_FIXED

@@ -10,7 +10,7 @@
 //
 //   hn_i_rank             such a square, or another number that lengths are compared by; hn_i_rank3 and hn_i_rank4 are
 //                         vectors of it
-//   hn_i_sizes(x)         the absolute values of three numbers, as ranks
+//   hn_i_magnitudes(x)         the absolute values of three numbers, as ranks
 //   hn_i_squares(x, ...)  the squares of three lengths
 //   hn_i_squared(x, ...)  the square of the length of an offset
 //   hn_i_root(q)          the square root of a square. In HN_FIXED it is in units of 2^-18, rounded down. The root of a
@@ -41,7 +41,7 @@ HN_FN hn_uint hn_i_root(hn_uint q) {
 #define hn_i_rank3 hn_vec3
 #define hn_i_rank4 hn_vec4
 
-HN_FN hn_vec3 hn_i_sizes(hn_vec3 x) { return abs(x); }
+HN_FN hn_vec3 hn_i_magnitudes(hn_vec3 x) { return abs(x); }
 HN_FN hn_vec3 hn_i_squares(hn_vec3 x, hn_vec3 y) {
   HN_I_PRECISE hn_vec3 q = x * x + y * y;
   return q;
@@ -93,8 +93,8 @@ HN_FN hn_vec3 hn_i_unit(hn_float x, hn_float y, hn_float z) {
 #define hn_i_rank3 hn_uvec3
 #define hn_i_rank4 hn_uvec4
 
-// The sizes are uints, since the larger of two uints is right on every driver (see hn_i_size).
-HN_FN hn_uvec3 hn_i_sizes(hn_ivec3 x) { return uvec3(max(x, x * -1)); }
+// The sizes are uints, since the larger of two uints is right on every driver (see hn_i_magnitude).
+HN_FN hn_uvec3 hn_i_magnitudes(hn_ivec3 x) { return uvec3(max(x, x * -1)); }
 
 // An offset is below 4 cells, 2^22, and the square of a length below 16. A square has up to 44 bits, so it is made of
 // the products of two digits; each has 11 bits. The mask of the high one shows compilers that its product has factors
@@ -109,14 +109,14 @@ HN_FN hn_uvec3 hn_i_low_square(hn_uvec3 a) {
   return digit * digit;
 }
 HN_FN hn_uvec3 hn_i_squares(hn_ivec3 x, hn_ivec3 y) {
-  hn_uvec3 a = hn_i_sizes(x);
-  hn_uvec3 b = hn_i_sizes(y);
+  hn_uvec3 a = hn_i_magnitudes(x);
+  hn_uvec3 b = hn_i_magnitudes(y);
   return hn_i_high_square(a) + hn_i_high_square(b) + ((hn_i_low_square(a) + hn_i_low_square(b)) >> 12u);
 }
 HN_FN hn_uvec3 hn_i_squares(hn_ivec3 x, hn_ivec3 y, hn_ivec3 z) {
-  hn_uvec3 a = hn_i_sizes(x);
-  hn_uvec3 b = hn_i_sizes(y);
-  hn_uvec3 c = hn_i_sizes(z);
+  hn_uvec3 a = hn_i_magnitudes(x);
+  hn_uvec3 b = hn_i_magnitudes(y);
+  hn_uvec3 c = hn_i_magnitudes(z);
   return hn_i_high_square(a) + hn_i_high_square(b) + hn_i_high_square(c) +
          ((hn_i_low_square(a) + hn_i_low_square(b) + hn_i_low_square(c)) >> 12u);
 }
@@ -137,26 +137,26 @@ HN_FN hn_uint hn_i_over_root(hn_uint n, hn_uint q) {
 // The factor by which an offset is multiplied, so that it is 0 or at least 2^17 long and its root has 15 bits. It
 // depends on the size of the longest component, which is below 2^21.
 HN_FN hn_int hn_i_enlarging_factor(hn_int size) {
-  hn_int a = hn_i_choice(size < 1024, 1024, 1);
-  hn_int b = a * hn_i_choice(size * a < 32768, 32, 1);
-  return b * hn_i_choice(size * b < 131072, 4, 1);
+  hn_int a = hn_i_select_int(size < 1024, 1024, 1);
+  hn_int b = a * hn_i_select_int(size * a < 32768, 32, 1);
+  return b * hn_i_select_int(size * b < 131072, 4, 1);
 }
 
 // The quotient has two digits, since GLSL's division of integers is exact and has 32 bits.
 HN_FN hn_float hn_i_over(hn_int x, hn_uint root) {
-  hn_uint size = uint(hn_i_size(x));
+  hn_uint size = uint(hn_i_magnitude(x));
   hn_uint high = (size << 11u) / root;
   hn_uint low = (((size << 11u) - high * root) << 8u) / root;
   hn_int quotient = int((high << 8u) + low);
   return HN_I_NOT_WHOLE(hn_i_float(hn_i_select(x < 0, -quotient, quotient)) * (1.0f / HN_I_FLOAT_UNITS_VALUE));
 }
 HN_FN hn_vec2 hn_i_unit(hn_int x, hn_int y) {
-  hn_int m = hn_i_enlarging_factor(max(hn_i_size(x), hn_i_size(y)));
+  hn_int m = hn_i_enlarging_factor(max(hn_i_magnitude(x), hn_i_magnitude(y)));
   hn_uint root = max(hn_i_root(hn_i_squared(x * m, y * m)), 1u);
   return vec2(hn_i_over(x * m, root), hn_i_over(y * m, root));
 }
 HN_FN hn_vec3 hn_i_unit(hn_int x, hn_int y, hn_int z) {
-  hn_int m = hn_i_enlarging_factor(max(max(hn_i_size(x), hn_i_size(y)), hn_i_size(z)));
+  hn_int m = hn_i_enlarging_factor(max(max(hn_i_magnitude(x), hn_i_magnitude(y)), hn_i_magnitude(z)));
   hn_uint root = max(hn_i_root(hn_i_squared(x * m, y * m, z * m)), 1u);
   return vec3(hn_i_over(x * m, root), hn_i_over(y * m, root), hn_i_over(z * m, root));
 }

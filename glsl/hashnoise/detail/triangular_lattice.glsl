@@ -44,7 +44,7 @@ HN_FN hn_i_num2 hn_i_skewed(hn_i_num2 f) {
 
 // The column of the first corner in its row, counted from column 2 c.x, where c is the cell.
 HN_FN hn_int hn_i_column_of(hn_i_num2 skewed) {
-  return int(uint(hn_i_whole(skewed.x)) - uint(min(hn_i_whole(skewed.y), 1)));
+  return int(uint(hn_i_truncate(skewed.x)) - uint(min(hn_i_truncate(skewed.y), 1)));
 }
 
 // The spread coordinates of the corners, in the order above.
@@ -54,7 +54,7 @@ struct hn_i_triangle2 {
   hn_uvec2 last;
 };
 HN_FN hn_i_triangle2 hn_i_triangle(hn_place2 place, hn_i_num2 skewed) {
-  hn_int row = hn_i_whole(skewed.y);
+  hn_int row = hn_i_truncate(skewed.y);
   hn_int column = hn_i_column_of(skewed);
   hn_i_num u = hn_i_fract(skewed.x);
   hn_i_num v = hn_i_fract(skewed.y);
@@ -88,15 +88,15 @@ HN_FN hn_uvec3 hn_i_triangle(hn_place2 place, hn_i_num2 skewed, hn_uint seed) {
   hn_i_triangle2 corners = hn_i_triangle(place, skewed);
   hn_i_num u = hn_i_fract(skewed.x);
   hn_i_num v = hn_i_fract(skewed.y);
-  hn_uint s = hn_i_mix(seed);
+  hn_uint s = hn_i_scramble(seed);
   hn_uint lower_join = hn_i_high(corners.first).y ^ hn_i_seed_join(s);
   hn_uint upper_join = hn_i_high(corners.last).y ^ hn_i_seed_join(s);
   hn_uint lower_odd = hn_i_odd_y(corners.first.y, hn_i_odd(s));
   hn_uint upper_odd = hn_i_odd_y(corners.last.y, hn_i_odd(s));
-  return uvec3(hn_i_word(hn_i_high(corners.first.x) ^ lower_join, hn_i_odd_x(corners.first.x, lower_odd)),
-               hn_i_word(hn_i_high(corners.middle.x) ^ hn_i_select(u > v, lower_join, upper_join),
-                         hn_i_odd_x(corners.middle.x, hn_i_select(u > v, lower_odd, upper_odd))),
-               hn_i_word(hn_i_high(corners.last.x) ^ upper_join, hn_i_odd_x(corners.last.x, upper_odd)));
+  return uvec3(hn_i_point_hash(hn_i_high(corners.first.x) ^ lower_join, hn_i_odd_x(corners.first.x, lower_odd)),
+               hn_i_point_hash(hn_i_high(corners.middle.x) ^ hn_i_select(u > v, lower_join, upper_join),
+                               hn_i_odd_x(corners.middle.x, hn_i_select(u > v, lower_odd, upper_odd))),
+               hn_i_point_hash(hn_i_high(corners.last.x) ^ upper_join, hn_i_odd_x(corners.last.x, upper_odd)));
 }
 
 // The offsets from the corners along x and along y, and how near the corners are.

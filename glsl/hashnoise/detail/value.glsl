@@ -6,9 +6,9 @@
 
 #include "arithmetic.glsl"
 
-//   hn_i_number(word)          the low 23 bits of a hash as a number in [-1, 1), with an offset, which
+//   hn_i_number(h)             the low 23 bits of a hash as a number in [-1, 1), with an offset, which
 //                              hn_i_noise_of_numbers takes off
-//   hn_i_numbers(words)        the same of four hashes
+//   hn_i_numbers(h)            the same of four hashes
 //   hn_i_noise_of_numbers(n)   a noise, from an interpolation between such numbers
 //   hn_i_value_noise(h, t)     value noise, from the hashes of the corners of a square and the fades along each axis;
 //                              in space from the front and the back face
@@ -17,11 +17,11 @@
 
 // The low 23 bits of a hash, behind the exponent of 2, are a float in [2, 4): that costs two operations. The 3 that are
 // too many stay in until the end, since weights sum to 1 and derivatives do not see them.
-HN_FN hn_float hn_i_number(hn_uint word) {
+HN_FN hn_float hn_i_number(hn_uint h) {
 #if HN_I_BITCAST
-  return uintBitsToFloat((word & 0x007FFFFFu) | 0x40000000u);
+  return uintBitsToFloat((h & 0x007FFFFFu) | 0x40000000u);
 #else
-  return hn_i_float(word & 0x007FFFFFu) * (1.0f / 4194304.0f) + 2.0f;
+  return hn_i_float(h & 0x007FFFFFu) * (1.0f / 4194304.0f) + 2.0f;
 #endif
 }
 
@@ -30,7 +30,7 @@ HN_FN hn_float hn_i_noise_of_numbers(hn_float n) { return hn_i_minus(n, 3.0f); }
 #else
 
 // A number is in units of 2^-29 and has no offset. From there the noise is rounded to units of 2^-21.
-HN_FN hn_int hn_i_number(hn_uint word) { return int((word & 0x007FFFFFu) << 7u) - HN_I_UNITS_RAMP; }
+HN_FN hn_int hn_i_number(hn_uint h) { return int((h & 0x007FFFFFu) << 7u) - HN_I_UNITS_RAMP; }
 HN_FN hn_int hn_i_noise_of_numbers(hn_int n) { return (n + 128) >> 8; }
 
 #endif

@@ -88,7 +88,7 @@ HN_FN hn_uvec4 hn_i_high(hn_uvec4 v) {
 
 // Each bit of k changes each bit of the result with a probability near 1/2. This is "prospector32" of hash-prospector.
 // The result for 0 is 0.
-HN_FN hn_uint hn_i_mix(hn_uint k) {
+HN_FN hn_uint hn_i_scramble(hn_uint k) {
   k ^= k >> 15u;
   k *= 0x2C1B3C6Du;
   k ^= k >> 12u;
@@ -101,12 +101,12 @@ HN_FN hn_uint hn_i_mix(hn_uint k) {
 #define HN_I_SEED_STEP 0x9E3779B9u
 
 // The seed of another field, where a function needs several.
-HN_FN hn_uint hn_i_other_seed(hn_uint seed) { return hn_i_mix(seed + HN_I_SEED_STEP); }
+HN_FN hn_uint hn_i_other_seed(hn_uint seed) { return hn_i_scramble(seed + HN_I_SEED_STEP); }
 
 // The hashes of a vector's second and third component, from the first one's: an odd number of 24 bits times their
 // good bits. With other factors two components may depend on each other: docs/measured/quality.md has a test of it.
-HN_FN hn_uvec4 hn_i_words_of_y(hn_uvec4 words) { return (words >> 8u) * 0xEB1831u; }
-HN_FN hn_uvec4 hn_i_words_of_z(hn_uvec4 words) { return (words >> 8u) * 0x84A5E5u; }
+HN_FN hn_uvec4 hn_i_hashes_of_y(hn_uvec4 h) { return (h >> 8u) * 0xEB1831u; }
+HN_FN hn_uvec4 hn_i_hashes_of_z(hn_uvec4 h) { return (h >> 8u) * 0x84A5E5u; }
 
 // The hash of a point is the product of two joins of its spread coordinates. The first is the hash of the exclusive or
 // of their high bits and of the seed's. The second is made of their sum: an odd number of 24 bits, so that the product
@@ -139,8 +139,8 @@ HN_FN hn_uint hn_i_odd(hn_uint sum) {
   hn_uint odd = sum * 2u + 1u;
   return odd + (odd << 12u);
 }
-// The join, axis by axis: each adds the product of its coordinate, or of a step along it, to an odd number. GPUs
-// have a product of 24 bits and an addition as one operation. hn_i_word below takes the sum: with products hn_random
+// The join, axis by axis: each adds the product of its coordinate, or of a step along it, to an odd number. GPUs have a
+// product of 24 bits and an addition as one operation. hn_i_point_hash below takes the sum: with products hn_random
 // would cost 7 to 14% more on Apple, where a product costs four additions.
 //
 // HN_I_ODD_Y is the low 24 bits of HN_I_SUM_Y * HN_I_ODD_X, and so on. They are written out, because FXC takes every
@@ -167,11 +167,11 @@ HN_FN hn_uint hn_i_odd(hn_uvec4 c, hn_uint s) {
 HN_FN hn_uint hn_i_step_x(hn_uint from, hn_uint to) { return (to - HN_I_ORIGIN_X) - (from - HN_I_ORIGIN_X); }
 
 #if HN_HASH == HN_HASH_LATTICE
-HN_FN hn_uint hn_i_word(hn_uint join, hn_uint odd) { return join * (odd & 0x00FFFFFFu); }
+HN_FN hn_uint hn_i_point_hash(hn_uint join, hn_uint odd) { return join * (odd & 0x00FFFFFFu); }
 #else
 // A weak hash leaves too much to the product, whose high bits are best; gradients are taken from lower ones. And it may
 // lose a bit (the lowest of partial FNV1 is constant), which the join has.
-HN_FN hn_uint hn_i_word(hn_uint join, hn_uint odd) {
+HN_FN hn_uint hn_i_point_hash(hn_uint join, hn_uint odd) {
   hn_uint h = hn_i_hash(join) * (odd & 0x00FFFFFFu) + join;
   return h ^ (h >> 9u);
 }
@@ -179,29 +179,29 @@ HN_FN hn_uint hn_i_word(hn_uint join, hn_uint odd) {
 
 // The hash of a point, from its spread coordinates. The seed and all else add `join` to the exclusive or, and `sum` to
 // the sum.
-HN_FN hn_uint hn_i_word(hn_uvec2 c, hn_uint join, hn_uint sum) {
+HN_FN hn_uint hn_i_point_hash(hn_uvec2 c, hn_uint join, hn_uint sum) {
   hn_uvec2 j = hn_i_high(c);
-  return hn_i_word(j.x ^ j.y ^ join, hn_i_odd(hn_i_sum(c) + sum));
+  return hn_i_point_hash(j.x ^ j.y ^ join, hn_i_odd(hn_i_sum(c) + sum));
 }
 // Generated for 1, 3 and 4 dimensions from the lines above.
-HN_FN hn_uint hn_i_word(hn_uint c, hn_uint join, hn_uint sum) {
+HN_FN hn_uint hn_i_point_hash(hn_uint c, hn_uint join, hn_uint sum) {
   hn_uint j = hn_i_high(c);
-  return hn_i_word(j ^ join, hn_i_odd(hn_i_sum(c) + sum));
+  return hn_i_point_hash(j ^ join, hn_i_odd(hn_i_sum(c) + sum));
 }
-HN_FN hn_uint hn_i_word(hn_uvec3 c, hn_uint join, hn_uint sum) {
+HN_FN hn_uint hn_i_point_hash(hn_uvec3 c, hn_uint join, hn_uint sum) {
   hn_uvec3 j = hn_i_high(c);
-  return hn_i_word(j.x ^ j.y ^ j.z ^ join, hn_i_odd(hn_i_sum(c) + sum));
+  return hn_i_point_hash(j.x ^ j.y ^ j.z ^ join, hn_i_odd(hn_i_sum(c) + sum));
 }
-HN_FN hn_uint hn_i_word(hn_uvec4 c, hn_uint join, hn_uint sum) {
+HN_FN hn_uint hn_i_point_hash(hn_uvec4 c, hn_uint join, hn_uint sum) {
   hn_uvec4 j = hn_i_high(c);
-  return hn_i_word(j.x ^ j.y ^ j.z ^ j.w ^ join, hn_i_odd(hn_i_sum(c) + sum));
+  return hn_i_point_hash(j.x ^ j.y ^ j.z ^ j.w ^ join, hn_i_odd(hn_i_sum(c) + sum));
 }
 
 // The hash of a point to which nothing but the mixed seed s adds.
-HN_FN hn_uint hn_i_seeded_word(hn_uvec2 c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
+HN_FN hn_uint hn_i_seeded_hash(hn_uvec2 c, hn_uint s) { return hn_i_point_hash(c, hn_i_seed_join(s), s); }
 // Generated for 1, 3 and 4 dimensions from the lines above.
-HN_FN hn_uint hn_i_seeded_word(hn_uint c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
-HN_FN hn_uint hn_i_seeded_word(hn_uvec3 c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
-HN_FN hn_uint hn_i_seeded_word(hn_uvec4 c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
+HN_FN hn_uint hn_i_seeded_hash(hn_uint c, hn_uint s) { return hn_i_point_hash(c, hn_i_seed_join(s), s); }
+HN_FN hn_uint hn_i_seeded_hash(hn_uvec3 c, hn_uint s) { return hn_i_point_hash(c, hn_i_seed_join(s), s); }
+HN_FN hn_uint hn_i_seeded_hash(hn_uvec4 c, hn_uint s) { return hn_i_point_hash(c, hn_i_seed_join(s), s); }
 
 #endif

@@ -159,13 +159,13 @@ enum Sum {
 [[gnu::noinline]] hn_i_octave_sum with_value(hn_i_octave_sum s, Float n) {
   switch (static_cast<Sum>(settings.sum)) {
     case kFbm: return hn_i_add_noise(s, n);
-    case kTurbulence: return hn_i_add_size(s, n);
+    case kTurbulence: return hn_i_add_turbulence(s, n);
     case kClouds: return hn_i_add_noise(s, n);
-    case kBillow: return hn_i_add_bounded_size(s, n);
-    case kRidged: return hn_i_add_ridge(s, n);
-    case kHybrid: return hn_i_add_height(s, n);
-    case kPingPong: return hn_i_add_wave(s, n, settings.strength);
-    case kWeighted: return hn_i_add_bent(s, n, settings.strength);
+    case kBillow: return hn_i_add_billow(s, n);
+    case kRidged: return hn_i_add_ridged(s, n);
+    case kHybrid: return hn_i_add_hybrid(s, n);
+    case kPingPong: return hn_i_add_ping_pong(s, n, settings.strength);
+    case kWeighted: return hn_i_add_weighted(s, n, settings.strength);
     case kFbmD: return s;
     case kEroded: return s;
     case kWarp: return s;
@@ -280,7 +280,7 @@ TWIN_EXPORT(batch) void* batch_at() { return &batch; }
 TWIN_EXPORT(split) void split(int axis, int count) {
   for (int i = 0; i < count; i += kCount) {
     const hn_place1 place = hn_place(Float::load(batch.place[axis] + i));
-    const auto whole = hn_i_whole(place.cell, place.fraction, settings.sum < 0 ? Int(0) : place.rest);
+    const auto whole = hn_i_fixed_position(place.cell, place.fraction, settings.sum < 0 ? Int(0) : place.rest);
     whole.x.store(batch.cell[axis] + i);
     (Float(whole.y) * (1.0f / 16777216.0f)).store(batch.place[axis] + i);
   }

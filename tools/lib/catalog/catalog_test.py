@@ -90,7 +90,7 @@ class Made(unittest.TestCase):
             "x:f32 y:f32 octaves:i32 lacunarity:f32 gain:f32 amplitude:f32 seed:u32 = sx:f64 sy:f64",
             "hn_warp(p, 6, 2.0, 0.5, 1.0, 0u)", body))
         typed = suite.of_functions(read(), [row])
-        self.assertIn('.family = further_octave_sum, .bound = "warp"', typed)
+        self.assertIn('.family = extended_octave_sum, .bound = "warp"', typed)
         self.assertIn('.inputs = {{"x", f32}, {"y", f32}, {"octaves", i32}, {"lacunarity", f32}', typed)
         self.assertTrue(suite.of_bodies([row]).endswith(f'COLUMN("seed", u32)), {body})\n'))
 
@@ -121,8 +121,8 @@ HN_FN hn_float hn_i_ping_pong(hn_octaves2 o, hn_float strength) {
         self.assertLessEqual(max(map(len, (shaders.comment(ping_pong) + shaders.forms(ping_pong)).splitlines())), 120)
 
     def test_a_step_that_the_library_does_not_have(self):
-        for step in ("cubes", "part"):
-            message = (rf"^catalog/sums\.toml: fbm: step is '{step}', and has to be one of bent, bounded_size, .*, wave, "
+        for step in ("cubes", "detail"):
+            message = (rf"^catalog/sums\.toml: fbm: step is '{step}', and has to be one of billow, hybrid, .*, weighted, "
                        r"or a new hn_i_add_.* in glsl/hashnoise/detail/octave\.glsl$")
             with self.assertRaisesRegex(CatalogError, message):
                 shaders.check_steps([dataclasses.replace(read().sums[0], step=step)])

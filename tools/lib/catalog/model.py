@@ -23,7 +23,7 @@ MEANS = ("", "density", "billows", "bounded")  # glsl/hashnoise/detail/octave.gl
 
 
 # Two steps of glsl/hashnoise/detail/octave.glsl: the one of hn_add, and one that is not public.
-PLAIN, BOUNDED = "noise", "bounded_size"
+PLAIN, BOUNDED = "noise", "billow"
 
 
 class CatalogError(ValueError):

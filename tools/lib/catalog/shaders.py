@@ -1,6 +1,6 @@
 """GLSL of sums from the catalog: their loops and forms, and the public steps in loops.
 
-tools/make umbrella makes the other dimensions from this text for the plane.
+tools/make dimensions makes the other dimensions from this text for the plane.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ def sums_of_values(catalog: Catalog) -> list[Sum]:
 def check_steps(sums: Sequence[Sum]) -> None:
     """A step may also exist for a detail or a footprint, which add a part of an octave: no sum has such a one."""
     text = (GLSL / "detail" / "octave.glsl").read_text(encoding="utf-8")
-    steps = set(re.findall(r"\bhn_i_add_(\w+)\(hn_i_octave_sum s, hn_float n[,)]", text)) - {"part", "resolved"}
+    steps = set(re.findall(r"\bhn_i_add_(\w+)\(hn_i_octave_sum s, hn_float n[,)]", text)) - {"detail", "footprint"}
     for sum_ in sums:
         if sum_.step not in steps:
             raise CatalogError(f"catalog/sums.toml: {sum_.name}: step is {sum_.step!r}, and has to be one of "

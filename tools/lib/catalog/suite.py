@@ -118,7 +118,7 @@ def of_sums(catalog: Catalog) -> str:
 
 def facts_of(sum_: Sum) -> str:
     least, greatest = sum_.range if isinstance(sum_.range, tuple) else (-1, 1)
-    is_bounded = bool(sum_.mean) or sum_.step not in ("", "noise", "size", "eroded")
+    is_bounded = bool(sum_.mean) or sum_.step not in ("", "noise", "turbulence", "eroded")
     step, mean = step_and_mean(sum_)
     return row("OCTAVE_SUM", sum_.name, sum_.noise, sum_.strength.most if sum_.strength else 0, least, greatest,
                flag(is_bounded), step, mean)

@@ -8,7 +8,7 @@ and lists of the same points. FILE is the shared library of FastNoise2; strict i
 FASTNOISE2_STRICT_FP. Google Benchmark times all fills of a noise in random order. gcc.csv or clang.csv goes into DIR: for
 each noise and instruction set how many times as fast one fill is as another, with the spread of this quotient, half the
 distance between its quartiles over pairs of samples, and millions of points a second. Nothing else should run meanwhile.
-tools/make readme makes tables of docs/measured/measuring.md of docs/measured/results/cpu, which has such files.
+tools/make pages makes tables of docs/measured/measuring.md of docs/measured/results/cpu, which has such files.
 
 It needs, of Debian 12: cmake, ninja-build, libbenchmark-dev and the compilers. tools/test installs them.
 
@@ -26,7 +26,7 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
-from base.elsewhere import Failed, Place, output_of
+from base.cross_build import Failed, Place, output_of
 from base.tree import ROOT
 from base.usage import Parser, whole
 from base.versions import version_of
@@ -69,7 +69,7 @@ def page_table(rows: Sequence[Row]) -> str:
     """A line for each noise, with numbers by instruction sets."""
     heads = [" : ".join(COMPARED[name]) for name in ON_THE_PAGE]
     lines = []
-    for noise in dict.fromkeys(row["noise"] for row in rows):
+    for noise in dict.fromkeys(row["noise"] for row in rows if not row["noise"].startswith("ridged")):
         of = [row for row in rows if row["noise"] == noise]
         cells = [[f"{float(row[name]):.2f}" for row in of if row[name]] for name in ON_THE_PAGE]
         rates = [record.three_digits(float(row["fast million/s"])) for row in of]

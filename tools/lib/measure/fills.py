@@ -8,7 +8,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from base.elsewhere import Build, Failed, Place, output_of
+from base.cross_build import Build, Failed, Place, output_of
 from base.tree import ROOT
 
 RESULTS = ROOT / "docs" / "measured" / "results" / "cpu"

@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from base.elsewhere import NEON, Build, Failed, Place, output_of
+from base.cross_build import NEON, Build, Failed, Place, output_of
 from base.testing import Case, called
 from base.tree import ROOT
 from measure import cpu, fills, neon, stamps

@@ -4,7 +4,7 @@
 
 The library is compiled for ARM, which takes minutes, and fills the grids of tools/measure cpu. The emulator QEMU executes
 that, and a plugin of it counts the instructions. FILE is the shared library of FastNoise2, compiled for ARM as well.
-neon.csv goes into DIR: instructions a point of each noise. docs/measured/results/cpu has such a file; tools/make readme
+neon.csv goes into DIR: instructions a point of each noise. docs/measured/results/cpu has such a file; tools/make pages
 makes the table of docs/measured/measuring.md of it.
 
 It needs, of Debian 12: cmake, ninja-build, gcc, g++-aarch64-linux-gnu and qemu-user. tools/test installs them.
@@ -21,7 +21,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from base.elsewhere import NEON, Failed, output_of
+from base.cross_build import NEON, Failed, output_of
 from base.tree import ROOT
 from base.usage import Parser
 from base.versions import version_of
@@ -63,7 +63,8 @@ def page_table(rows: Sequence[Mapping[str, str]]) -> str:
     """Instructions a point, and how many times those of hashnoise FastNoise2 needs."""
     columns = [name for name in COLUMNS if name in rows[0]]  # without --against there is no FastNoise2
     lines = [[f"`{row['noise']}`", *(record.three_digits(float(row[name])) for name in columns),
-              *(f"{float(row[name]) / float(row['fast']):.2f}" for name in columns if name == "FastNoise2")] for row in rows]
+              *(f"{float(row[name]) / float(row['fast']):.2f}" for name in columns if name == "FastNoise2")]
+             for row in rows if not row["noise"].startswith("ridged")]
     return table(("noise", *columns, *("fast : FastNoise2" for name in columns if name == "FastNoise2")), lines)
 
 

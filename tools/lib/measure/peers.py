@@ -7,7 +7,7 @@ Each option is the path of a copy of yours; its help names which file or folder 
 out.
 
 It calls hn-conform bench --against, which must be on the PATH or built (tools/measure clock builds it), and leaves
-bench.csv in DIR. docs/measured/results/llvmpipe/peers.csv is such a file; tools/make readme makes the table of
+bench.csv in DIR. docs/measured/results/llvmpipe/peers.csv is such a file; tools/make pages makes the table of
 docs/measured/measuring.md of it.
 
 Exit status: that of hn-conform bench; 2 bad usage.

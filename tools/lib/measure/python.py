@@ -6,7 +6,7 @@ FILE is a Python that has the package and those to compare with (pip install pyf
 perlin-numpy noise). Functions that it lacks are left out. python.csv goes into DIR: the noise, the package and its
 version, nanoseconds per point (the median of the rounds), that time in ours, and the spread of this quotient, half the
 distance between its quartiles. All use one thread, in turns. Nothing else should run meanwhile.
-docs/measured/results/cpu/python.csv is such a file; tools/make readme makes the table of docs/measured/measuring.md of
+docs/measured/results/cpu/python.csv is such a file; tools/make pages makes the table of docs/measured/measuring.md of
 it.
 
 Exit status: 0 done, 1 the package is not in that Python or a call failed, 2 bad usage.

@@ -6,7 +6,7 @@ Packs the crate (tools/pack rust), and builds it with the others, of crates.io, 
 x86-64, as cargo does by default, and once for processors with AVX2 (-C target-cpu=x86-64-v3). rust.csv goes into DIR:
 the target, the noise, the crate and its version, nanoseconds per point (the least of the rounds), that time in ours, and
 the spread of this quotient, half the distance between its quartiles. All use one thread, in turns. Nothing else should
-run meanwhile. docs/measured/results/cpu/rust.csv is such a file; tools/make readme makes the tables of
+run meanwhile. docs/measured/results/cpu/rust.csv is such a file; tools/make pages makes the tables of
 docs/measured/measuring.md of it.
 
 Exit status: 0 done, 1 a crate could not be built or run, 2 bad usage, 4 the crate could not be packed.

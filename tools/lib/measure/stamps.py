@@ -321,9 +321,9 @@ def records_table() -> str:
     def line(path: Path) -> list[str]:
         facts, name = read(path).facts, path.relative_to(RESULTS).as_posix()
         return [f"[{name}]({name})", f"`tools/measure {KINDS[path.name].command}`", facts["date"][:10],
-                facts["hashnoise"], f"{facts['by']}{needed(facts)}", changed(path)]
+                facts["hashnoise"], changed(path)]
 
-    return table(("record", "command", "day", "hashnoise", "measured by", "text changed since"), map(line, paths()))
+    return table(("record", "command", "day", "hashnoise", "text changed since"), map(line, paths()))
 
 
 def refusals() -> list[str]:

@@ -131,7 +131,7 @@ def _of_theirs(rows: Costs, noise: str) -> float:
 def tables() -> Iterator[tuple[str, str, str]]:
     """Made parts of pages: the page, the name of the marks, and the table."""
     rows = costs(CPU)
-    yield from ((page, f"tools/make readme: {name}", made + stamps.note(of)) for page, name, made, of in (
+    yield from ((page, f"tools/make pages: {name}", made + stamps.note(of)) for page, name, made, of in (
         (MEASURING, "costs", cost_table(rows, "spirv", "of SPIR-V"), "llvmpipe/bench.csv"),
         (MEASURING, "costs on a GPU",
          cost_table(costs(GPU), "nvidia", "of NVIDIA's assembly"), "h100/bench.csv"),
@@ -158,5 +158,5 @@ def tables() -> Iterator[tuple[str, str, str]]:
             ("traces", hashes.trace_table, "directions.csv"))),
         (JUDGE, "judged", of_noises.judge_table(of_noises.read()), "judged.csv")))
     notes = "".join(stamps.note(f"{machine}/peers.csv") for machine in (CPU, GPU))
-    yield MEASURING, "tools/make readme: peers", peer_table(peer_costs(CPU), peer_costs(GPU)) + notes
-    yield RECORDS, "tools/make readme: records", stamps.records_table()
+    yield MEASURING, "tools/make pages: peers", peer_table(peer_costs(CPU), peer_costs(GPU)) + notes
+    yield RECORDS, "tools/make pages: records", stamps.records_table()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from base.tree import GLSL
-from catalog import asked
+from catalog import popular
 from translate.parsing.syntax import Function
 from translate.pick.command import Choice, picker, read_library
 
@@ -13,7 +13,7 @@ from translate.pick.command import Choice, picker, read_library
 ARITHMETICS = {"fast": "", "fixed": "Fixed"}
 # One shader may have both arithmetics, and one program.
 NAMES = {("hlsl", "fixed"): "hn_fixed", ("csharp", "fixed"): "HashNoiseFixed"}
-NODES = asked.nodes("graphs")
+NODES = popular.nodes("graphs")
 # All functions: shaders and scripts also have the short forms of those that take a jitter.
 FORMS = (*NODES, *(form.removesuffix("_jitter") for form in NODES if form.endswith("_jitter")), "hn_tile2")
 PORTS = {"float": "float", "int": "float", "uint": "float", "vec2": "float2", "vec3": "float3", "ivec2": "float2"}

@@ -17,9 +17,9 @@ from catalog.model import AXES, CATALOG, CatalogError, Entry, Noise, Sum, read, 
 from catalog.tables.configurations import families
 
 FILE = "functions.toml"
-NOISES = ("gradient_noise", "lattice_noise", "further_gradient_noise", "octahedral_noise", "further_lattice_noise",
-          "simplex_noise", "cellular", "further_cellular")
-OCTAVE_SUMS = ("octave_sum", "further_octave_sum", "octahedral_octave_sum")
+NOISES = ("gradient_noise", "lattice_noise", "extended_gradient_noise", "octahedral_noise", "extended_lattice_noise",
+          "simplex_noise", "cellular", "extended_cellular")
+OCTAVE_SUMS = ("octave_sum", "extended_octave_sum", "octahedral_octave_sum")
 TYPES = ("u32", "i32", "f32", "f64")
 STRENGTHS = ("strength", "amplitude")
 SPREADS = ("spread", "spread_value", "spread_sum")  # forms without a seed

@@ -42,21 +42,21 @@ class Tables(unittest.TestCase):
                                        ("numbers.rehash", "items", 1, "independent"),
                                        ("numbers.shuffle", "items", 1, "independent"),
                                        ("position.cell3", "place", 3, "independent"),
-                                       ("position.perlin2", "place_of_noise", 2, "further_gradient_noise"),
-                                       ("noise3d.cellular_cell_full", "cell", 3, "further_cellular"),
-                                       ("noise2d.cell_border_nearest", "position", 2, "further_cellular"),
+                                       ("position.perlin2", "place_of_noise", 2, "extended_gradient_noise"),
+                                       ("noise3d.cellular_cell_full", "cell", 3, "extended_cellular"),
+                                       ("noise2d.cell_border_nearest", "position", 2, "extended_cellular"),
                                        ("noise2d.phasor", "position", 2, "simplex_noise"),
                                        ("noise2d.phasor_cell_period", "cell", 2, "simplex_noise"),
                                        ("noise3d.phasor_cell", "cell", 3, "simplex_noise"),
-                                       ("fbm.fbm2_period", "sum", 2, "further_octave_sum"),
-                                       ("fbm.ping_pong3_cell_period", "sum", 3, "further_octave_sum"),
-                                       ("fbm.weighted2_cell", "sum", 2, "further_octave_sum"),
-                                       ("fbm.fbm3_detail", "sum", 3, "further_octave_sum"),
-                                       ("fbm.fbm2_footprint", "sum", 2, "further_octave_sum"),
+                                       ("fbm.fbm2_period", "sum", 2, "extended_octave_sum"),
+                                       ("fbm.ping_pong3_cell_period", "sum", 3, "extended_octave_sum"),
+                                       ("fbm.weighted2_cell", "sum", 2, "extended_octave_sum"),
+                                       ("fbm.fbm3_detail", "sum", 3, "extended_octave_sum"),
+                                       ("fbm.fbm2_footprint", "sum", 2, "extended_octave_sum"),
                                        ("fbm.clouds3", "sum", 3, "octave_sum"),
                                        ("fbm.ridged4_cell_period", "sum", 4, "octahedral_octave_sum"),
                                        ("fbm_d.eroded3_cell", "sum", 3, "octahedral_octave_sum"),
-                                       ("warp.warp_progressive2_cell_period", "sum", 2, "further_octave_sum")):
+                                       ("warp.warp_progressive2_cell_period", "sum", 2, "extended_octave_sum")):
             function = functions[id]
             self.assertEqual((function.form, function.axes, function.family), (form, axes, family), id)
         cell, word = functions["noise3d.perlin_cell"], functions["hash.word"]

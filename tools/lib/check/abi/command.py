@@ -22,7 +22,6 @@ from base import needs
 
 needs.python(3, 11, "test", "abi")
 
-import argparse  # noqa: E402
 import os  # noqa: E402
 import platform  # noqa: E402
 import re  # noqa: E402
@@ -34,6 +33,7 @@ from pathlib import Path  # noqa: E402
 from xml.etree import ElementTree  # noqa: E402
 
 from base.tree import ROOT, version  # noqa: E402
+from base.usage import Parser  # noqa: E402
 
 INTERFACE = ROOT / "src" / "grid" / "tests" / "grid.abi"
 FOLDER = ROOT / "build" / "abi"
@@ -159,8 +159,7 @@ def broken(before: Path, now: Path, of: str) -> str:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="tools/test abi", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser("tools/test abi", __doc__)
     what = parser.add_mutually_exclusive_group(required=True)
     what.add_argument("--check", action="store_true", help="print what is not as it was")
     what.add_argument("--write", action="store_true", help="write the interface anew")

@@ -73,14 +73,15 @@ class Library(unittest.TestCase):
                          [True, True, False, True, False])
         self.assertEqual(verdicts("detail/body_centred_lattice.glsl", "hn_i_square(dx.x, dy.x, dz.x, dw.x)",
                                   ("dx.x, dy.x", "dy.x, dx.x"), ("dw", "-dw"), ("dx", "f")), [True, True, False])
-        for text, verdict in (("hn_i_size(hn_i_octave(n))", True), ("hn_i_size(hn_i_bounded_octave(n))", True),
+        for text, verdict in (("hn_i_magnitude(hn_i_octave(n))", True),
+                              ("hn_i_magnitude(hn_i_bounded_octave(n))", True),
                               ("hn_i_ridge(hn_i_bounded_octave(n))", True),
                               ("hn_i_height(hn_i_bounded_octave(n))", False)):
             self.assertEqual(verdicts(octave, text, ("n", "-n")), [verdict], text)
         for function, verdict in (("turbulence", True), ("ridged", True), ("hybrid", False)):
             self.assertEqual(verdicts("octaves4d.glsl", f"hn_add_{function}(", ("n", "-n")), [verdict], function)
         self.assertEqual(verdicts(falloff, "hn_i_square_plus(hn_uint q", ("x", "-x")), [False])
-        self.assertEqual(verdicts(falloff, "ivec2(hn_i_size(x), hn_i_size(y))", ("x", "-x")), [True])
+        self.assertEqual(verdicts(falloff, "ivec2(hn_i_magnitude(x), hn_i_magnitude(y))", ("x", "-x")), [True])
 
     def test_an_equivalence_covers_nothing_else(self):
         source = "a = f(x - y);\nb = f(x - y) - x - y;\n"
@@ -176,7 +177,7 @@ class Sweep(Case):
 
     def test_the_verdicts(self):
         """How hn-conform ends, and then the status of the command, and a text that it prints so often."""
-        thorough, uncounted = ("--thorough", "--jobs", "1"), "the unchanged library does not pass, so a mutant proves nothing: "
+        thorough, unsound = ("--thorough", "--jobs", "1"), "library does not pass, so a mutant proves nothing: "
         only_thorough = {"with_filter": "int('--thorough' in arguments)", "without": 0}
         for arguments, ends, expected, text, count in (
                 ((), {}, 0, "killed by c.d\n", 2),
@@ -189,7 +190,7 @@ class Sweep(Case):
                 (thorough, only_thorough, 1, "SURVIVED, and killed with --thorough by c.d\n", 2),
                 (thorough, only_thorough, 1, "2 survived (2 of them not --thorough)", 1),
                 ((), {"with_filter": 3}, 3, "ERROR: exit status 3: no driver\n", 2),
-                ((), {"unchanged": "int('c.d' in arguments)"}, 3, f"{uncounted}killed by c.d", 1)):
+                ((), {"unchanged": "int('c.d' in arguments)"}, 3, f"{unsound}killed by c.d", 1)):
             with self.subTest(text, ends=ends):
                 status, output = self.sweep(*arguments, **ends)
                 self.assertEqual((status, output.count(text)), (expected, count), output)

@@ -154,7 +154,7 @@ class Files(unittest.TestCase):
             for path, text in modules.files_of([modules.path_of(part.module)]).items():
                 with self.subTest(part.name, file=path.relative_to(TOOLS)):
                     self.assertEqual(later_than(part.python, text), [])
-        self.assertEqual([part.name for part in PARTS if part.python == (3, 9)], ["umbrella", "snippets", "vectors"])
+        self.assertEqual([part.name for part in PARTS if part.python == (3, 9)], ["dimensions", "snippets", "vectors"])
         self.assertGreater(len(files_of("pack")), 10)
         self.assertIn(LIB / "base" / "usage.py", files_of("make"))
 

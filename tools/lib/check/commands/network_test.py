@@ -25,7 +25,7 @@ SKIPPED = 77
 # --get-drivers.
 COMMANDS = (*(["pack", name, "{}"] for name, recipe in RECIPES.items() if not recipe.command),
             ["make", "catalog", "--check"], ["make", "freeze", "--check"], ["make", "golden", "--check", "--sample", "50"],
-            ["make", "umbrella", "--check"], ["make", "vectors"],
+            ["make", "dimensions", "--check"], ["make", "vectors"],
             ["pick", "hn_fbm2"], *[["playground", "--out", "{}/page.html"]] * (not is_deleted("playground")), ["pick", "whole", "--out", "{}/all.glsl"],
             ["pick", "whole", "--language", "wgsl", "noise2d.glsl"])
 OF_CONFORM = (["run", "--filter", "noise2d.perlin.lattice.fast.*", "--out", "{}/out"], ["web", "--out", "{}/web"])

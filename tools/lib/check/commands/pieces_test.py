@@ -30,7 +30,7 @@ from base.tree import ROOT, files
 CONTRIBUTING = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
 # They read lists of files, links, rooms, and what packages have.
 LISTS = ("base.rooms_test", "catalog.catalog_test", "check.frozen.interface_test.Interface.test_the_library_is_as_in_the_committed_table",
-         "check.make.make_test.Table", "ship.packing_test", "ship.readme.readme_test.Readme", "ship.website.website_test")
+         "check.make.make_test.Table", "ship.packing_test", "ship.pages.pages_test.Readme", "ship.website.website_test")
 
 
 def outer_imports(text: str) -> Iterator[str]:
@@ -156,7 +156,7 @@ class Copies(unittest.TestCase):
                 ("conformance/report", configured, "The room cli cannot see report"),
                 ("examples/examples_test.py", lambda tree: configured(tree) or lost_tests(tree),
                  "examples.webgl: there is no "),
-                ("docs/guide/random.md", lambda tree: listed(tree, ["ship.readme.readme_test.Readme"]),
+                ("docs/guide/random.md", lambda tree: listed(tree, ["ship.pages.pages_test.Readme"]),
                  "README.md: docs/guide/random.md")):
             with self.subTest(path), mock.patch.dict(PIECES, {"needed": (path,)}):
                 self.assertIn(said, "\n".join(look(copy(["needed"], self.folder / "one"))))

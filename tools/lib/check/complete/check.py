@@ -10,14 +10,14 @@ from pathlib import Path
 import catalog.model
 from base.golden_values import head_of
 from base.tree import BOUNDS, GLSL, GOLDEN, ROOT, glsl_files
-from catalog.asked import snippets
+from catalog.popular import snippets
 from catalog.tables import glsl
 from catalog.tables.configurations import Configuration, read_configurations
 from catalog.tables.functions import NOISES, Function, read_functions
 from proof.bounds import table
 from proof.golden.files import golden_files
+from proof.oracle import hashes
 from proof.oracle import noises as oracle
-from proof.oracle import words
 
 ROWS, SETTINGS = "catalog/functions.toml", "catalog/configurations.toml"
 KNOBS = "docs/reference/knobs.md"
@@ -66,7 +66,7 @@ STEPS = re.compile(r"hn_(place|tile|position|octaves|next|add|add_\w+|mean|densi
 
 def functions_without_a_row(tree: Tree) -> Iterator[str]:
     rows = {(function.calls, types) for function in tree.functions for types in function.overloads}
-    hashes = {configuration.hash for configuration in tree.configurations}
+    known = {configuration.hash for configuration in tree.configurations}
     # On the line and in 4D a sum is made of the text on the plane, and every form of it has a row. So there it is
     # enough that one form has a row.
     sums = {(declared.path, declared.name) for declared in tree.declarations
@@ -78,7 +78,7 @@ def functions_without_a_row(tree: Tree) -> Iterator[str]:
             continue
         if declared.name.startswith("hn_hash_") and declared.types == ("uint",):
             name = declared.name.removeprefix("hn_hash_")
-            if name not in hashes:
+            if name not in known:
                 yield (f"{declared.place}: {declared} is the hash of no configuration: add {name} to the hashes of "
                        f"{SETTINGS}, or a row that calls it to {ROWS}")
         else:
@@ -98,7 +98,7 @@ def rows_without_a_function(tree: Tree) -> Iterator[str]:
         for types in function.overloads:
             if (function.calls, types) not in declared:
                 yield lacks(function, f"declare {function.calls}({', '.join(types)}) in {GLSL.name}/, unless "
-                            "tools/make catalog and tools/make umbrella write it")
+                            "tools/make catalog and tools/make dimensions write it")
 
 
 def functions_without_words(tree: Tree) -> Iterator[str]:
@@ -265,8 +265,8 @@ def hashes_without_entries(tree: Tree) -> Iterator[str]:
         macro, word = f"HN_HASH_{name}", name.lower()
         if not any(_is_plain(configuration, word) for configuration in tree.configurations):
             yield f"{SETTINGS}: {macro} is under test with no default gradient: add {word} to the hashes of fast"
-        if word not in words.HASHES:
-            yield f"tools/lib/proof/oracle/words.py: {macro} is not among the hashes: add it from docs/reference/contract.md"
+        if word not in hashes.HASHES:
+            yield f"tools/lib/proof/oracle/hashes.py: {macro} is not among the hashes: add it from docs/reference/contract.md"
         if f"| `{name}`" not in contract:
             yield f"docs/reference/contract.md: no line for {macro}: add one to its table of hashes"
         if f"`{macro}`" not in page:
@@ -301,7 +301,7 @@ def names_of_two_kinds(tree: Tree) -> Iterator[str]:
 PAGES = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "llms.txt", "docs/*/*.md", "docs/guide/gallery/*.md", "examples/**/*.md",
          "packages/*/README.md")
 OF_THE_INSIDE = {"adding", "frozen", "glossary", "internals", "one-noise", "release"}  # pages for who changes the library
-PICKED = re.compile(r"<!-- tools/make readme: picked.*?<!-- end -->", re.DOTALL)  # texts that tools/pick writes
+PICKED = re.compile(r"<!-- tools/make pages: picked.*?<!-- end -->", re.DOTALL)  # texts that tools/pick writes
 
 
 def internal_names_in_pages(tree: Tree) -> Iterator[str]:

@@ -128,8 +128,8 @@ DELETIONS = (
     *((((f"tools/lib/proof/{path}", mark, ""),),
        (rf"^catalog/sums\.toml: {name}: write in tools/lib/proof/{path} {what}",)) for name, path, mark, what in (
         ("ridged", "oracle/sums.py", '"ridged": ', "its exact and its fixed value"),
-        ("ping_pong", "bounds/steps.py", '"wave": ', "its computation"),
-        ("weighted", "sums/bounds.cpp", "case SumStep::bent:", "its errors"),
+        ("ping_pong", "bounds/steps.py", '"ping_pong": ', "its computation"),
+        ("weighted", "sums/bounds.cpp", "case SumStep::weighted:", "its errors"),
         ("eroded", "oracle/jacobians.py", '"eroded": ', "its exact and its fixed value"),
         ("warp", "bounds/jacobians.py", '"warp": ', "its computation"),
         ("warp_progressive", "sums/bounds.cpp", "case SumStep::warp_progressive:", "its errors"))),
@@ -151,7 +151,7 @@ DELETIONS = (
       rf"^{SETTINGS}: HN_EXACT is under test nowhere: add a group with exact as its arithmetic$")),
     (((CONFIG, r"^(#define HN_HASH_PCG 6)", "\\1\n#define HN_HASH_MD5 10  // new"),),
      (r"configurations\.toml: HN_HASH_MD5 is under test with no default",
-      r"^tools/lib/proof/oracle/words\.py: HN_HASH_MD5 is not among the hashes",
+      r"^tools/lib/proof/oracle/hashes\.py: HN_HASH_MD5 is not among the hashes",
       r"^docs/reference/contract\.md: no line for HN_HASH_MD5", r"^docs/reference/knobs\.md: the knob .* HN_HASH_MD5")),
     (((SETTINGS, r'"xxhash32", ', ""),),
      (r"^glsl/hashnoise/detail/\w+\.glsl:\d+: hn_hash_xxhash32\(uint\) is the hash of no configuration: add xxhash32 to",
@@ -214,7 +214,7 @@ class Deletions(Case):
     def test_an_internal_name_in_a_page(self) -> None:
         self.change("docs/guide/uniform.md", r"\A", "Take `hn_i_select`.\n")
         self.change("docs/guide/random.md", r"\A",
-                    "\n<!-- tools/make readme: picked -->\nhn_i_mix(k)\n<!-- end -->\n`HN_I_FLOAT`\n")
+                    "\n<!-- tools/make pages: picked -->\nhn_i_scramble(k)\n<!-- end -->\n`HN_I_FLOAT`\n")
         found = self.noticed(r"^docs/guide/uniform\.md:1: hn_i_select is internal: recommend a public function, or publish",
                              r"^docs/guide/random\.md:5: HN_I_FLOAT is internal")
-        self.assertFalse(any("hn_i_mix" in text for text in found), found)
+        self.assertFalse(any("hn_i_scramble" in text for text in found), found)

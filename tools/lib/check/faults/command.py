@@ -48,14 +48,13 @@ FEW = ("bugs*", "hash.*.lattice.*.gl330.golden", "hash.*.any.*.gl330.golden", "n
 
 HEAD = """# Faults of drivers, and what notices them
 
-This page lists the faults that drivers have had, and the cases that notice them. `tools/make faults` writes this page. It
-makes a healthy driver (llvmpipe, by OSMesa) behave as if it had each of these faults: `hn-conform run --inject NAME`
-rewrites the code of every shader, but not `glsl/`. Each fault fails the run, and the table names the functions whose cases
-fail. If only cases of `bugs` fail, the library avoids the faulty operation on purpose. The cases are those of `{filters}`.
+`tools/make faults` writes this page. It makes a healthy driver (llvmpipe, by OSMesa) behave as if it had each fault that
+drivers have had: `hn-conform run --inject NAME` rewrites the code of every shader, but not `glsl/`. Each fault fails the
+run, and the table names the functions whose cases fail. If only cases of `bugs` fail, the library avoids the faulty
+operation on purpose.
 
-A case cannot fail where a specification leaves the result open. It gives a warning, and the last column has the cases that
-warn here but not on the healthy driver. If a specification allows the fault as it was reported, a worse fault is injected,
-which the column "injected" describes.
+A case gives a warning where a specification leaves the result open; the last column has those that warn here but not on
+the healthy driver. If a specification allows the fault as it was reported, a worse fault is injected.
 
 `hn-conform list --about --filter 'bugs*'` prints where each case of `bugs` was reported, and its specification.
 
@@ -150,8 +149,7 @@ def row(fault: Told, verdict: Verdict, healthy: Verdict) -> str:
 
 
 def table(rows: list[str], warned: str) -> str:
-    text = HEAD.format(filters="`, `".join(FILTERS))
-    text += "| fault | reported in | injected | what fails | what else warns |\n| --- | --- | --- | --- | --- |\n"
+    text = HEAD + "| fault | reported in | injected | what fails | what else warns |\n| --- | --- | --- | --- | --- |\n"
     text += "".join(rows)
     return text + f"\nOn the healthy driver, warnings are given by {warned}.\n"
 

@@ -27,7 +27,7 @@ from collections.abc import Sequence  # noqa: E402
 from pathlib import Path  # noqa: E402
 
 from base.tree import ROOT  # noqa: E402
-from base.usage import whole  # noqa: E402
+from base.usage import Parser, whole  # noqa: E402
 
 FUZZ = ROOT / "conformance" / "testing" / "fuzz"
 TARGETS = sorted(path.stem for path in FUZZ.glob("*.cpp"))
@@ -92,8 +92,7 @@ def describe(status: int, lines: Sequence[str], findings: Path, log: Path) -> st
 
 
 def options_from(arguments: Sequence[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="tools/test fuzz", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser("tools/test fuzz", __doc__)
     limit = parser.add_mutually_exclusive_group()
     limit.add_argument("--seconds", type=whole, default=600, metavar="N", help="for each target (600)")
     limit.add_argument("--runs", type=whole, metavar="N", help="so many inputs for each, always the same")

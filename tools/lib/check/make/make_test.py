@@ -40,8 +40,8 @@ def unmade(files: Iterable[Path], parts: Iterable[Part] = MADE) -> list[str]:
     for path in files:
         for name in marks(path.read_text(encoding="utf-8")):
             written = products.get(name, set()) if name else set().union(*products.values())
-            if name == "catalog":  # whose marks umbrella takes into other dimensions
-                written = written | products.get("umbrella", set())
+            if name == "catalog":  # whose marks dimensions takes into other dimensions
+                written = written | products.get("dimensions", set())
             if path not in written:
                 wrong.append(f"{path.name}: {name}")
     return wrong
@@ -64,12 +64,12 @@ def backward(parts: list[Part]) -> list[str]:
 class Table(unittest.TestCase):
     def test_no_part_reads_what_one_below_it_writes(self) -> None:
         self.assertEqual(backward(MADE), [])
-        self.assertIn("snippets reads what umbrella writes", backward(MADE[::-1]))
+        self.assertIn("snippets reads what dimensions writes", backward(MADE[::-1]))
 
     def test_what_a_part_waits_for(self) -> None:
         waits = {name: [other.name for other in others] for name, others in graph.needs(MADE).items()}
-        for part, others in (("umbrella", ["catalog"]), ("bounds", ["catalog", "umbrella"]), ("freeze", ["umbrella"]),
-                             ("snippets", ["umbrella"]), ("readme", ["umbrella"])):
+        for part, others in (("dimensions", ["catalog"]), ("bounds", ["catalog", "dimensions"]),
+                             ("freeze", ["dimensions"]), ("snippets", ["dimensions"]), ("pages", ["dimensions"])):
             with self.subTest(part):
                 self.assertLessEqual(set(others), set(waits[part]))
         self.assertEqual(waits["catalog"], [])
@@ -82,7 +82,7 @@ class Table(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             for text in ("// Made by tools/make.\n", "// Made from a.glsl by tools/make. More.\n",
                          "// Made by tools/make catalog: rows.\n", "`tools/make faults` writes this page.\n",
-                         "a\n<!-- tools/make readme: typical values -->\n", "# tools/make catalog: names\n"):
+                         "a\n<!-- tools/make pages: typical values -->\n", "# tools/make catalog: names\n"):
                 with self.subTest(text):
                     path = Path(folder, "a.md")
                     path.write_text(text)
@@ -118,11 +118,11 @@ class Table(unittest.TestCase):
         self.assertEqual([path for path in golden if path.stem.endswith("_test")], [])
 
     def test_of_a_page_what_stands_between_its_marks_counts(self) -> None:
-        readme = next(part for part in PARTS if part.name == "readme")
-        page = (b"a\n<!-- tools/make readme: x -->\nb\n<!-- end -->\nc\n"
+        pages = next(part for part in PARTS if part.name == "pages")
+        page = (b"a\n<!-- tools/make pages: x -->\nb\n<!-- end -->\nc\n"
                 b"<!-- tools/make catalog: y -->\nd\n<!-- end -->\n")
-        self.assertEqual(graph.own(readme, page), b"b\n")
-        self.assertEqual(graph.own(readme, b"no mark\n"), b"no mark\n")
+        self.assertEqual(graph.own(pages, page), b"b\n")
+        self.assertEqual(graph.own(pages, b"no mark\n"), b"no mark\n")
         catalog = next(part for part in PARTS if part.name == "catalog")
         self.assertEqual(graph.own(catalog, b"// tools/make catalog: x\na\n// tools/make catalog: end\nb\n"), b"a\n// ")
 

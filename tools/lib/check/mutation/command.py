@@ -47,7 +47,7 @@ from pathlib import Path  # noqa: E402
 
 from base.tree import GLSL as LIBRARY  # noqa: E402
 from base.tree import ROOT, glsl_files  # noqa: E402
-from base.usage import whole  # noqa: E402
+from base.usage import Parser, whole  # noqa: E402
 from catalog.tables.functions import read_functions  # noqa: E402
 from check.mutation import rules  # noqa: E402
 from check.mutation.equivalent import is_equivalent  # noqa: E402
@@ -218,7 +218,7 @@ def sweep(program: Path, sources: Sources, mutants: Sequence[Mutant], jobs: int,
 
 
 def options_of(arguments: Sequence[str] | None) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="tools/test mutants", description="Does the suite notice a change of the library?")
+    parser = Parser("tools/test mutants", __doc__)
     parser.add_argument("--list", action="store_true", help="only list the mutants")
     parser.add_argument("--sample", type=whole, metavar="N", help="only N of them, spread evenly")
     parser.add_argument("--seed", type=int, default=1, metavar="S", help="which N; default: 1")

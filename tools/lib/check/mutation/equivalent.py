@@ -76,8 +76,8 @@ EQUIVALENT: tuple[Equivalence, ...] = (
       for each in alike(file, *((f"s.{axis} = HN_I_NO_WEIGHT;", "") for axis in ("xyz" if "3d" in file else "xy")))),
     *alike("detail/octave.glsl", ("s.value = HN_I_NO_WEIGHT;", ""), ("s.footprint = HN_I_NO_WEIGHT;", ""), ("s.at = 0;", "")),
 
-    # Nothing reads this position: hn_next and the warps ask is_whole before, and hn_octaves writes the position where
-    # it makes is_whole false. (It is written so that no part of the struct that is returned is undefined.)
+    # Nothing reads this position: hn_next and the warps ask is_fixed_point before, and hn_octaves writes the position
+    # where it makes is_fixed_point false. (It is written so that no part of the struct that is returned is undefined.)
     *alike("octaves1d.glsl", ("o.p = 0.0f;", "", "o.p = 0.015625f;")),
     *(Equivalence(f"octaves{n}d.glsl", f"o.p = vec{n}({', '.join(['0.0f'] * n)});",
                   ("", *(f"o.p = vec{n}({', '.join('0.015625f' if i == axis else '0.0f' for i in range(n))});"
@@ -100,8 +100,8 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     # The lowest bit of these words is 0: all that direction4d.glsl passes is shifted left by 9 or 10 bits, and nobody
     # else calls hn_i_flipped.
     *alike("detail/direction4d.glsl",
-           ("(word & 0x80000000u) != 0u, -x, x)", "(word & 0x80000001u) != 0u, -x, x)"),
-           ("floatBitsToUint(x) ^ (word & 0x80000000u)", "floatBitsToUint(x) ^ (word & 0x80000001u)")),
+           ("(h & 0x80000000u) != 0u, -x, x)", "(h & 0x80000001u) != 0u, -x, x)"),
+           ("floatBitsToUint(x) ^ (h & 0x80000000u)", "floatBitsToUint(x) ^ (h & 0x80000001u)")),
 
     # The absolute value is the same.
     *alike("detail/arithmetic.glsl", ("abs(x)", "abs(-x)"), ("abs(n)", "abs(-n)"), ("x < 0, -x, x", "x <= 0, -x, x")),
@@ -116,7 +116,8 @@ EQUIVALENT: tuple[Equivalence, ...] = (
            ("s(from_x, from_y)", "s(-from_x, from_y)", "s(from_x, -from_y)", "s(from_y, from_x)")),
     *alike("cell_border3d.glsl", ("hn_i_offset_difference(u, from.x), hn_i_offset_difference(v, from.y)",
                                   "hn_i_offset_difference(v, from.y), hn_i_offset_difference(u, from.x)")),
-    *alike("detail/falloff.glsl", *((f"hn_i_size({a}), hn_i_size({b})", f"hn_i_size({b}), hn_i_size({a})")
+    *alike("detail/falloff.glsl", *((f"hn_i_magnitude({a}), hn_i_magnitude({b})",
+                                      f"hn_i_magnitude({b}), hn_i_magnitude({a})")
                                     for a, b in ("xy", "yz", "zw"))),
     *(each for file in ("cell_border3d.glsl", "detail/feature_points3d.glsl")
       for each in alike(file, ("s(u, v, w)", "s(-u, v, w)", "s(u, -v, w)", "s(u, v, -w)", "s(v, u, w)"))),
@@ -137,7 +138,7 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     *(each for file in ("detail/phasor.glsl", "detail/direction_turning.glsl")
       for each in alike(file, ("0x40000000u, 0u)", "0x40000000u, 1u)"), ("hn_i_wave(angle, 0u)", "hn_i_wave(angle, 1u)"))),
 
-    # The three smallest ranks of a block take the places of these.
+    # The three smallest ranks of a neighbourhood take the places of these.
     *alike("detail/feature_points.glsl",
            ("0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0u", "0xFFFFFFFEu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0u",
             "0xFFFFFFFFu, 0xFFFFFFFEu, 0xFFFFFFFFu, 0u", "0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFEu, 0u")),
@@ -165,7 +166,8 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     # The third distance is a continuous function of the place, and so is the least over the cells of either choice.
     # Each is right on its side, so on the line between both are right. (3 million places on these lines had the same
     # bits in every arithmetic, on the plane, and 375,000 in space.)
-    *alike("cellular_three2d.glsl", ("hn_i_size(d.x) >= hn_i_size(d.y)", "hn_i_size(d.x) > hn_i_size(d.y)")),
+    *alike("cellular_three2d.glsl",
+           ("hn_i_magnitude(d.x) >= hn_i_magnitude(d.y)", "hn_i_magnitude(d.x) > hn_i_magnitude(d.y)")),
     *alike("cellular_three3d.glsl", ("x >= max(y, z)", "x > max(y, z)"), ("y >= z", "y > z")),
 
     # A row more on either side has the words of the row beside it, so its points are those of that row, one step on.
@@ -209,16 +211,8 @@ EQUIVALENT: tuple[Equivalence, ...] = (
 
     # A file included twice then has only macros, and these may be defined twice if they are the same; or
     # nothing but #include, of files with guards of their own.
-    *alike("config.glsl", ("#define HN_CONFIG_GLSL", "")),
-    *alike("hashnoise.glsl", ("#define HN_HASHNOISE_GLSL", "")),
-    *alike("fbm.glsl", ("#define HN_FBM_GLSL", "")),
-    *alike("fbm_d.glsl", ("#define HN_FBM_D_GLSL", "")),
-    *alike("warp.glsl", ("#define HN_WARP_GLSL", "")),
-    *alike("curl.glsl", ("#define HN_CURL_GLSL", "")),
-    *alike("noise1d.glsl", ("#define HN_NOISE1D_GLSL", "")),
-    *alike("noise2d.glsl", ("#define HN_NOISE2D_GLSL", "")),
-    *alike("noise3d.glsl", ("#define HN_NOISE3D_GLSL", "")),
-    *alike("noise4d.glsl", ("#define HN_NOISE4D_GLSL", "")),
+    *(Equivalence(f"{name}.glsl", f"#define HN_{name.upper()}_GLSL", ("",)) for name in (
+        "config", "hashnoise", "fbm", "fbm_d", "warp", "curl", "noise1d", "noise2d", "noise3d", "noise4d")),
 )
 
 
@@ -245,7 +239,7 @@ COMMUTES = re.compile(r"\bhn_i_(?:(?:with|summed)\([\w.]+, |multiply_high\(|squa
 # Text before a number whose sign plays no part: its absolute value is taken, or it is squared, in HN_FIXED after its
 # absolute value is taken or with a product that has no more than 32 bits. The noise of an octave is cut off and rounded
 # alike on both sides of 0.
-SQUARED = re.compile(r"\bhn_i_(?:sizes?|squared?|triangle_falloff|ridge|add_(?:bounded_)?size|add_ridge)\("
+SQUARED = re.compile(r"\bhn_i_(?:magnitudes?|squared?|triangle_falloff|ridge|add_(?:turbulence|billow|ridged))\("
                      r"(?:hn_i_(?:bounded_)?octave\(|(?:[^(),]*, )*)$")
 
 

@@ -126,7 +126,7 @@ CHANGES = (
     # A constructor takes what is not known as well; what would not compile or not matter is left.
     (rules.swap_arguments, ARGUMENTS, "vec2(a, h(w))", ["vec2(h(w), a)"]),
     (rules.swap_arguments, ARGUMENTS, "g(a < b, b, a)", ["g(a < b, a, b)"]),
-    (rules.swap_arguments, ARGUMENTS, "hn_i_times_plus(a, b, 1.0f)", ["hn_i_times_plus(a, 1.0f, b)"]),
+    (rules.swap_arguments, ARGUMENTS, "hn_i_multiply_add(a, b, 1.0f)", ["hn_i_multiply_add(a, 1.0f, b)"]),
     *((rules.swap_arguments, ARGUMENTS, text, []) for text in (
         "g(p, a)", "g(p.x, w)", "g(h(p), a)", "g(a, a)", "min(a, b)", "if (a, b)", "g()", "g(2, w)")),
     # Another function, or none.

@@ -271,7 +271,7 @@ def change_signs(code: Code) -> Iterator[Change]:
 # --- Calls ---
 
 # In the first two arguments.
-COMMUTATIVE = ("min", "max", "hn_i_plus", "hn_i_times", "hn_i_times_plus", "hn_i_weight_times", "hn_i_wide_plus",
+COMMUTATIVE = ("min", "max", "hn_i_plus", "hn_i_times", "hn_i_multiply_add", "hn_i_weight_times", "hn_i_wide_plus",
                "hn_i_wide_times")
 
 
@@ -330,7 +330,7 @@ OTHER_FUNCTIONS = {
     "hn_i_scaled2": ("hn_i_scaled3",), "hn_i_scaled3": ("hn_i_scaled2",),
 }
 # Functions that return their argument's type, so that it may stand for them.
-STEPS = ("abs", "floor", "trunc", "hn_i_mix", "hn_i_hash", "hn_i_spread", "hn_i_high", "hn_i_odd", "hn_i_wrap",
+STEPS = ("abs", "floor", "trunc", "hn_i_scramble", "hn_i_hash", "hn_i_spread", "hn_i_high", "hn_i_odd", "hn_i_wrap",
          "hn_i_next", "hn_hash", "hn_i_to_num", "hn_i_minus_one", "hn_i_density", "hn_i_excess_bits")
 
 

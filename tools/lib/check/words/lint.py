@@ -26,8 +26,7 @@ EXCEPTIONS: dict[str, str] = {
     "*/ratio*": "told",
     "*/record*": "told",
     "tools/lib/measure/c[lp]*": "told",
-    "tools/lib/measure/paper/*": "told",
-    "*/asked.*": "asked"}              # the name of files
+    "tools/lib/measure/paper/*": "told"}
 LONGEST_CELL = 250  # letters
 PATTERNS = {
     r"\b[Oo]f (?:which|whose)\b": "write two sentences",

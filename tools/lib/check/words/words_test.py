@@ -46,12 +46,12 @@ class Words(unittest.TestCase):
     def test_code_names_headings_and_records_are_left_out(self) -> None:
         for text in ("```glsl\n// what it says\n```\n", "    tool  # says it\n", "`it says`", "[a page](says.md)", "## What it says",
                      "What is it? It is noise.", f"| {'b' * 250} |",
-                     "<!-- tools/make readme: x -->\n| it says |\n<!-- end -->\n"):
+                     "<!-- tools/make pages: x -->\n| it says |\n<!-- end -->\n"):
             self.assertEqual(found(text), [], text)
         self.assertEqual(found("It says.", "# Page\n\n`tools/make faults` writes this page.\n\n"), [])
 
     def test_the_text_of_the_catalog_is_read(self) -> None:
-        text = "<!-- tools/make readme: x -->\n| it says |\n<!-- end -->\n<!-- tools/make catalog: y -->\n| it says |\n<!-- end -->\n"
+        text = "<!-- tools/make pages: x -->\n| it says |\n<!-- end -->\n<!-- tools/make catalog: y -->\n| it says |\n<!-- end -->\n"
         self.assertEqual(len(found(text)), 1)
         self.assertIn("docs/x.md:9: ", found(text)[0])
 

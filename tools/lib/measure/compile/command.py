@@ -5,7 +5,7 @@ tools/pick prints it, with floats and with HN_FIXED; and the same noise of other
 
 Each time is the least of the rounds, in milliseconds, less that of an empty shader. llvmpipe and Chromium (angle, tint)
 are timed by a clock, and the others by the time of the processor. The command names each shader that is refused and
-each compiler that is missing; the record has no row of them. tools/make readme makes of
+each compiler that is missing; the record has no row of them. tools/make pages makes of
 docs/measured/results/llvmpipe/compile.csv, which is such a record, the table of docs/measured/measuring.md.
 
 radv, turnip, nvk and llvmpipe need hn-conform (tools/measure clock builds it), and the first three the drivers of

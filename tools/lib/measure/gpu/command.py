@@ -9,7 +9,7 @@ Mesa's drivers for NVIDIA, AMD, Adreno and Apple compile shaders without a GPU, 
 ptxas and Intel's IGC need none; they get the same shaders by way of LLVM. Of each shader, which is one call in a
 fragment shader, less the empty shader, the record has cycles or instructions, registers and spills. The default is
 every function with each arithmetic, on every chip. It needs hn-conform on the PATH or built (tools/measure clock builds
-it), and spirv-dis. DIR gets costs.csv and chips.csv; docs/measured/results/gpu has such files, and tools/make readme
+it), and spirv-dis. DIR gets costs.csv and chips.csv; docs/measured/results/gpu has such files, and tools/make pages
 makes tables of them. docs/measured/measuring.md explains them.
 
 Exit status: 0 done, 1 something costs more than in the baseline, 2 bad usage, 3 there are no drivers for a chip, and

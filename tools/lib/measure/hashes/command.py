@@ -1,7 +1,7 @@
 """Measures how random the hashes are, and what the noise shows of its lattice.
 
     tools/measure hashes                       every hash, every control, and noises, in minutes: writes quality.csv and
-                                               directions.csv; tools/make readme makes docs/measured/quality.md of them
+                                               directions.csv; tools/make pages makes docs/measured/quality.md of them
     tools/measure hashes --hash LATTICE --quick    one hash, in minutes: prints the verdict
     tools/measure hashes --against 'mine=noise.glsl:hash(p)'    a hash of a shader; with --out DIR writes hashes.csv
 

@@ -3,10 +3,10 @@
 //
 // wordN       hn_i_point(cell, seed): a point is the cell and the seed
 // furtherN    the words of the components of a vector but the first: a point is the word of the first
-// NAMEN       hn_NAME(hn_tile(p, period), seed), with the same period along each axis: a point is p, the period, the seed
-// NAME_phaseN the same with a phase: a point is p, the phase, the period, the seed
-// perlin_worley3  of one octave, like NAMEN
-// phasorN     hn_phasor(hn_tile(p, period), wave, 0, seed): a point is p, the period, the wave, the seed; a value is the
+// NAMEN       hn_NAME(hn_tile(p, period), seed), with the same period along each axis: a point is p, the period, the
+// seed NAME_phaseN the same with a phase: a point is p, the phase, the period, the seed perlin_worley3  of one octave,
+// like NAMEN phasorN     hn_phasor(hn_tile(p, period), wave, 0, seed): a point is p, the period, the wave, the seed; a
+// value is the
 //             value and the quadrature
 // fbmN        hn_fbm(hn_place(cell, f), octaves, 2, 1/2, seed): a point is the cell, f, the octaves, the seed
 // tiled_fbmN  the same with a period: a point is the cell, f, the octaves, the period, the seed
@@ -71,28 +71,30 @@ void put(vec2 v, Out out) {
 
 }  // namespace
 
+// clang-format off
 // A function of points that have so many numbers, and of values that have so many.
-#define EVALUATES(name, reads, writes, value)                                        \
-  extern "C" void name(In in, Out out, std::size_t count) {                          \
-    for (std::size_t i = 0; i < count; ++i, in += (reads), out += (writes)) {        \
-      value;                                                                         \
-    }                                                                                \
+#define EVALUATES(name, reads, writes, value)                                  \
+  extern "C" void name(In in, Out out, std::size_t count) {                    \
+    for (std::size_t i = 0; i < count; ++i, in += (reads), out += (writes)) {  \
+      value;                                                                   \
+    }                                                                          \
   }
 #define TILED(name, N) EVALUATES(name##N, N + 2, 1, put(hn_##name(tile<N>(in, in[N]), in[N + 1]), out))
-#define PHASE(name, N)            \
+#define PHASE(name, N)                                                                                       \
   EVALUATES(name##_phase##N, N + 3, 1, put(hn_##name(tile<N>(in, in[N + 1]), real(in[N]), in[N + 2]), out))
-#define OF(N)                                                                                                    \
-  EVALUATES(word##N, N + 1, 1, put(hn_i_point(words<N>(in), in[N]), out))                                        \
-  TILED(perlin, N) TILED(simplex, N) TILED(simplex_smooth, N) TILED(value, N) TILED(value_cubic, N)              \
-  PHASE(perlin, N) PHASE(simplex, N)                                                                             \
-  EVALUATES(phasor##N, 2 * N + 2, 2,                                                                             \
-            put(hn_phasor(tile<N>(in, in[N]), reals<N>(in + N + 1), 0.0f, in[2 * N + 1]), out))                  \
-  EVALUATES(fbm##N, 2 * N + 2, 1, put(hn_fbm(place<N>(in), integer(in[2 * N]), 2.0f, 0.5f, in[2 * N + 1]), out)) \
-  EVALUATES(tiled_fbm##N, 2 * N + 3, 1,                                                                          \
-            put(hn_fbm(hn_tile(place<N>(in), all<N>(in[2 * N + 1])), integer(in[2 * N]), 2.0f, 0.5f,             \
+#define OF(N)                                                                                                     \
+  EVALUATES(word##N, N + 1, 1, put(hn_i_point(words<N>(in), in[N]), out))                                         \
+  TILED(perlin, N) TILED(simplex, N) TILED(simplex_smooth, N) TILED(value, N) TILED(value_cubic, N)               \
+  PHASE(perlin, N) PHASE(simplex, N)                                                                              \
+  EVALUATES(phasor##N, 2 * N + 2, 2,                                                                              \
+            put(hn_phasor(tile<N>(in, in[N]), reals<N>(in + N + 1), 0.0f, in[2 * N + 1]), out))                   \
+  EVALUATES(fbm##N, 2 * N + 2, 1, put(hn_fbm(place<N>(in), integer(in[2 * N]), 2.0f, 0.5f, in[2 * N + 1]), out))  \
+  EVALUATES(tiled_fbm##N, 2 * N + 3, 1,                                                                           \
+            put(hn_fbm(hn_tile(place<N>(in), all<N>(in[2 * N + 1])), integer(in[2 * N]), 2.0f, 0.5f,              \
                        in[2 * N + 2]), out))
 OF(2)
 OF(3)
-EVALUATES(further2, 1, 1, put(hn_i_words_of_y(uvec4(*in)).x, out))
-EVALUATES(further3, 1, 2, put(hn_i_words_of_y(uvec4(*in)).x, out); put(hn_i_words_of_z(uvec4(*in)).x, out + 1))
+EVALUATES(further2, 1, 1, put(hn_i_hashes_of_y(uvec4(*in)).x, out))
+EVALUATES(further3, 1, 2, put(hn_i_hashes_of_y(uvec4(*in)).x, out); put(hn_i_hashes_of_z(uvec4(*in)).x, out + 1))
 EVALUATES(perlin_worley3, 5, 1, put(hn_perlin_worley(tile<3>(in, in[3]), 1, 2.0f, 1.0f, in[4]), out))
+// clang-format on

@@ -39,8 +39,8 @@ def default_hash(include: Path) -> str:
 
 
 def steps_of(include: Path) -> tuple[tuple[int, ...], ...]:
-    """For each axis the constants that spread its coordinates: by HN_I_STEP_X in detail/word.glsl and so on, or by
-    names that have more before the axis. Where there are none, usual ones."""
+    """For each axis the constants that spread its coordinates: by HN_I_STEP_X in detail/word.glsl and so on, or
+    by names that have more before the axis. Where there are none, usual ones."""
     text = _text_of(include, "detail/word.glsl")
     return tuple(tuple(int(value, 0) for value in
                        re.findall(rf"^#define HN_I_STEP\w*_{axis} (\w+?)u?\b", text, re.MULTILINE)) or usual

@@ -16,7 +16,7 @@ import numpy as np
 from base.renderer import NotCompiled, Renderer
 from measure.hashes import gate, windows
 from measure.hashes.judgement import Finding
-from measure.likeness import source
+from measure.noise.noise import read
 
 SIDE = 1024  # of what is rendered at once
 # Around the origin; as far as scenes go; where a float has an eighth of a cell left; and far out.
@@ -77,7 +77,7 @@ def shader(text: str, expression: str, n: int, kind: str) -> str:
 
 def compiled(renderer: Renderer, other: Other, n: int) -> tuple[int, str]:
     """The program, and whether the expression is a uint or a float."""
-    text, logs = source(other.file), []
+    text, logs = read(other.file), []
     for kind in KINDS:
         try:
             return renderer.program(shader(text, other.expression, n, kind)), kind

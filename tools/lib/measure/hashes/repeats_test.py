@@ -9,7 +9,7 @@ import unittest
 import numpy as np
 
 from base.tree import ROOT
-from proof.oracle.words import point_word
+from proof.oracle.hashes import point_word
 
 REPEATS = {(9393642, -15495197): 2.5, (1073741824, 536870912): 37.5, (5123698, -14328747, -377113): 8.6,
            (1018750, -449671, 185784): 1.4, (1302036, -12307130, 11291210, -16715271): 12.3}  # in percent

@@ -18,10 +18,9 @@ import numpy as np
 from base.renderer import NoRenderer, NotCompiled
 from base.tree import TOOLS
 from base.usage import Parser
-from measure.likeness import version
 from measure.noise import measures, page, record
 from measure.noise.measures import Finding, Measured
-from measure.noise.noise import Sampler, Subject, read
+from measure.noise.noise import Sampler, Subject, read, version
 
 DESCRIPTION = """\
 Judges anybody's noise: its range, jumps, repeats and more, with a page, a record and an exit status.

@@ -20,7 +20,7 @@ DESCRIPTION = """\
 Measures how uniform the results of hn_uniform are, for every noise and for sums of octaves, or fits its constants.
 
     tools/measure uniform [--points N] [--out FILE]    measures; docs/measured/results/uniform.csv is such a file, of 10^7 points
-                                                       a row, and tools/make readme makes of it the table of
+                                                       a row, and tools/make pages makes of it the table of
                                                        docs/guide/uniform.md
     tools/measure uniform --fit [--points N]           fits the distribution of each noise, and writes them into uniform.glsl
                                                        and the contract. The bell that sums come near to stays
@@ -131,7 +131,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if not options.out.parent.is_dir():
         parser.error(f"--out {options.out}: there is no folder {options.out.parent}")
 
-    # The rest needs numpy, and tools/make readme, which makes the table, does without.
+    # The rest needs numpy, and tools/make pages, which makes the table, does without.
     from measure.uniform import model
 
     text = model.library_text()

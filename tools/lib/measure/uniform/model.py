@@ -3,10 +3,11 @@ samples."""
 
 from __future__ import annotations
 
+import ctypes
 import re
-import subprocess
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -106,40 +107,58 @@ def uniform(values: np.ndarray, reach: np.ndarray, shape: np.ndarray) -> np.ndar
 
 
 class Sampler:
-    """The program, with each gradient when it is first used; `include` is the header's folder, and `macros` are knobs."""
+    """The library, with each gradient when it is first used; `include` is the header's folder, and `macros` are knobs."""
 
     def __init__(self, folder: Path, include: Path = ROOT / "include", macros: Sequence[str] = ()) -> None:
         self.folder, self.include, self.macros = folder, include, macros
-        self.programs: dict[bool, Path] = {}
+        self.libraries: dict[bool, ctypes.CDLL] = {}
 
-    def run(self, is_sine: bool, *arguments: str, lines: Iterable[Sequence[float]] = ()) -> list[list[float]]:
-        program = self.programs.get(is_sine)
-        if program is None:
-            program = self.programs[is_sine] = self.folder / f"sampler{'_sine' * is_sine}"
-            compile_program("the sampler", HERE / "sampler.cpp", program, include=self.include,
+    def library(self, is_sine: bool = False) -> ctypes.CDLL:
+        if is_sine not in self.libraries:
+            made = self.folder / f"sampler{'_sine' * is_sine}"
+            compile_program("the sampler", HERE / "sampler.cpp", made, "-shared", "-fPIC", include=self.include,
                             macros=[*self.macros, *["HN_GRADIENT=2"] * is_sine])
-        text = "".join(" ".join(map(str, line)) + "\n" for line in lines)
-        done = subprocess.run([program, *arguments], input=text, capture_output=True, text=True, check=True)
-        return [[float(word) for word in line.split()] for line in done.stdout.splitlines()]
+            self.libraries[is_sine] = ctypes.CDLL(str(made))
+        return self.libraries[is_sine]
+
+    def spread_of(self, number: int) -> np.ndarray:
+        self.library().spread_of(number, _at(found := np.empty(4, np.float32)))
+        return found
+
+    def spread_of_sum(self, spread: Sequence[float], octaves: float, gain: float) -> np.ndarray:
+        found = np.array(spread, np.float32)
+        self.library().spread_of_sum(_at(found), ctypes.c_float(octaves), ctypes.c_float(gain), _at(found))
+        return found
+
+    def map(self, values: np.ndarray, spreads: np.ndarray) -> np.ndarray:
+        """hn_uniform, and the value and the slope by hn_uniform_d, of each value; spreads are rows."""
+        values = np.ascontiguousarray(values, np.float32)
+        spreads = np.ascontiguousarray(np.broadcast_to(spreads, (len(values), 4)), np.float32)
+        found = np.empty((len(values), 3), np.float32)
+        self.library().map(ctypes.c_size_t(len(values)), _at(values), _at(spreads), _at(found))
+        return found
 
     def densities(self, points: int) -> dict[int, np.ndarray]:
         """Of each noise, by number: symmetrical, since the noises are."""
         found = {}
-        for is_sine in (False, True):
-            for number, *counts in self.run(is_sine, "values", str(points)):
-                histogram = np.array(counts)
-                histogram += histogram[::-1]
-                found[int(number)] = histogram / histogram.sum()
+        for subject in SUBJECTS:
+            bins = np.zeros(BINS, ctypes.c_long)
+            self.library(subject.is_sine).values(subject.number, ctypes.c_long(points), _at(bins))
+            bins += bins[::-1]
+            found[subject.number] = bins / bins.sum()
         return found
 
     def errors(self, points: int, spreads: Mapping[str, Sequence[float]], sums: Sequence[tuple[float, float]],
                subjects: Sequence[Subject] = SUBJECTS) -> dict[tuple[str, float, float], float]:
         """The largest errors of the distribution, by noise, octaves and gain."""
-        found = {}
-        for is_sine in (False, True):
-            rows = [(subject, *sum_) for subject in subjects if subject.is_sine == is_sine for sum_ in sums]
-            lines = [(subject.number, octaves, gain, *spreads[subject.name]) for subject, octaves, gain in rows]
-            if rows:
-                results = self.run(is_sine, "measure", str(points), lines=lines)
-                found |= {(row[0].name, *row[1:]): error for row, (_, error) in zip(rows, results, strict=True)}
+        found, edges = {}, np.arange(1, BINS + 1) / BINS
+        for subject, (octaves, gain) in product(subjects, sums):
+            bins, spread = np.zeros(BINS, ctypes.c_long), np.array(spreads[subject.name], np.float32)
+            self.library(subject.is_sine).uniforms(subject.number, ctypes.c_float(octaves), ctypes.c_float(gain), _at(spread),
+                                                   ctypes.c_long(points), _at(bins))
+            found[subject.name, octaves, gain] = float(np.abs(bins.cumsum() / points - edges).max())
         return found
+
+
+def _at(numbers: np.ndarray) -> ctypes.c_void_p:
+    return ctypes.c_void_p(numbers.ctypes.data)

@@ -1,33 +1,18 @@
-// Samples noises for tools/measure uniform: at random cells, fractions and seeds, so that each value is independent.
-//
-//   sampler values POINTS     a histogram of the values of each noise, of one octave
-//   sampler measure POINTS    for each line "number octaves gain reach a b c" of the input how far the results of
-//                             hn_uniform are from uniform: the largest difference of the two distributions. The spread
-//                             is that of the noise
-//   sampler spreads           the spreads of hn_distribution
-//   sampler sums              for each line as above the spread of the sum
-//   sampler map               for each line "value reach a b c" the results of hn_uniform_d
-//
-// It writes lines that begin with a number of subjects.inc. With HN_GRADIENT_SINE it knows the noises of that.
-// HN_SUBJECTS may name another such file.
+// Samples noises for tools/measure uniform, at random cells, fractions and seeds, so that each value is independent: a
+// shared library, whose functions know a noise by its number in subjects.inc. With HN_GRADIENT_SINE it has the noises
+// of that. HN_SUBJECTS may name another such file.
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <hashnoise/hashnoise.hpp>
-#include <vector>
 
 namespace {
 
 using namespace hashnoise;
 
-// Values are in [-3/2, 3/2].
 constexpr int kBins = 1 << 16;
 constexpr float kPerValue = kBins / 3.0f;
-constexpr int kUniformBins = 1 << 16;
 
 // Vigna's splitmix64.
 struct Random {
@@ -69,54 +54,38 @@ float sum(Random& random, Noise noise, float detail, float gain) {
 }
 
 template <int Axes, typename Noise>
-void write_values(int number, Noise noise, long points) {
-  std::vector<long> bins(kBins);
+void count_values(int number, Noise noise, long points, long* bins) {
   Random random{static_cast<std::uint64_t>(number)};
   for (long i = 0; i < points; ++i) {
     const auto where = place<Axes>(random);
     const float value = noise(where, random.word());
-    ++bins[static_cast<std::size_t>(std::clamp(static_cast<int>((value + 1.5f) * kPerValue), 0, kBins - 1))];
+    ++bins[std::clamp(static_cast<int>((value + 1.5f) * kPerValue), 0, kBins - 1)];
   }
-  std::printf("%d", number);
-  for (const long count : bins) std::printf(" %ld", count);
-  std::printf("\n");
 }
 
-struct Line {
-  int number;
-  float octaves, gain;
-  vec4 spread;
-};
-
 template <int Axes, typename Noise>
-void write_error(const Line& line, Noise noise, long points) {
-  const bool single = line.octaves == 1.0f;
-  const vec4 spread = single ? line.spread : hn_distribution_fbm(line.spread, line.octaves, line.gain);
-  std::vector<long> bins(kUniformBins);
-  Random random{static_cast<std::uint64_t>(line.number) << 32u};
+void count_uniform(int number, Noise noise, float octaves, float gain, vec4 spread, long points, long* bins) {
+  const bool single = octaves == 1.0f;
+  if (!single) spread = hn_distribution_fbm(spread, octaves, gain);
+  Random random{static_cast<std::uint64_t>(number) << 32u};
   for (long i = 0; i < points; ++i) {
     float value = 0.0f;
     if (single) {
       const auto where = place<Axes>(random);
       value = noise(where, random.word());
     } else {
-      value = sum<Axes>(random, noise, line.octaves, line.gain);
+      value = sum<Axes>(random, noise, octaves, gain);
     }
-    const float u = hn_uniform(value, spread);
-    ++bins[static_cast<std::size_t>(std::clamp(static_cast<int>(u * kUniformBins), 0, kUniformBins - 1))];
+    ++bins[std::clamp(static_cast<int>(hn_uniform(value, spread) * kBins), 0, kBins - 1)];
   }
-  double error = 0.0;
-  long below = 0;
-  for (std::size_t i = 0; i < bins.size(); ++i) {
-    below += bins[i];
-    const double edge = static_cast<double>(i + 1) / kUniformBins;
-    error = std::max(error, std::fabs(static_cast<double>(below) / static_cast<double>(points) - edge));
-  }
-  std::printf("%d %.6f\n", line.number, error);
 }
 
-void write(int number, vec4 spread) {
-  std::printf("%d %.9g %.9g %.9g %.9g\n", number, spread.x, spread.y, spread.z, spread.w);
+vec4 read(const float* numbers) { return vec4(numbers[0], numbers[1], numbers[2], numbers[3]); }
+void write(vec4 spread, float* numbers) {
+  numbers[0] = spread.x;
+  numbers[1] = spread.y;
+  numbers[2] = spread.z;
+  numbers[3] = spread.w;
 }
 
 #if HN_GRADIENT == HN_GRADIENT_SINE
@@ -135,49 +104,38 @@ void write(int number, vec4 spread) {
 
 }  // namespace
 
-int main(int count, char** arguments) {
-  if (count < 2) return 2;
-  const char* const mode = arguments[1];
-  const long points = count > 2 ? std::atol(arguments[2]) : 0;
-  if (std::strcmp(mode, "values") == 0) {
-#define USE(number, name, axes, function) write_values<axes>(number, NOISE(function), points);
+extern "C" {
+
+// How many values of a noise are in each of kBins parts of [-3/2, 3/2].
+void values(int wanted, long points, long* bins) {
+#define USE(number, name, axes, function) \
+  if (wanted == number) count_values<axes>(number, NOISE(function), points, bins);
 #include HN_SUBJECTS
 #undef USE
-    return 0;
-  }
-  if (std::strcmp(mode, "spreads") == 0) {
-#define USE(number, name, axes, function) write(HN_DISTRIBUTION_##name, hn_distribution(HN_DISTRIBUTION_##name));
-#include HN_SUBJECTS
-#undef USE
-    return 0;
-  }
-  if (std::strcmp(mode, "map") == 0) {
-    float value = 0.0f;
-    vec4 spread;
-    while (std::scanf("%f %f %f %f %f", &value, &spread.x, &spread.y, &spread.z, &spread.w) == 5) {
-      const vec2 u = hn_uniform_d(value, spread);
-      if (u.x != hn_uniform(value, spread)) return 1;
-      std::printf("0 %.9g %.9g\n", u.x, u.y);
-    }
-    return 0;
-  }
-  Line line{};
-  while (std::scanf("%d %f %f %f %f %f %f", &line.number, &line.octaves, &line.gain, &line.spread.x, &line.spread.y,
-                    &line.spread.z, &line.spread.w) == 7) {
-    if (std::strcmp(mode, "sums") == 0) {
-      write(line.number, hn_distribution_fbm(line.spread, line.octaves, line.gain));
-      continue;
-    }
-    switch (line.number) {
-#define USE(number, name, axes, function)             \
-  case number:                                        \
-    write_error<axes>(line, NOISE(function), points); \
-    break;
-#include HN_SUBJECTS
-      default:
-        return 2;
-    }
-    std::fflush(stdout);
-  }
-  return 0;
 }
+
+// How many results of hn_uniform are in each of kBins parts of [0, 1], for a sum of a noise with this spread.
+void uniforms(int wanted, float octaves, float gain, const float* spread, long points, long* bins) {
+#define USE(number, name, axes, function) \
+  if (wanted == number) count_uniform<axes>(number, NOISE(function), octaves, gain, read(spread), points, bins);
+#include HN_SUBJECTS
+#undef USE
+}
+
+void spread_of(int number, float* spread) { write(hn_distribution(number), spread); }
+
+void spread_of_sum(const float* spread, float octaves, float gain, float* of_sum) {
+  write(hn_distribution_fbm(read(spread), octaves, gain), of_sum);
+}
+
+// hn_uniform, and the value and the slope by hn_uniform_d, of each value with its spread.
+void map(std::size_t count, const float* values, const float* spreads, float* found) {
+  for (std::size_t i = 0; i < count; ++i, spreads += 4, found += 3) {
+    const vec2 u = hn_uniform_d(values[i], read(spreads));
+    found[0] = hn_uniform(values[i], read(spreads));
+    found[1] = u.x;
+    found[2] = u.y;
+  }
+}
+
+}  // extern "C"

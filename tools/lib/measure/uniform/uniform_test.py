@@ -48,11 +48,10 @@ class UniformTest(unittest.TestCase):
         self.assertEqual(page, with_section("docs/reference/contract.md", page, "tools/measure uniform: contract", table))
         self.assertEqual(self.text, command.with_spreads(self.text, command.in_units(self.text)))
         for sampler in self.samplers.values():
-            rows = sampler.run(False, "spreads")
-            self.assertEqual(np.array(rows, dtype=np.float32).tolist(), [[NUMBER, *self.spreads[SUBJECT.name]]])
-        for end, way in zip(self.bell.end, self.bell.way, strict=True):
-            for number in (end, way):
-                self.assertIn(f"{round(number * model.PARTS)}", page.partition("The bell, which")[2])
+            self.assertEqual(sampler.spread_of(NUMBER).tolist(), [*self.spreads[SUBJECT.name]])
+        for name, numbers in (("B", self.bell.end), ("H", self.bell.way)):
+            parts = ", ".join(str(round(number * model.PARTS)) for number in numbers)
+            self.assertIn(f"`{name}` is `({parts}) / {model.PARTS}`", page)
 
     def test_the_tail_of_every_sum_rises(self) -> None:
         # A coefficient of a sum is linear in rho_8, which lies between rho_4^3 and rho_4^2 (Hoelder, on the
@@ -76,7 +75,6 @@ class UniformTest(unittest.TestCase):
         spreads = np.concatenate([random.uniform(0.1, 2.9, (3000, 1)), shapes], axis=1)
         values = random.uniform(-1.1, 1.1, 3000) * spreads[:, 0]
         values, spreads = values.astype(np.float32), spreads.astype(np.float32)
-        lines = np.column_stack([values, spreads]).tolist()
         exact = spreads.astype(float)
         far = model.uniform(np.abs(values).astype(float), exact[:, 0], exact[:, 1:])
         expected = np.where(values < 0, 1.0 - far, far)
@@ -86,7 +84,8 @@ class UniformTest(unittest.TestCase):
         slopes = (ends[1] - ends[0]) / step
         inside = sizes > step
         for name, (error, slope_error) in ERRORS.items():
-            found = np.array(self.samplers[name].run(False, "map", lines=lines))
+            found = self.samplers[name].map(values, spreads)
+            self.assertEqual(found[:, 0].tolist(), found[:, 1].tolist(), name)
             self.assertLess(np.abs(found[:, 1] - expected).max(), error, name)
             off = np.abs(found[:, 2] - slopes) * exact[:, 0]
             self.assertLess(off[inside].max(), slope_error + 2e-4, name)  # a difference over a step is off by that
@@ -101,14 +100,14 @@ class UniformTest(unittest.TestCase):
                 ratio = (of_octaves**2).sum() * model.variance(shape) / model.variance(shape_of_sum)
                 expected = [spread[0] * np.sqrt(ratio) / of_octaves.sum(), *shape_of_sum]
                 for name, error in (("FAST", 2e-6), ("FIXED", 1e-3)):
-                    found = self.samplers[name].run(False, "sums", lines=[(NUMBER, octaves, gain, *spread)])[0][1:]
-                    self.assertLess(np.abs(np.array(found) - expected).max(), error, (name, octaves, gain, spread))
+                    found = self.samplers[name].spread_of_sum(spread, octaves, gain)
+                    self.assertLess(np.abs(found - expected).max(), error, (name, octaves, gain, spread))
 
     def test_with_fixed_arithmetic_it_never_falls(self) -> None:
         random = np.random.default_rng(2)
         values = np.sort(np.round(random.normal(0.0, 0.3, 20000) * 2**21) / 2**21)
         for spread in (self.spreads["PERLIN1"], self.spreads["VALUE1"], (0.07, 0.9, 0.1, 0.3), (2.9, 0.0, 0.0, 0.0)):
-            found = np.array(self.samplers["FIXED"].run(False, "map", lines=[(value, *spread) for value in values]))
+            found = self.samplers["FIXED"].map(values, np.array(spread))
             self.assertTrue(np.all(np.diff(found[:, 1]) >= 0.0), spread)
 
     def test_wrong_constants_are_reported(self) -> None:

@@ -306,7 +306,7 @@ class New(unittest.TestCase):
                 copy = shutil.copytree if (ROOT / part).is_dir() else shutil.copy
                 (self.root / part).parent.mkdir(parents=True, exist_ok=True)
                 copy(ROOT / part, self.root / part)
-            self.entry("sums.toml", "ridged", "spiky", ('step = "ridge"', 'step = "spike"'))
+            self.entry("sums.toml", "ridged", "spiky", ('step = "ridged"', 'step = "spike"'))
             self.entry("sums.toml", "clouds", "veiled", ('mean = "density"', 'mean = "veil"'))
             self.entry("sums.toml", "fbm_d", "billow_d")
             self.entry("noises.toml", "value", "spots")

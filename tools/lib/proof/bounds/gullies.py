@@ -42,7 +42,7 @@ from proof.bounds.kernels import Offsets
 from proof.bounds.noises import phasor, phasor_d
 from proof.bounds.noises.phasor import KERNELS, TURN, Waves, scale_of
 from proof.bounds.steps import WEIGHT_UNIT
-from proof.bounds.sums import Sum, doubled, fixed_fades, fixed_weights, whole_positions
+from proof.bounds.sums import Sum, doubled, fixed_fades, fixed_positions, fixed_weights
 from proof.bounds.table import GulliesBounds, scientific, shortest
 
 LONGEST = 3 / 2  # wave
@@ -168,7 +168,7 @@ def fixed_tolerance(s: Sum, slope: float, depth: float, bounds: GulliesBounds) -
         return 0.0, 0.0
     e = Slope(slope, slope, math.sqrt(2) * SLOPE_UNIT)
     height, total, fades = 0.0, 0.0, doubled(s).fades
-    octaves = zip(fixed_weights(s), fixed_fades(doubled(s)), fixed_rates(s, depth), whole_positions(s, 2))
+    octaves = zip(fixed_weights(s), fixed_fades(doubled(s)), fixed_rates(s, depth), fixed_positions(s, 2))
     for i, (weight, fade, rate, position_error) in enumerate(octaves):
         weight, fade, exact_weight, exact_rate = weight / FADE_ONE, fade / FADE_ONE, s.gain**i, deep * (
             s.gain * s.lacunarity)**i

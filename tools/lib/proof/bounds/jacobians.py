@@ -25,13 +25,13 @@ from proof.bounds.sums import (
     SHIFTS,
     WEIGHT_UNIT,
     Sum,
-    first_whole_position,
+    first_fixed_position,
     fixed_mean_error,
+    fixed_positions,
     fixed_strength,
     fixed_weights,
     lengths,
-    next_whole_position,
-    whole_positions,
+    next_fixed_position,
 )
 from proof.bounds.table import Bounds, slope_bounds_of
 
@@ -145,7 +145,7 @@ def norm(matrix: np.ndarray) -> float:
 def fixed_effects(s: Sum, bounds: Bounds, steepest: float) -> list[float]:
     """The errors of the noise of each octave, or of its derivatives, where positions do not depend on the noise."""
     return [min(steepest * error + bounds.fixed_error, 2 * bounds.fixed_limit)
-            for _, error in zip(range(s.count), whole_positions(s, bounds.dimensions))]
+            for _, error in zip(range(s.count), fixed_positions(s, bounds.dimensions))]
 
 
 def fixed_slope_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
@@ -213,12 +213,12 @@ def fixed_shift_effects(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
     amplitude, total = clamped_amplitude(s), sum(fixed_weights(s))
     cut = (math.trunc(amplitude * FADE_ONE) * FADE_ONE // total) / FADE_ONE
     factor, limit = amplitude / sum(s.weights), min(noise.fixed_limit, 1.0)
-    position, error = first_whole_position(s, dims)
+    position, error = first_fixed_position(s, dims)
     for fixed, exact in jacobians(s, dims):
         errs.append(min(steepest(s, noise, slope) * error + noise.fixed_error, 2 * limit))
         error += norm(cut * fixed - factor * exact) * axes + cut * norm(fixed) * axes * errs[-1]
         error += axes * (cut * dims + 1) * UNIT
-        position, error = next_whole_position(s, dims, position + factor * norm(exact) * axes, error)
+        position, error = next_fixed_position(s, dims, position + factor * norm(exact) * axes, error)
     return errs
 
 

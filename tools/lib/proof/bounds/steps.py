@@ -36,18 +36,18 @@ class Noise:
         return errs
 
 
-class Size(Noise):
+class Turbulence(Noise):
     """Its absolute value, which is exact and brings no two values further apart."""
 
     def term(self, n, before, strength):
         return abs(n), before
 
 
-class BoundedSize(Size):
+class Billow(Turbulence):
     clamps = True
 
 
-class Ridge:
+class Ridged:
     """d = 1 - |n|;  r = d*d*min(2*r, 1). In integers d is rounded down to 2^-18, and so is each product."""
     clamps = True
 
@@ -67,7 +67,7 @@ class Ridge:
         return terms
 
 
-class Height:
+class Hybrid:
     """d = (1 + n)/2;  t = d*min(2*t, 1). Both factors are at most 1, so an error of t doubles. In integers d is rounded
     down to 2^-18, and so is the product, but the first one, which is exact."""
     clamps = True
@@ -84,7 +84,7 @@ class Height:
         return terms
 
 
-class Wave:
+class PingPong:
     """t = (n + 1)*strength;  t = t - 2*floor(t/2);  z = min(t, 2 - t);  2*z - 1
 
     In integers t is rounded down to 2^-30, the term to 2^-21."""
@@ -99,10 +99,10 @@ class Wave:
         return [min(2 * (strength * e + 2 * cut + 2.0**-30) + UNIT, 2.0) for e in errs]
 
 
-class Bent(Noise):
+class Weighted(Noise):
     """The noise as it is; its effect on the next octave's weight is in sums.py."""
     clamps = True
 
 
-STEPS: dict[str, Step] = {"noise": Noise(), "size": Size(), "bounded_size": BoundedSize(), "ridge": Ridge(),
-                          "height": Height(), "wave": Wave(), "bent": Bent()}
+STEPS: dict[str, Step] = {"noise": Noise(), "turbulence": Turbulence(), "billow": Billow(), "ridged": Ridged(),
+                          "hybrid": Hybrid(), "ping_pong": PingPong(), "weighted": Weighted()}

@@ -88,12 +88,12 @@ class Steps(unittest.TestCase):
 
     def test_a_copied_proof_fails(self):
         for name, oracle, wrong in (
-                ("weighted", (cubes, fixed_cubes), "weighted, octaves 1, strength 1: step bent in bounds.cpp"),
-                ("weighted", (cubes, fixed_cubes), "weighted, octaves 1, strength 1: step bent in steps.py"),
+                ("weighted", (cubes, fixed_cubes), "weighted, octaves 1, strength 1: step weighted in bounds.cpp"),
+                ("weighted", (cubes, fixed_cubes), "weighted, octaves 1, strength 1: step weighted in steps.py"),
                 ("fbm", SUMS["ridged"], "fbm, octaves 1, strength 0: step noise in bounds.cpp"),
-                ("hybrid", SUMS["ridged"], "hybrid, octaves 1, strength 0: step height in steps.py"),
+                ("hybrid", SUMS["ridged"], "hybrid, octaves 1, strength 0: step hybrid in steps.py"),
                 ("ridged", (steep_ridges, SUMS["ridged"][1]),
-                 "ridged, octaves 2, strength 0: step ridge in bounds.cpp"),
+                 "ridged, octaves 2, strength 0: step ridged in bounds.cpp"),
                 ("fbm", (SUMS["fbm"][0], coarse), "fbm, octaves 1, strength 0: step noise in steps.py, roundings")):
             with self.subTest(wrong):
                 self.assertIn(wrong, [what for what, ratio in ratios(name, oracle) if ratio > 1])

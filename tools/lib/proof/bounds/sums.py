@@ -23,7 +23,7 @@ SHIFT_MAX = {1: 11 / 32, 2: 19 / 32, 3: 23 / 32, 4: 27 / 32}  # the largest comp
 # By how much the rotations of a position make a length larger at most: in the plane of x and y, then of y and
 # z, then of z and w. The second makes lengths in its plane smaller, but not along x.
 ROTATIONS = (math.hypot(25, 20) / 32, max(math.hypot(29, 13) / 32, 1.0), math.hypot(25, 20) / 32)
-WHOLE = 2.0**-24  # the unit of whole positions
+WHOLE = 2.0**-24  # the unit of fixed-point positions
 
 
 @dataclass(frozen=True)
@@ -100,23 +100,23 @@ def lengths(s: Sum, dims: int) -> float:
     return math.sqrt(dims) if s.rotates else 1.0
 
 
-def whole_positions(s: Sum, dims: int) -> Iterator[float]:
+def fixed_positions(s: Sum, dims: int) -> Iterator[float]:
     """The largest errors of each octave's position, as a length, or without rotations of a coordinate. A coordinate is
     cut to a multiple of 2^-24, and the lacunarity of 2^-23; the product is rounded down, and so are both coordinates
     after each rotation."""
-    position, error = first_whole_position(s, dims)
+    position, error = first_fixed_position(s, dims)
     while True:
         yield error
-        position, error = next_whole_position(s, dims, position, error)
+        position, error = next_fixed_position(s, dims, position, error)
         error = 0.0 if s.exact_positions else error
 
 
-def first_whole_position(s: Sum, dims: int) -> tuple[float, float]:
+def first_fixed_position(s: Sum, dims: int) -> tuple[float, float]:
     """How long it is, or without rotations how large its coordinates, and the same of its error."""
     return lengths(s, dims) * s.p_max, 0.0 if s.exact_positions else lengths(s, dims) * WHOLE
 
 
-def next_whole_position(s: Sum, dims: int, position: float, error: float) -> tuple[float, float]:
+def next_fixed_position(s: Sum, dims: int, position: float, error: float) -> tuple[float, float]:
     """The bounds of the next octave from those of one."""
     ratio, shift = math.trunc(s.lacunarity * 2**23) / 2**23, SHIFT_MAX[dims]
     axes, rotations = lengths(s, dims), ROTATIONS[:dims - 1] if s.rotates else ()
@@ -179,7 +179,7 @@ def fixed_terms(s: Sum, noise_errs: list[float]) -> list[float]:
 
 
 def weighted_errors(s: Sum, noise_errs: list[float]) -> list[float]:
-    """By how much B_i of a bent step is off, beyond the contract's product of exact factors: M is off by half
+    """By how much B_i of a weighted step is off, beyond the contract's product of exact factors: M is off by half
     of the noise, a rounding of (1 - n) / 2 and one of the product with the strength; two products more round down."""
     strength, cut = fixed_strength(s)
     g, err, errs, weight = math.trunc(s.gain * FADE_ONE) / FADE_ONE, 0.0, [], 1.0
@@ -224,9 +224,9 @@ def fixed_octave_tolerance(s: Sum, noise: Bounds) -> float:
     limit, error = min(noise.fixed_limit, 1.0) if step_of(s.kind).clamps else noise.fixed_limit, 0.0
     if s.count:
         noise_errs = [min(noise.lipschitz * position_err + noise.fixed_error, 2 * limit)
-                      for _, position_err in zip(range(s.count), whole_positions(s, noise.dimensions))]
+                      for _, position_err in zip(range(s.count), fixed_positions(s, noise.dimensions))]
         changes = None
-        if name_of_step(s.kind) == "bent":
+        if name_of_step(s.kind) == "weighted":
             total, exact_total = sum(fixed_weights(s)) / FADE_ONE, sum(s.weights)
             changes = [b * abs(1 / total - 1 / exact_total) + err / total
                        for b, err in zip(s.weights, weighted_errors(s, noise_errs))]
@@ -253,7 +253,7 @@ MEANS = {  # of a sum: what becomes of the error of the mean. A clamp brings no 
 def largest_octave_intermediates(limit: float) -> dict[str, float]:
     """By name, bounds of the magnitudes that must stay below 2^31, for a noise of at most `limit`: of
     v * (A >> 9) + (v >> 9) * (A & 511), A <= 2^18. Where A & 511 is not 0, A >> 9 is at most 511. In a rotation, the
-    parts of whole positions that are multiplied have 24 bits, and a fraction of 1 is 2^24."""
+    parts of fixed-point positions that are multiplied have 24 bits, and a fraction of 1 is 2^24."""
     noise = limit * 2**21
     return {"octave": noise * 2**9 + (noise / 2**9 + 1) * 511, "sum of 32 octaves": 32 * (noise + 2),
             "product": 2**9 * FADE_ONE + FADE_ONE, "part of a product": 511 * FADE_ONE, "doubled ridge": 2 * FADE_ONE,

@@ -287,7 +287,7 @@ class Steps(unittest.TestCase):
         d = rng.random((count, 500_000)) * (1 - size)
         d[0] *= 2.0 ** -rng.uniform(0, 4, d.shape[1])
         d[1:] = 1 - size - d[1:] * rng.choice((0.0, 0.05, 1.0), d.shape[1])
-        r, moved, bounds = 0.5, 0.5, steps.Ridge().fixed_errors([size - steps.WEIGHT_UNIT] * count, 0.0, 0.0)
+        r, moved, bounds = 0.5, 0.5, steps.Ridged().fixed_errors([size - steps.WEIGHT_UNIT] * count, 0.0, 0.0)
         for of_octave, bound in zip(d, bounds):
             r, moved = (x**2 * np.minimum(2 * before, 1) for x, before in ((of_octave, r), (of_octave + size, moved)))
             self.assertTrue(bound / 4 < (moved - r).max() < bound)

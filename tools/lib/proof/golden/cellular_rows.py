@@ -23,11 +23,11 @@ from proof.oracle.functions import Evaluate, knobs_of, values_of
 from proof.oracle.gradients import Knobs
 from proof.oracle.nearest import NEAREST
 
-FAMILIES = ("cellular", "further_cellular")
+FAMILIES = ("cellular", "extended_cellular")
 FINE = 2**20  # fractions are multiples of 2^-20, which fixed arithmetic does not cut
 CLEAR = Fraction(1, 2**10)  # how much nearer than the second the nearest point is, where it matters
 # The knobs with which that is so, by family. They may be more than have values: then rows stay as they are.
-HASHES = {"cellular": (Knobs("pcg"), Knobs("lattice")), "further_cellular": (Knobs("lattice"),)}
+HASHES = {"cellular": (Knobs("pcg"), Knobs("lattice")), "extended_cellular": (Knobs("lattice"),)}
 KINDS = 9  # of fractions
 SPECIAL, TIES, CHANGES = 4 * KINDS, 16, 12  # how many
 # With the Manhattan metric a point two cells away is as near as the nearest ones of the neighbours: those count.

@@ -27,7 +27,7 @@ from proof.golden import command as golden
 from proof.golden.files import Digest, GoldenFile, Sample, Values, golden_files, line
 from proof.golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of, to_f32
 from proof.golden.rows import CLAMPED
-from proof.oracle import feature_points, gradients, jacobians, words
+from proof.oracle import feature_points, gradients, hashes, jacobians
 from proof.oracle.functions import knobs_of
 from proof.oracle.integers import signed
 from proof.oracle.lattice import Lattice
@@ -257,7 +257,7 @@ class GoldenContents(unittest.TestCase):
 
     def test_digest_runs_over_the_last_coordinate_first(self) -> None:
         file = values_with("hash.lattice2", "lattice")
-        with mock.patch.object(words, "lattice", lambda _, point, seed: 100 * point[0] + 10 * point[1] + seed):
+        with mock.patch.object(hashes, "lattice", lambda _, point, seed: 100 * point[0] + 10 * point[1] + seed):
             found = file.digest(Digest((1, 2), (2, 3), 4))
         values = b"".join(value.to_bytes(4, "little") for value in (124, 134, 144, 224, 234, 244))
         self.assertEqual(found, f"digest lattice origin=1,2 size=2,3 seed=4 fnv1a64={fnv1a64(values):016x}")

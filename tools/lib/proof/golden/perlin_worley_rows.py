@@ -10,8 +10,8 @@ from proof.golden.generator import Generator, Row, to_f32
 from proof.oracle import perlin_worley
 from proof.oracle.feature_points import DIRECTION_UNIT, direction
 from proof.oracle.gradients import Knobs
+from proof.oracle.hashes import MASK, SEED_STEP, mix
 from proof.oracle.lattice import Lattice
-from proof.oracle.words import MASK, SEED_STEP, mix
 
 BOUND = "perlin_worley"
 

@@ -24,7 +24,7 @@ from proof.golden import (
     uniform_rows,
 )
 from proof.golden.generator import INT_MAX, INT_MIN, SEEDS, Generator, Row, to_f32
-from proof.oracle import gradients, words
+from proof.oracle import gradients, hashes
 
 
 def word_rows(generator: Generator) -> list[Row]:
@@ -82,7 +82,7 @@ def lattice_rows(n: int, generator: Generator) -> list[Row]:
 
 def hangs_on_a_tie(word: int) -> bool:
     """Whether the sine of a word would be another one if ties were rounded away from zero."""
-    magnitude = abs(words.signed(word))
+    magnitude = abs(hashes.signed(word))
     half = 1 << max(magnitude.bit_length() - 24, 0) >> 1
     return half > 0 and magnitude % (4 * half) == half  # to an even multiple of 2 * half, which is below
 

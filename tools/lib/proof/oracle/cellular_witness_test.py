@@ -10,7 +10,7 @@ import numpy as np
 from scipy.spatial import Voronoi, cKDTree
 
 from proof.golden.generator import generator_of
-from proof.oracle import feature_points, nearest, noises, words
+from proof.oracle import feature_points, hashes, nearest, noises
 from proof.oracle.gradients import Knobs
 from proof.oracle.lattice import Choice
 
@@ -28,7 +28,7 @@ def points_of(n: int, jitter: float, name: str = "lattice") -> tuple[np.ndarray,
     """The cells of the block and their points."""
     cells = np.array(list(itertools.product(range(BLOCK[n]), repeat=n)))
     direction = feature_points.direction2 if n == 2 else feature_points.direction3
-    u = np.array([direction(words.point_word(name, tuple(map(int, cell)), SEED)) for cell in cells])
+    u = np.array([direction(hashes.point_word(name, tuple(map(int, cell)), SEED)) for cell in cells])
     return cells, cells + 0.5 + jitter / 2 * u
 
 

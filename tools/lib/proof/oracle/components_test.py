@@ -6,7 +6,7 @@ import itertools
 import unittest
 from unittest import mock
 
-from proof.oracle import noises, words
+from proof.oracle import hashes, noises
 from proof.oracle.components import component
 from proof.oracle.lattice import Lattice
 from proof.oracle.testing import FORMS, KNOBS, places
@@ -24,7 +24,7 @@ class Components(unittest.TestCase):
             for (p, seed), periods, form in itertools.product(places("words", n, 2, 16), ((), (48, 5, 0)[:n]), FORMS):
                 for i, of in enumerate(vectors):
                     def word(lattice: Lattice, corner: list[int]) -> int:
-                        h = words.point_word("lattice", lattice.point(corner), lattice.seed)
+                        h = hashes.point_word("lattice", lattice.point(corner), lattice.seed)
                         return h // 256 * FACTORS[i] % 2**32 if i else h
 
                     found = getattr(of, form)(KNOBS, p, seed, periods)

@@ -7,10 +7,10 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TypeVar
 
+from proof.oracle.hashes import MASK, SEED_STEP, mix
 from proof.oracle.integers import SLOPE_UNIT, UNIT, signed
 from proof.oracle.lattice import Lattice
 from proof.oracle.noises import VECTOR, Noise, find
-from proof.oracle.words import MASK, SEED_STEP, mix
 
 Number = TypeVar("Number", int, Fraction)
 

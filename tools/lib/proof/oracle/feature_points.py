@@ -20,10 +20,10 @@ from fractions import Fraction
 
 from proof.oracle import gradients, moving_points
 from proof.oracle.gradients import Real
+from proof.oracle.hashes import signed
 from proof.oracle.integers import UNIT
 from proof.oracle.lattice import EUCLIDEAN, Lattice
 from proof.oracle.moving_points import Matrix
-from proof.oracle.words import signed
 
 # How far the block reaches beyond the cell of the position, in cells: 7 x 7 or 7 x 7 x 7 of them.
 AROUND = 3

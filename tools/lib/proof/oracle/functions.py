@@ -11,6 +11,7 @@ from catalog.tables.functions import NOISES, OCTAVE_SUMS, Function
 from proof.oracle import (
     gradients,
     gullies,
+    hashes,
     integers,
     jacobians,
     noises,
@@ -20,7 +21,6 @@ from proof.oracle import (
     scatter,
     sums,
     uniform,
-    words,
 )
 from proof.oracle.components import component
 from proof.oracle.curl import CURL
@@ -38,8 +38,8 @@ OF_WORDS: dict[str, Callable[..., tuple[Real, ...]]] = {
     "hash.unorm": lambda h: (gradients.unorm(h),), "hash.snorm": lambda h: (gradients.snorm(h),),
     "hash.gradient1": gradients.gradient1, "hash.gradient2": gradients.gradient2,
     "hash.gradient3": gradients.gradient3, "hash.gradient4": gradients.gradient4,
-    "hash.lowbias32": lambda key: (words.lowbias32(key),),
-    "hash.pcg2d": words.pcg2d, "hash.pcg3d": words.pcg3d, "hash.pcg4d": words.pcg4d,
+    "hash.lowbias32": lambda key: (hashes.lowbias32(key),),
+    "hash.pcg2d": hashes.pcg2d, "hash.pcg3d": hashes.pcg3d, "hash.pcg4d": hashes.pcg4d,
     "numbers.rehash": lambda h, k: (numbers.rehash(h, k),),
     "numbers.unorm_two": lambda h: numbers.unorms(h, 2), "numbers.unorm_three": lambda h: numbers.unorms(h, 3),
     "numbers.unorm_four": lambda h: numbers.unorms(h, 4), "numbers.gaussian": lambda h: (numbers.gaussian(h),),
@@ -95,9 +95,9 @@ def _evaluator_of(function: Function, fixed: bool) -> Evaluate:
     if function.bound == HEXES.name:
         return _evaluator(HEXES, function, fixed)
     if family == "hash" and function.form == "words":
-        return lambda knobs, row: (words.hash_words(knobs.hash, row),)
+        return lambda knobs, row: (hashes.hash_words(knobs.hash, row),)
     if family == "hash" and function.form == "point":
-        return lambda knobs, row: (words.lattice(knobs.hash, row[:n], row[n]),)
+        return lambda knobs, row: (hashes.lattice(knobs.hash, row[:n], row[n]),)
     if family in ("gradient", "sine_gradient") and function.form == "point":
         gradient = integers.gradient if fixed else gradients.gradient
         return lambda knobs, row: gradient(knobs, row[:n], row[n])

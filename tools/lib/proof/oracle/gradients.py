@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Union
 
-from proof.oracle.words import HASHES, MASK, hash_words, mix, point_word, signed
+from proof.oracle.hashes import HASHES, MASK, hash_words, mix, point_word, signed
 
 # --- Section 4: from a hash to a float ---------------------------------------------------------------------------
 

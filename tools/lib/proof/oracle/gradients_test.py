@@ -8,7 +8,7 @@ import unittest
 from fractions import Fraction
 
 from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
-from proof.oracle import gradients, words
+from proof.oracle import gradients, hashes
 from proof.oracle.gradients import Knobs
 
 CELLS = ((0, 1, -1), (47, -48, -49), (2**20, -2**20 - 1, 5), (INT_MIN, INT_MAX, INT_MIN + 1), (INT_MAX, -7, INT_MIN))
@@ -55,8 +55,8 @@ class Gradients(unittest.TestCase):
         for (n, table), unit in zip(BY_HAND.items(), (512, 4, 1, 1)):
             for h, expected in table.items():
                 self.assertEqual(gradients.OCTAHEDRAL[n](h), tuple(x / unit for x in expected), hex(h))
-        self.assertEqual((gradients.unorm(0), gradients.unorm(words.MASK)), (0, 1 - 2**-24))
-        self.assertEqual((gradients.snorm(0), gradients.snorm(2**31), gradients.snorm(words.MASK)), (-1, 0, 1 - 2**-23))
+        self.assertEqual((gradients.unorm(0), gradients.unorm(hashes.MASK)), (0, 1 - 2**-24))
+        self.assertEqual((gradients.snorm(0), gradients.snorm(2**31), gradients.snorm(hashes.MASK)), (-1, 0, 1 - 2**-23))
         with self.assertRaises(ValueError):
             Knobs("fnv2")
 
@@ -74,27 +74,27 @@ class Gradients(unittest.TestCase):
                         (2**31 - 64, 2**31), (2**31 - 192, 2**31 - 256)):
             for sign in (1, -1):
                 self.assertEqual(gradients.round24(sign * n), sign * even)
-                self.assertEqual(gradients.sine_of_word(sign * n & words.MASK), gradients.sine(sign * even))
+                self.assertEqual(gradients.sine_of_word(sign * n & hashes.MASK), gradients.sine(sign * even))
 
     def test_the_sine_gradient_is_the_papers(self) -> None:
         """The paper's listing with the C library's sine, and float(int) by the conversion to float32 of the machine. It
         has no seed, which joins the first word alone."""
         def component(word: int) -> float:
-            word &= words.MASK
+            word &= hashes.MASK
             return math.sin(to_f32(word - 2**32 if word >= 2**31 else word))
 
-        for (hash_name, function), seed in itertools.product(words.WORD_HASHES.items(), (0, 0xDEADBEEF)):
+        for (hash_name, function), seed in itertools.product(hashes.WORD_HASHES.items(), (0, 0xDEADBEEF)):
             knobs = Knobs(hash_name, sine=True)
             for x, y, z in CELLS:
-                hx = function(x & words.MASK) ^ words.mix(seed)
-                hy = function(hx + y & words.MASK)
-                hz = function(hy + z & words.MASK)
+                hx = function(x & hashes.MASK) ^ hashes.mix(seed)
+                hy = function(hx + y & hashes.MASK)
+                hz = function(hy + z & hashes.MASK)
                 found = (*gradients.gradient(knobs, (x, y), seed), *gradients.gradient(knobs, (x, y, z), seed))
                 for value, word in zip(found, (hx + hy, hy + hy, hz + hx, hz + hy, hz + hz), strict=True):
                     self.assertAlmostEqual(float(value), component(word), delta=2**-53)
         # Values of a C program written from the contract.
-        for word, value in ((0, 0x794D5FBB), (1, 0x1E97969F), (0x80000000, 0x69B8AF86), (words.MASK, 0x82DBF900)):
-            self.assertEqual(words.hash_words("lattice", [word]), value)
+        for word, value in ((0, 0x794D5FBB), (1, 0x1E97969F), (0x80000000, 0x69B8AF86), (hashes.MASK, 0x82DBF900)):
+            self.assertEqual(hashes.hash_words("lattice", [word]), value)
 
     def test_the_sine_is_in_two_and_three_dimensions(self) -> None:
         for n in (1, 4):

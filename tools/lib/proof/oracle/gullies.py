@@ -13,11 +13,11 @@ from fractions import Fraction
 from proof.oracle import jacobians, noises, sums
 from proof.oracle.feature_points import fixed_root, root
 from proof.oracle.gradients import Knobs
+from proof.oracle.hashes import signed as wrapped
 from proof.oracle.integers import NOISE_UNIT, signed
 from proof.oracle.jacobians import clamped_to, coarse, prod
 from proof.oracle.lattice import Choice
 from proof.oracle.sums import FixedPlace, Options, Place, clamped, product
-from proof.oracle.words import signed as wrapped
 
 PHASOR = noises.find("phasor_d")
 LARGEST_SLOPE, LARGEST_DEPTH = 8, 8

@@ -12,10 +12,10 @@ from fractions import Fraction
 from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
 from proof.oracle import gullies, sums
 from proof.oracle.gradients import Real
+from proof.oracle.hashes import MASK, SEED_STEP
 from proof.oracle.noises.phasor_test import naive
 from proof.oracle.sums import Options
 from proof.oracle.testing import KNOBS
-from proof.oracle.words import MASK, SEED_STEP
 
 DEFAULT = Options(3, 2.0, 0.5, depth=0.1, ex=0.6, ey=-0.3)
 

@@ -7,7 +7,7 @@ import unittest
 from fractions import Fraction
 
 from proof.golden.generator import INT_MAX, INT_MIN
-from proof.oracle import hexes, words
+from proof.oracle import hashes, hexes
 from proof.oracle.gradients import Knobs
 from proof.oracle.hexes import HEXES
 from proof.oracle.integers import UNIT
@@ -17,7 +17,7 @@ from proof.oracle.integers import UNIT
 VECTORS = (
     ("lattice", (-1, INT_MAX), (300000, 700001), (3, 0), 7, (697150, 100001, 251425),
      (650519684, 634511032, 176299772), (37856, 300000, -224288), (175713, -348575, -348575)),
-    ("pcg", (INT_MAX, INT_MIN), (1048576, 1048575), (0, 2), words.MASK, (1, 1, 1048574),
+    ("pcg", (INT_MAX, INT_MIN), (1048576, 1048575), (0, 2), hashes.MASK, (1, 1, 1048574),
      (732427539, 1955019951, 1794445887), (262144, -262144, 0), (524287, 524287, -1)),
     ("lattice", (5, -4), (262144, 524288), (0, 0), 0, (1048576, 0, 0), (2157002028, 900733929, 2673117092),
      (0, 262144, -262144), (0, -524288, -524288)),

@@ -13,9 +13,9 @@ import math
 from collections.abc import Sequence
 from fractions import Fraction
 
-from proof.oracle import gradients, words
+from proof.oracle import gradients, hashes
 from proof.oracle.gradients import Knobs, Real
-from proof.oracle.words import MASK
+from proof.oracle.hashes import MASK
 
 UNIT = 2**20  # the contract's I, of fractions
 NOISE_UNIT = 2**21
@@ -78,12 +78,12 @@ def part(d: int, t: int) -> int:
 
 def difference(a: int, b: int) -> int:
     """b - a, which wraps. It need not but in Perlin noise in space, at corners that have no weight."""
-    return words.signed(b - a)
+    return hashes.signed(b - a)
 
 
 def lerp(a: int, b: int, t: int) -> int:
     """The interpolation from a to b by t, in units of 2^-18; it wraps where the difference does."""
-    return words.signed(a + part(difference(a, b), t))
+    return hashes.signed(a + part(difference(a, b), t))
 
 
 # --- The sine ----------------------------------------------------------------------------------------------------
@@ -117,7 +117,7 @@ def cosine_and_sine(turns: int) -> tuple[int, int]:
 
 def sine_of_word(w: int) -> int:
     """S(w) in units of 2^-16."""
-    g = sine_of_turns(turns_of(abs(gradients.round24(words.signed(w)))))
+    g = sine_of_turns(turns_of(abs(gradients.round24(hashes.signed(w)))))
     return -g if w >> 31 else g
 
 

@@ -9,7 +9,7 @@ from fractions import Fraction
 
 from base.thorough import in_thorough_runs
 from proof.golden.generator import generator_of
-from proof.oracle import gradients, integers, slopes, words
+from proof.oracle import gradients, hashes, integers, slopes
 from proof.oracle.gradients import Knobs
 
 UNIT = 2**20
@@ -72,7 +72,7 @@ class Steps(unittest.TestCase):
                          (-2**31, 2**31 - 1))
 
     def test_numbers_that_do_not_fit(self) -> None:
-        for check, fitting in ((integers.signed, (-2**31, 2**31 - 1)), (integers.word, (0, words.MASK))):
+        for check, fitting in ((integers.signed, (-2**31, 2**31 - 1)), (integers.word, (0, hashes.MASK))):
             for n, beyond in zip(fitting, (-1, 1)):
                 self.assertEqual(check(n), n)
                 with self.assertRaises(OverflowError):
@@ -100,7 +100,7 @@ class Sine(unittest.TestCase):
 
     def test_of_words(self) -> None:
         numbers = generator_of("sine")
-        arguments = [0, 1, 2**24 + 1, 2**31 - 1, 2**31, 2**31 + 1, words.MASK] + [numbers.word() for _ in range(300)]
+        arguments = [0, 1, 2**24 + 1, 2**31 - 1, 2**31, 2**31 + 1, hashes.MASK] + [numbers.word() for _ in range(300)]
         for w in arguments:
             found = integers.sine_of_word(w)
             self.assertLess(abs(Fraction(found, 2**16) - gradients.sine_of_word(w)), 3.7e-5, w)

@@ -14,10 +14,10 @@ from fractions import Fraction
 
 from proof.oracle import sums
 from proof.oracle.gradients import Knobs, Real
+from proof.oracle.hashes import signed as wrapped
 from proof.oracle.integers import NOISE_UNIT, SLOPE_UNIT, word
 from proof.oracle.noises import Noise
 from proof.oracle.sums import FixedPlace, Options, Place, Terms, clamped, fixed_at, rotate
-from proof.oracle.words import signed as wrapped
 
 LARGEST_STRENGTH, LARGEST_AMPLITUDE = 16, 64
 LARGEST_SUM = 8  # of the slopes that an eroded sum looks at

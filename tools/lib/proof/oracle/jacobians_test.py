@@ -11,11 +11,11 @@ from fractions import Fraction
 from proof.golden.generator import Generator, generator_of
 from proof.oracle import jacobians, noises, sums
 from proof.oracle.gradients import Knobs, Real
+from proof.oracle.hashes import MASK, SEED_STEP
 from proof.oracle.integers import NOISE_UNIT
 from proof.oracle.jacobians import Plane, Space
 from proof.oracle.noises import Noise
 from proof.oracle.sums import Options, in_cell
-from proof.oracle.words import MASK, SEED_STEP
 
 LATTICE = Knobs("lattice")
 ONE = 2**18

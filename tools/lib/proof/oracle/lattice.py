@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 from proof.oracle import gradients, integers, ramps, rotation
 from proof.oracle.gradients import Knobs, Real
-from proof.oracle.words import component_word, lattice, point_word
+from proof.oracle.hashes import component_word, lattice, point_word
 
 EUCLIDEAN = 1  # HN_METRIC_EUCLIDEAN
 

@@ -1,4 +1,4 @@
-"""Section 18 of docs/reference/contract.md: numbers, directions and points from a word. (words.py has its published
+"""Section 18 of docs/reference/contract.md: numbers, directions and points from a word. (hashes.py has its published
 hashes.)
 
 All values are exact: words, and floats that are integers divided by a power of two.
@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from proof.oracle import integers
 from proof.oracle.feature_points import fixed_root
 from proof.oracle.gradients import unorm
+from proof.oracle.hashes import MASK, SEED_STEP, mix
 from proof.oracle.integers import signed
-from proof.oracle.words import MASK, SEED_STEP, mix
 
 POINT_UNIT = 2**16  # of directions and points
 NORMAL_UNIT = 2**13

@@ -7,15 +7,15 @@ import math
 import unittest
 
 from proof.golden.generator import generator_of
-from proof.oracle import numbers, words
+from proof.oracle import hashes, numbers
 
 DRAWS = generator_of("numbers")
-SAMPLE = [0, 1, 2**31, words.MASK] + [DRAWS.word() for _ in range(200)]
-SEEDS = (0, 1, 0xDEADBEEF, words.MASK)
+SAMPLE = [0, 1, 2**31, hashes.MASK] + [DRAWS.word() for _ in range(200)]
+SEEDS = (0, 1, 0xDEADBEEF, hashes.MASK)
 
 
 def further(h: int, k: int) -> int:
-    return words.mix((h + k * 0x9E3779B9) % 2**32)
+    return hashes.mix((h + k * 0x9E3779B9) % 2**32)
 
 
 class FromAWord(unittest.TestCase):
@@ -55,7 +55,7 @@ class FromAWord(unittest.TestCase):
 
 def unshuffle(value: int, n: int, seed: int) -> int:
     """The i that hn_shuffle takes to the value: the ten rounds from the last to the first."""
-    b, s = (n - 1).bit_length(), words.mix(seed)
+    b, s = (n - 1).bit_length(), hashes.mix(seed)
     while True:
         for k in range(10, 0, -1):
             a = further(s, k)
@@ -77,10 +77,10 @@ class Shuffles(unittest.TestCase):
             self.assertEqual(unshuffle(numbers.shuffle(i, n, seed), n, seed), i, (n, seed))
 
     def test_beyond_n_and_at_the_ends(self) -> None:
-        for n, i in itertools.product((2, 5, 64, 1000), (3, 1000, words.MASK)):
+        for n, i in itertools.product((2, 5, 64, 1000), (3, 1000, hashes.MASK)):
             self.assertEqual(numbers.shuffle(i, n, 7), numbers.shuffle(i % n, n, 7))
-        self.assertEqual([numbers.shuffle(i, n, 5) for i in (0, 1, words.MASK) for n in (0, 1)], [0] * 6)
-        for n in (2**31 + 1, words.MASK):
+        self.assertEqual([numbers.shuffle(i, n, 5) for i in (0, 1, hashes.MASK) for n in (0, 1)], [0] * 6)
+        for n in (2**31 + 1, hashes.MASK):
             self.assertLess(numbers.shuffle(7, n, 5), n)
 
 
@@ -111,8 +111,8 @@ class Sobol(unittest.TestCase):
             self.assertEqual(undone(y, 0x3D20ADEA), x)
 
     def test_points(self) -> None:
-        for i, seed in itertools.product((0, 1, 6, words.MASK), SEEDS):
-            third, *others = (further(words.mix(seed), k) for k in (3, 1, 2))
+        for i, seed in itertools.product((0, 1, 6, hashes.MASK), SEEDS):
+            third, *others = (further(hashes.mix(seed), k) for k in (3, 1, 2))
             j = int(f"{numbers.scramble(int(f'{i:032b}'[::-1], 2), third):032b}"[::-1], 2)
             x, y = map(numbers.scramble, (j, numbers.second_axis(j)), others)
             # The high 24 bits of the reversed word are the low ones.

@@ -9,10 +9,10 @@ from typing import TypeVar
 
 from proof.oracle import noises, sums
 from proof.oracle.gradients import Knobs
+from proof.oracle.hashes import MASK, SEED_STEP, mix
 from proof.oracle.integers import NOISE_UNIT, UNIT
 from proof.oracle.jacobians import clamped_to, prod
 from proof.oracle.sums import FixedPlace, Options, Place, clamped
-from proof.oracle.words import MASK, SEED_STEP, mix
 
 PERLIN, CELLULAR = noises.find("perlin"), noises.find("cellular")
 MOST = 3  # octaves of cells

@@ -13,7 +13,7 @@ from unittest import mock
 from catalog.tables.functions import read_functions
 from proof.golden import perlin_worley_rows
 from proof.golden.generator import generator_of
-from proof.oracle import functions, noises, perlin_worley, sums, words
+from proof.oracle import functions, hashes, noises, perlin_worley, sums
 from proof.oracle.gradients import Knobs, Real
 from proof.oracle.integers import NOISE_UNIT
 from proof.oracle.sums import Options
@@ -45,7 +45,7 @@ def places(name: str, count: int = 16) -> Iterator[tuple[list[Fraction], Options
 def by_parts(p: Sequence[Real], options: Options, seed: int, periods: Sequence[int]) -> float:
     """From the contract in floats, with the exact noises at places that are found anew."""
     perlin, cells, weights, few, q = 0.0, 0.0, 0.0, 0.0, list(map(Fraction, p))
-    t, tile = words.mix(seed + STEP & words.MASK), list(periods)
+    t, tile = hashes.mix(seed + STEP & hashes.MASK), list(periods)
     lacunarity = Fraction(math.floor(options.lacunarity) if periods else options.lacunarity)
     for i in range(options.octaves):
         weight = options.gain**i
@@ -59,7 +59,7 @@ def by_parts(p: Sequence[Real], options: Options, seed: int, periods: Sequence[i
             x, y = (25 * x - 20 * y) / 32, (20 * x + 25 * y) / 32
             y, z = (29 * y - 13 * z) / 32, (13 * y + 29 * z) / 32
         q = [x + Fraction(11, 32), y + Fraction(19, 32), z + Fraction(23, 32)]
-        seed, t, tile = seed + STEP & words.MASK, t + STEP & words.MASK, [int(c * lacunarity) for c in tile]
+        seed, t, tile = seed + STEP & hashes.MASK, t + STEP & hashes.MASK, [int(c * lacunarity) for c in tile]
     return 1 - (1 - perlin / weights) * (1 - min(max(cells / few, -1), 1)) / 4
 
 
@@ -80,13 +80,13 @@ class PerlinWorley(unittest.TestCase):
         for p, options, seed, periods in places("integers", 12):
             place, few = sums.fixed_at_position(p), min(options.octaves, 3)
             perlin = int(sums.fixed("fbm", noises.find("perlin"), KNOBS, place, options, seed, periods) * NOISE_UNIT)
-            weights, found, t = [2**18], [], words.mix(seed + STEP & words.MASK)
+            weights, found, t = [2**18], [], hashes.mix(seed + STEP & hashes.MASK)
             for at, tile, _ in sums.fixed_octaves_of(place, replace(options, octaves=few), seed, periods):
                 distance, _ = noises.find("cellular").fixed_cell(
                     KNOBS, [c for c, _ in at], [Fraction(r, 2**24) for _, r in at], t, tile)
                 found.append(2**21 - 2**22 * distance)
                 weights.append(weights[-1] * math.floor(options.gain * 2**18) // 2**18)
-                t = t + STEP & words.MASK
+                t = t + STEP & hashes.MASK
             total = sum(v * a // 2**18 for v, a in zip(map(int, found), weights))
             mean = math.trunc(Fraction(total * 2**18, sum(weights[:few])))
             lack = (2**21 - perlin) * (2**21 - min(max(mean, -2**21), 2**21)) // 2**18

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from proof.oracle.words import signed
+from proof.oracle.hashes import signed
 
 
 def clamped(setting: int) -> int:

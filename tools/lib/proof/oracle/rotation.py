@@ -11,7 +11,7 @@ from typing import TypeVar
 
 from proof.oracle import gradients, integers
 from proof.oracle.gradients import Real
-from proof.oracle.words import MASK
+from proof.oracle.hashes import MASK
 
 Number = TypeVar("Number", int, float, Fraction)
 

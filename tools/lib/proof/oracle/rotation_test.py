@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from proof.golden.generator import generator_of
 from proof.golden.simplex_rows import PHASES
-from proof.oracle import gradients, noises, rotation, words
+from proof.oracle import gradients, hashes, noises, rotation
 from proof.oracle.gradients import SINE_ERROR, Knobs, sine_of_turns
 from proof.oracle.testing import FORMS, KNOBS
 
@@ -17,7 +17,7 @@ PAIRS = {0x00000000: ((1, 1, 0), (0, 1, 1)), 0x00100000: ((1, 1, 0), (0, 1, -1))
          0x00700000: ((-1, -1, 0), (0, -1, -1)), 0x55555554: ((-1, 1, 0), (0, 1, -1)),
          0x55555555: ((-1, 0, 1), (-1, -1, 0)), 0x80200000: ((1, 0, -1), (1, 1, 0)),
          0xAAAAAAA9: ((1, 0, -1), (1, 1, 0)), 0xAAAAAAAA: ((0, 1, -1), (1, 0, -1)),
-         0xC0500000: ((0, -1, 1), (-1, 0, 1)), words.MASK: ((0, -1, -1), (-1, 0, -1))}
+         0xC0500000: ((0, -1, 1), (-1, 0, 1)), hashes.MASK: ((0, -1, -1), (-1, 0, -1))}
 
 
 class Exact(unittest.TestCase):

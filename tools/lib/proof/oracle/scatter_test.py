@@ -7,7 +7,7 @@ import math
 import unittest
 
 from proof.golden.generator import INT_MAX, INT_MIN, to_f32
-from proof.oracle import scatter, words
+from proof.oracle import hashes, scatter
 from proof.oracle.gradients import Knobs
 from proof.oracle.lattice import Lattice
 from proof.oracle.scatter import UNIT
@@ -18,7 +18,7 @@ VECTORS = (
     ("lattice", (12, 6), (0, 0), 0.650634765625, 0, 1, (19220, 23490)),
     ("lattice", (12, 6), (0, 0), 0.6506652832, 0, 0, (19220, 23490)),
     ("lattice", (-1, INT_MAX), (3, INT_MAX), 1.0, 5, 1, (25669, 32428)),
-    ("pcg", (INT_MIN, 7), (0, 2), 0.75, words.MASK, 0, (28520, 2249)),
+    ("pcg", (INT_MIN, 7), (0, 2), 0.75, hashes.MASK, 0, (28520, 2249)),
     ("lattice", (526, -22, 3), (0, 0, 0), 0.7105407714, 0, 1, (19032, 5663, 4664)),
     ("pcg", (-1, 5, INT_MAX), (2, 0, 3), 0.9, 7, 0, (22364, 27775, 9057)),
     ("lattice", (INT_MAX, INT_MIN, 0), (0, 0, 0), 0.5, 1, 1, (814, 31207, 8393)))
@@ -33,7 +33,7 @@ class Scattered(unittest.TestCase):
             self.assertEqual(scatter.point(lattice, cell), tuple(x / UNIT for x in place))
             word = scatter.scattered(lattice, cell, to_f32(radius))
             h = (lattice.hash(cell) + 5 * 0x9E3779B9) % 2**32
-            self.assertEqual(word, words.mix(h) | 1 if stands else 0)
+            self.assertEqual(word, hashes.mix(h) | 1 if stands else 0)
 
     def test_the_radius(self) -> None:
         for radius, units in ((-1.0, 0), (2.0**-16, 0), (2.0**-15, 1), (1 - 2.0**-24, UNIT - 1), (1.0, UNIT),

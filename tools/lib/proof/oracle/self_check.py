@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from proof.oracle import numbers, positions
-from proof.oracle.words import MASK, lattice, mix, signed
+from proof.oracle.hashes import MASK, lattice, mix, signed
 
 ROUNDS = 16
 UNITS = 7  # of hn_cell and hn_fraction

@@ -9,10 +9,10 @@ from fractions import Fraction
 from typing import Generic, TypeVar
 
 from proof.oracle.gradients import Knobs, Real
+from proof.oracle.hashes import MASK, SEED_STEP
+from proof.oracle.hashes import signed as wrapped
 from proof.oracle.integers import NOISE_UNIT, clamp_to_int, signed, word
 from proof.oracle.noises import Noise
-from proof.oracle.words import MASK, SEED_STEP
-from proof.oracle.words import signed as wrapped
 
 SHIFT = (Fraction(11, 32), Fraction(19, 32), Fraction(23, 32), Fraction(27, 32))
 # In 32nds the cosines and the sines of the rotations: in the plane of x and y, then of y and z, then of z and
@@ -212,8 +212,8 @@ def weighted(of: Terms[Fraction]) -> Fraction:
 
 # --- Fixed -------------------------------------------------------------------------------------------------------
 
-# A whole position is a number of 56 bits in units of 2^-24 cells. The first one of a sum is given as cell and fraction,
-# since the fraction of a caller may be a whole cell.
+# A fixed-point position is a number of 56 bits in units of 2^-24 cells. The first one of a sum is given as cell and
+# fraction, since the fraction of a caller may be a whole cell.
 POSITION_UNIT = 2**24
 FixedPlace = list[tuple[int, int]]
 

@@ -148,7 +148,7 @@ double mean_error(const SumRule& rule, const OctaveArguments& arguments, double 
     sum_error += kUnit * (limit * total.value + sum_error);
     amplitude_error = gain * (amplitude_error + kUnit * most_amplitude) + kTiny;
     amplitude *= gain;
-    if (rule.step == SumStep::bent) {
+    if (rule.step == SumStep::weighted) {
       const double factor_error = std::min(strength * (noise_errors[i] / 2.0 + 2.0 * kUnit) + kUnit, 1.0) + kTiny;
       const double most = amplitude + amplitude_error;
       amplitude_error =
@@ -349,17 +349,17 @@ Proof proof_of(SumStep step) {
   switch (step) {
     case SumStep::noise:
       return {false, as_they_are, value_tolerance};
-    case SumStep::size:
+    case SumStep::turbulence:
       return {false, as_they_are, value_tolerance};
-    case SumStep::bounded_size:
+    case SumStep::billow:
       return {true, as_they_are, value_tolerance};
-    case SumStep::ridge:
+    case SumStep::ridged:
       return {true, ridges, value_tolerance};
-    case SumStep::height:
+    case SumStep::hybrid:
       return {true, heights, value_tolerance};
-    case SumStep::wave:
+    case SumStep::ping_pong:
       return {true, waves, value_tolerance};
-    case SumStep::bent:
+    case SumStep::weighted:
       return {true, as_they_are, value_tolerance};
     case SumStep::fbm_d:
       return {false, as_they_are, value_tolerance};

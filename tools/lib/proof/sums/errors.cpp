@@ -67,8 +67,8 @@ OctavePosition next_rotated(int axes, const OctaveArguments& arguments, const Oc
   return {stretch * at.position + diagonal * shift, stretch * at.error + diagonal * of_coordinate};
 }
 
-// A coordinate of a whole position is cut to a multiple of 2^-24, and the lacunarity to one of 2^-23; the product is
-// rounded down, and so are both coordinates after each rotation.
+// A coordinate of a fixed-point position is cut to a multiple of 2^-24, and the lacunarity to one of 2^-23; the product
+// is rounded down, and so are both coordinates after each rotation.
 OctavePosition next_whole(int axes, const OctaveArguments& arguments, const OctavePosition& at) {
   const double ratio = cut_lacunarity(arguments);
   const double diagonal = diagonal_of(axes, arguments);

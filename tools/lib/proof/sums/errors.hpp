@@ -13,7 +13,7 @@ namespace hn {
 constexpr double kUnit = 0x1p-23;     // the largest relative error of one operation, in any rounding mode
 constexpr double kTiny = 0x1p-126;    // the largest error of flushing a subnormal to 0
 constexpr double kSettled = 0x1p-96;  // below which HN_PRECISE makes a result 0
-constexpr double kWhole = 0x1p-24;    // the unit of whole positions
+constexpr double kWhole = 0x1p-24;    // the unit of fixed-point positions
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 int count_of(const OctaveArguments& arguments);

@@ -20,7 +20,7 @@ struct GulliesBounds {
 };
 
 struct GulliesArguments {
-  OctaveArguments octaves;  // in a tile: whole positions and a whole lacunarity
+  OctaveArguments octaves;  // in a tile: fixed-point positions and a whole lacunarity
   double slope;             // how long it is, with each component in [-8, 8]
   double depth;
 };

@@ -13,8 +13,8 @@ from functools import cached_property
 from pathlib import Path
 
 from base import modules
+from base.cache import cached
 from base.golden_values import Golden
-from base.kept import kept
 from base.tree import CONFORMANCE, GOLDEN, ROOT, VECTORS, glsl_files
 from base.twin import NotBuilt, compile_program
 from catalog import suite
@@ -176,7 +176,7 @@ def vectors_folder() -> Path:
     """The folder with the files, which are made if they are not there, or if their sources have changed. The
     source of a release has them at its top."""
     there = ROOT / "vectors"
-    return there if there.is_dir() else kept(VECTORS, sources(), vectors)
+    return there if there.is_dir() else cached(VECTORS, sources(), vectors)
 
 
 def written(value: dict) -> str:

@@ -9,7 +9,7 @@ from functools import cache
 from pathlib import Path
 
 from base.tree import GLSL, ROOT, address, version
-from catalog import asked, parameters
+from catalog import parameters, popular
 from catalog.tables.markdown import table
 from ship.packing import Refused, papers
 from translate.parsing.syntax import Function
@@ -18,7 +18,7 @@ from translate.pick.osl import default_of
 
 PACKAGE = ROOT / "packages" / "blender"
 MANIFEST = "blender_manifest.toml"
-FORMS = asked.nodes("blender")  # of node groups, all with HN_FIXED
+FORMS = popular.nodes("blender")  # of node groups, all with HN_FIXED
 
 
 def shader(form: str) -> str:

@@ -15,7 +15,7 @@ from pathlib import Path
 from base.tree import ROOT, TOOLS, version
 from catalog.tables.functions import read_functions
 from ship.godot.files import ADDON, GAP, WINDOW, package, tiles
-from ship.readme.gallery import recipes
+from ship.pages.gallery import recipes
 
 ARCHIVE = f"hashnoise-godot-{version()}.zip"
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from base.tree import ROOT, version
 from ship.packing import own_files
-from ship.readme.gallery import recipes
+from ship.pages.gallery import recipes
 from translate.single_file import godot
 from translate.single_file.files import Part, in_order, parts
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from xml.sax.saxutils import quoteattr
 
 from base.tree import GLSL, ROOT, version
-from catalog import asked, parameters
+from catalog import parameters, popular
 from catalog.tables.markdown import table
 from ship.packing import papers
 from translate.parsing.syntax import Function
@@ -20,7 +20,7 @@ from translate.pick.shading import LANGUAGES
 
 PACKAGE = ROOT / "packages" / "materialx"
 LIBRARY = "hashnoise"  # the folder that MaterialX loads
-FORMS = asked.nodes("materialx")  # all with HN_FIXED
+FORMS = popular.nodes("materialx")  # all with HN_FIXED
 # The targets of MaterialX, with the languages of tools/pick. The generators for OpenGL, WebGL, Vulkan and WebGPU share
 # the first. Metal and Slang would take it, too, if they had none of their own.
 TARGETS = {"genglsl": "glsl", "genmsl": "metal", "genslang": "slang", "genosl": "osl"}

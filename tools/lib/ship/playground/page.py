@@ -1,16 +1,14 @@
-"""The page: index.html of playground/ with the style, the modules, the library and picked functions inside."""
+"""The page: index.html of playground/ with the style, the modules and picked functions inside."""
 
 from __future__ import annotations
 
 import base64
 import hashlib
-import json
 import re
 from collections.abc import Callable
 
-from base.tree import ROOT
+from base.tree import ROOT, version
 from ship.playground import picks
-from ship.playground.library import library
 
 SOURCES = ROOT / "playground"
 FIRST = "main.js"  # the module that imports the others
@@ -64,7 +62,7 @@ def page(tell: Callable[[str], None] = lambda _: None) -> str:
     code = f"\n{script().strip()}\n"
     style = (SOURCES / "style.css").read_text(encoding="utf-8").strip()
     looks = base64.b64encode((SOURCES / "looks.webp").read_bytes()).decode("ascii")
-    parts = {"style": style, "looks": looks, "script": code, "hash": hash_of(code),
-             "library": picks.compressed(json.dumps(library(), separators=(",", ":"))), **picks.kept_texts(tell)}
+    parts = {"style": style, "looks": looks, "script": code, "hash": hash_of(code), "version": version(),
+             **picks.kept_texts(tell)}
     return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]],
                   (SOURCES / "index.html").read_text(encoding="utf-8"))

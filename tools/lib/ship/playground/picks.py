@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from base import modules
-from base.kept import kept
+from base.cache import cached
 from base.tree import GLSL, ROOT, glsl_files
 from catalog.javascript import drawn
 from catalog.model import read
@@ -40,7 +40,7 @@ DIMENSIONS = (1, 2, 3, 4)
 # The page has the other hashes for shading languages. They differ in one function, which is the same in a small program
 # of any dimension and arithmetic.
 OTHER_HASHES = ("fnv1", "partial_fnv1", "jenkins", "partial_jenkins", "murmur", "pcg", "xxhash32")
-WORD = "hn_i_word uint uint"  # the function in which hashes differ, and its helpers
+WORD = "hn_i_point_hash uint uint"  # the function in which hashes differ, and its helpers
 COMMENT = re.compile(r"^\s*//.*\n", re.MULTILINE)
 BLOCK = re.compile(r"^/\*\*\n(?: \*.*\n)+", re.MULTILINE)
 
@@ -214,5 +214,5 @@ def texts(tell: Callable[[str], None] = lambda _: None) -> dict[str, str]:
 
 def kept_texts(tell: Callable[[str], None] = lambda _: None) -> dict[str, str]:
     sources = [*glsl_files().values(), *(ROOT / "catalog").glob("*.toml"), *modules.files_of([Path(__file__)])]
-    folder = kept(FOLDER, sources, partial(texts, tell))
+    folder = cached(FOLDER, sources, partial(texts, tell))
     return {name: (folder / name).read_text(encoding="ascii") for name in ("shading", "cpu")}

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from base.tree import GLSL, ROOT, version
 from base.usage import near
-from catalog import asked
+from catalog import popular
 from catalog.tables.functions import Function, read_functions
 from proof.vectors.files import vectors_folder
 from ship.packing import Refused, of_cargo, own_files
@@ -25,7 +25,7 @@ from translate.pick.scalars import Part, bare, text
 PACKAGE = ROOT / "packages" / "rust"
 ARITHMETICS = ("fast", "fixed")
 AXES = "xyzw"
-MODULES = asked.modules()  # of each arithmetic
+MODULES = popular.modules()  # of each arithmetic
 ALL = (*MODULES, "hash")
 NEEDED = ("place", "hash")
 HASHES = (("hn_hash", "hn_lattice", "hn_unorm", "hn_snorm"), 4)  # of every arithmetic

@@ -22,7 +22,7 @@ class Names(unittest.TestCase):
                                ("hn_tile2_place(hn_place_of2(p))", "tile2_place(place_of2(p))"),
                                ("var o: hn_octaves2;", "var o: Octaves2;"), ("hn_unorm(h)", "unorm_(h)"),
                                ("HN_METRIC_EUCLIDEAN + HN_I_ONE", "METRIC_EUCLIDEAN + HN_I_ONE"),
-                               ("hn_i_mix(k)", "hn_i_mix(k)")):
+                               ("hn_i_scramble(k)", "hn_i_scramble(k)")):
             self.assertEqual(files.renamed(code), expected)
 
     def test_each_is_one_word_that_is_free(self) -> None:

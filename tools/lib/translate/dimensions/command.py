@@ -1,7 +1,7 @@
 """Makes the files of glsl/hashnoise/ that only name others: all noise of a dimension, the functions built on noise, and
 the whole. From the text of the plane it makes the equal parts of other dimensions.
 
-    tools/make umbrella [--check] [--glsl DIR]
+    tools/make dimensions [--check] [--glsl DIR]
 
 `<noise>2d.glsl` is a noise on the plane, so noise2d.glsl includes it; every dimension has such a file. But a file that
 includes another noise of its dimension, or detail/octave.glsl, is built on noise: then `<name>.glsl` includes
@@ -128,7 +128,7 @@ def wrong(folder: Path) -> dict[str, str]:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = Parser("tools/make umbrella", __doc__)
+    parser = Parser("tools/make dimensions", __doc__)
     parser.add_argument("--check", action="store_true", help="only print which files are not what they should be")
     parser.add_argument("--glsl", type=Path, default=GLSL, help="the folder (default: %(default)s)")
     options = parser.parse_args(arguments)
@@ -141,7 +141,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 1
     for file, text in sorted(found.items()):
         if options.check:
-            print(f"{file} is not what tools/make umbrella makes")
+            print(f"{file} is not what tools/make dimensions makes")
         elif text:
             (options.glsl / file).write_text(text, encoding="ascii")
         else:

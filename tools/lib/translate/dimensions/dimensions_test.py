@@ -91,7 +91,7 @@ class Files(unittest.TestCase):
         for texts, why in (
                 ({"a.glsl": f"{struct('1', 'int')}{BELOW}"}, "a.glsl has nothing of the plane above"),
                 ({"a.glsl": f"{two}\n{BELOW}"}, "a.glsl has nothing of the plane above"),
-                ({"a.glsl": two + BELOW.replace("4", "5")}, "a.glsl has .*, which tools/make umbrella does not know"),
+                ({"a.glsl": two + BELOW.replace("4", "5")}, "a.glsl has .*, which tools/make dimensions does not know"),
                 ({"a3d.glsl": f"// From here {SAME}\n"}, "a3d.glsl has .*, or only one end of it"),
                 ({"a3d.glsl": part(SAME, "")}, "a3d.glsl needs as many lines .* as a2d.glsl"),
                 ({"a3d.glsl": part(SAME, ""), "a2d.glsl": part(SAME, "") * 2}, "a3d.glsl needs as many lines .* as a2d.glsl"),

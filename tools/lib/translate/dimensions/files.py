@@ -13,7 +13,7 @@ from collections import Counter, defaultdict
 from collections.abc import Mapping
 
 from base.tree import included_from
-from catalog.asked import snippets
+from catalog.popular import snippets
 from translate.dimensions.layout import joined, with_short_lines
 from translate.dimensions.numbers import IN_SPACE
 from translate.dimensions.rule import WHERE, Unclear, in_dimension
@@ -106,7 +106,7 @@ def made(texts: Mapping[str, str]) -> dict[str, str]:
         marks = [*ANY_MARK.findall(text)]
         known = [f"// {bound} here {zone['what']}" for zone in ZONE.finditer(text) for bound in ("From", "To")]
         if unknown := [mark for mark in marks if mark not in known and not BELOW.match(f"{mark}\n")]:
-            raise Unclear(f"{file} has `{unknown[0]}`, which tools/make umbrella does not know, or only one end of it")
+            raise Unclear(f"{file} has `{unknown[0]}`, which tools/make dimensions does not know, or only one end of it")
     found = {source.replace("2d.", f"{n}d."): of_whole(source, n, texts)
              for source, dimensions in WHOLE.items() if source in texts for n in dimensions}
     for file, text in texts.items():

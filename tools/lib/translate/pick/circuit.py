@@ -16,7 +16,7 @@ from translate.library import Library
 from translate.parsing import syntax
 from translate.parsing.syntax import Function
 from translate.parsing.tokens import Unknown
-from translate.pick.evaluate import Evaluation, Kept, Module
+from translate.pick.evaluate import Evaluation, Module, Specialization
 from translate.pick.statements import Environment, Statement
 from translate.pick.typer import Typed
 from translate.pick.values import WORD, Constant, Node, Operation, Variable, choice
@@ -308,7 +308,8 @@ class Unrolled(Evaluation):
     comments."""
 
     def __init__(self, module: Module, ranges: Callable[[Function], Sequence[tuple[Fraction, Fraction]]]):
-        super().__init__(module, lambda function, _: Kept(function.name, function.types, (None,) * len(function.types))
+        super().__init__(module, lambda function, _: Specialization(function.name, function.types,
+                                                                            (None,) * len(function.types))
                          if (function.name, function.types) in CALLED else None)
         self._ranges = ranges
         self.known: dict[Node, tuple[Fraction, Fraction]] = {}

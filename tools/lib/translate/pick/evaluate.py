@@ -48,7 +48,7 @@ from translate.pick.values import (
 
 
 @dataclass(frozen=True)
-class Kept:
+class Specialization:
     """A function that is called. Some of its arguments are left out: one that is the same constant in all calls, one
     that is the same as another (its number), and one that always is what another such function returns, which then has
     its place in this one."""
@@ -62,7 +62,7 @@ class Kept:
         for argument, known in zip(arguments, self.known):
             if known is None:
                 passed.append(argument)
-            elif isinstance(known, Kept):
+            elif isinstance(known, Specialization):
                 if not (isinstance(argument, Operation) and argument.name == known):
                     return None
                 passed += argument.arguments
@@ -71,12 +71,12 @@ class Kept:
         return passed
 
 
-Known = Union[None, Constant, int, Kept]
+Known = Union[None, Constant, int, Specialization]
 GENERIC = frozenset((*AXES, "condition"))  # names of parameters that reveal nothing of the arguments
 
 
 @dataclass(frozen=True)
-class Summed:
+class FractalOver:
     """The noise that sums ask for at the place of an octave, in place of the library's."""
     name: str
     replaced: str
@@ -100,7 +100,7 @@ class Module(Library):
     def __init__(self, tree: list[Function | Struct], constants: dict[str, Macro], splits: bool = False,
                  own: Sequence[Function] = ()):
         super().__init__(tree, constants, own)
-        self.summed: Summed | None = None
+        self.summed: FractalOver | None = None
         self.splits = splits
         self._parts: dict[str, list[tuple[tuple[str, ...], str]]] = {}
         self._plain: dict[tuple[str, tuple[str, ...]], bool] = {}
@@ -146,7 +146,7 @@ class Evaluation(Typer):
     library: Module
     make = values
 
-    def __init__(self, module: Module, keeps: Callable[[Function, Sequence[Node]], Kept | None]):
+    def __init__(self, module: Module, keeps: Callable[[Function, Sequence[Node]], Specialization | None]):
         super().__init__(module)
         self.keeps = keeps
         self.arguments: dict[tuple[str, tuple[str, ...]], list[tuple[Node, ...]]] = {}
@@ -423,14 +423,14 @@ class Evaluation(Typer):
                           construct(argument.type, tuple(argument.leaves.values())) for argument in arguments)
             key = (function.name, function.types)
             self.arguments.setdefault(key, []).append(nodes)
-            kept = self.keeps(function, nodes)
-            if kept:
+            special = self.keeps(function, nodes)
+            if special:
                 if self.library.splits:
                     for parameter, argument, node in zip(function.parameters, expression.arguments, nodes):
                         if isinstance(node, Operation) and node.kind == "construct" and SIZES[node.type] > 1:
                             self.hints.setdefault(
                                 node, argument.at.text if isinstance(argument, syntax.Name) else parameter.at.text)
-                called = operation("call", kept, function.type, tuple(kept.left(nodes)))
+                called = operation("call", special, function.type, tuple(special.left(nodes)))
                 return Typed(function.type, self.library.leaves(called))
         inner = next(self._frames)
         for parameter, argument in zip(function.parameters, arguments):

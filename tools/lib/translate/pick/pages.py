@@ -14,17 +14,17 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from base import modules
-from base.kept import kept
+from base.cache import cached
 from base.tree import GLSL, ROOT, glsl_files
 from base.usage import Parser
-from catalog import asked
+from catalog import popular
 from catalog.tables.markdown import table
 from translate.parsing.tokens import Unknown
 from translate.pick.command import SYNTAXES, Choice, picker
 
 FOLDER = ROOT / "docs" / "reference" / "snippets"
 
-FUNCTIONS = asked.snippets()
+FUNCTIONS = popular.snippets()
 # The heading, the language of tools/pick, its arithmetic, and the word that Markdown has for the language.
 LANGUAGES = (("GLSL", "glsl", "fast", "glsl"), ("HLSL", "hlsl", "fast", "hlsl"), ("WGSL", "wgsl", "fast", "wgsl"),
              ("Slang", "slang", "fast", "slang"), ("Metal", "metal", "fast", "cpp"), ("Godot", "godot", "fast", "glsl"),
@@ -76,7 +76,7 @@ def whole() -> Path:
     """The folder with the pages in each language. They take a minute, and are kept until something changes that they
     are made of."""
     sources = [*glsl_files().values(), *(ROOT / "catalog").glob("*.toml"), *modules.files_of([Path(__file__)])]
-    return kept(ROOT / "build" / "snippets", sources, lambda: files(for_pages(), LANGUAGES))
+    return cached(ROOT / "build" / "snippets", sources, lambda: files(for_pages(), LANGUAGES))
 
 
 def wrong(folder: Path, made: dict[str, str]) -> list[str]:

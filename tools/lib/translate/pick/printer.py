@@ -12,7 +12,7 @@ from translate.names import PASSED
 from translate.parsing.lines import wrapped
 from translate.parsing.syntax import Function, Parameter
 from translate.pick.comments import arguments_of
-from translate.pick.evaluate import Kept, Module
+from translate.pick.evaluate import Module, Specialization
 from translate.pick.statements import (
     Break,
     Declare,
@@ -170,7 +170,7 @@ class Language:
         return f"struct {name} {{\n{inside}}}{after_struct}\n"
 
     def writer(self, block: list[Statement], hints: Mapping[Node, str], parameters: Sequence[Parameter],
-               names: Mapping[Kept, str], precise: bool) -> Writer:
+               names: Mapping[Specialization, str], precise: bool) -> Writer:
         return Writer(self, block, hints, [parameter.at.text for parameter in parameters], names, precise)
 
 
@@ -184,7 +184,7 @@ def constants_of(functions: Sequence[Function], module: Module) -> list[tuple[st
 class Expressions:
     """Values as text."""
 
-    def __init__(self, language: Language, names: Mapping[Kept, str]):
+    def __init__(self, language: Language, names: Mapping[Specialization, str]):
         self.language = language
         self.names = names  # of functions
         self.called: dict[Node, str] = {}  # the names of values and variables
@@ -224,7 +224,7 @@ class Expressions:
             return self._binary(node)
         if self.language.fills and (number := splatted(node)) is not None:
             arguments = (number,)
-        if isinstance(node.name, Kept):
+        if isinstance(node.name, Specialization):
             name = self.names[node.name]
         else:
             name = (self.language.called(node.name, node.type) if node.kind == "builtin" else
@@ -270,7 +270,7 @@ class Writer(Expressions):
     indent = 2
 
     def __init__(self, language: Language, block: list[Statement], hints: Mapping[Node, str], parameters: Iterable[str],
-                 names: Mapping[Kept, str], precise: bool = False, reserved: Iterable[str] = ()):
+                 names: Mapping[Specialization, str], precise: bool = False, reserved: Iterable[str] = ()):
         super().__init__(language, names)
         self.block = block
         self.hints = hints
@@ -421,7 +421,7 @@ class Writer(Expressions):
         return self._lengths[node]
 
     def _length_of(self, node: Operation) -> int:
-        name = self.names[node.name] if isinstance(node.name, Kept) else node.name
+        name = self.names[node.name] if isinstance(node.name, Specialization) else node.name
         return 3 + len(name) + sum(6 if argument in self.named else 1 + self._length(argument)
                                    for argument in node.arguments)
 

@@ -21,7 +21,7 @@ from translate.parsing.syntax import Function, Parameter, definitions
 from translate.parsing.tokens import Unknown
 from translate.pick import comments
 from translate.pick.comments import Facts
-from translate.pick.evaluate import Evaluation, Kept, Known, Module, Summed, Typed, dotted
+from translate.pick.evaluate import Evaluation, FractalOver, Known, Module, Specialization, Typed, dotted
 from translate.pick.printer import Language, declared
 from translate.pick.statements import Statement, values_of, without_copies, without_dead
 from translate.pick.values import AXES, SIZES, Constant, Node, Operation, Variable, begin_anew, scalar_of
@@ -149,7 +149,7 @@ def over(module: Module, form: str) -> Module:
     for replaced in SUMMED:
         of_library = module.overload(replaced, types)
         if of_library and of_library.type == at_place.type:
-            return _with(module, Summed(noise.name, replaced, types))
+            return _with(module, FractalOver(noise.name, replaced, types))
     raise Unknown(f"--noise {form} returns {at_place.type}, and a sum's noise returns a float, or derivatives as "
                   "those of hn_perlin_d")
 
@@ -159,7 +159,7 @@ def _of_an_octave(function: Function) -> tuple[str, str]:
     return f"hn_place{SIZES.get(function.types[0]) or function.types[0][-1]}", "uint"
 
 
-def _with(module: Module, summed: Summed) -> Module:
+def _with(module: Module, summed: FractalOver) -> Module:
     with_other = copy.copy(module)
     with_other.summed = summed
     return with_other
@@ -169,7 +169,7 @@ class NoSum(Unknown):
     """A function that sums no noise."""
 
 
-def not_summed(module: Module, function: Function, summed: Summed) -> Unknown:
+def not_summed(module: Module, function: Function, summed: FractalOver) -> Unknown:
     """Why --noise cannot stand for this function's calls, and which noise it takes: a form of the same one if it has
     one, else another noise."""
     types = _of_an_octave(function)
@@ -180,7 +180,7 @@ def not_summed(module: Module, function: Function, summed: Summed) -> Unknown:
         fitting = (name for name in names if of_library and (other := module.overload(name, types))
                    and other.type == of_library.type)
         if name := next(fitting, None):
-            root, = Program(_with(module, Summed(name, replaced, types)), [function]).roots
+            root, = Program(_with(module, FractalOver(name, replaced, types)), [function]).roots
             if root.evaluation.sums_other_noise:
                 return Unknown(f"{wgsl_name(function)} sums {replaced}({', '.join(types)}), for which "
                                f"--noise {name}{types[0][-1]} stands")
@@ -195,7 +195,7 @@ def not_summed(module: Module, function: Function, summed: Summed) -> Unknown:
                    f"{noise}{axes}_place")
 
 
-def check_sums(program: Program, summed: Summed) -> None:
+def check_sums(program: Program, summed: FractalOver) -> None:
     """Functions that sum nothing stand beside sums: one text has the land and what masks it."""
     others = [root for root in program.roots if not root.evaluation.sums_other_noise]
     for root in others:
@@ -218,7 +218,7 @@ class Evaluated:
         return values_of(self.block)
 
     @functools.cached_property
-    def calls(self) -> list[Kept]:
+    def calls(self) -> list[Specialization]:
         return sorted({node.name for node in self.nodes if _is_call(node)}, key=str)
 
     @functools.cached_property
@@ -235,8 +235,8 @@ class Program:
         begin_anew()
         self.module = module
         self._asked_for = roots
-        self.kept: dict[Key, Kept] = {}
-        self._done: dict[tuple[Kept, bool], Evaluated] = {}  # that the functions in `kept` leave as they are
+        self.specialized: dict[Key, Specialization] = {}
+        self._done: dict[tuple[Specialization, bool], Evaluated] = {}  # that those in `specialized` leave as they are
         if calls_first:
             self._start_with_calls()
         else:
@@ -253,52 +253,53 @@ class Program:
         """First every function stays one, and then those alone that are worth a call. A call that does not fit the
         known values of the others has the function in its place, so each step is right."""
         roots = {(root.name, root.types) for root in self._asked_for}
-        self.kept = {key: Kept(*key, (None,) * len(key[1])) for key in self.module.functions if key not in roots}
+        self.specialized = {key: Specialization(*key, (None,) * len(key[1])) for key in self.module.functions
+                            if key not in roots}
         self._evaluate_all()
-        worth = {key: calls for key, calls in self._arguments().items() if key in self.kept and len(calls) > 1}
-        while len(worth) < len(self.kept):
-            now = {key: Kept(*key, self._known(calls)) for key, calls in worth.items()}
-            changed = {key for key, kept in self.kept.items() if now.get(key) != kept}
-            self.kept = now
+        worth = {key: calls for key, calls in self._arguments().items() if key in self.specialized and len(calls) > 1}
+        while len(worth) < len(self.specialized):
+            now = {key: Specialization(*key, self._known(calls)) for key, calls in worth.items()}
+            changed = {key for key, special in self.specialized.items() if now.get(key) != special}
+            self.specialized = now
             self._done = {of: one for of, one in self._done.items() if not one.consulted & changed}
             self._evaluate_all()
             worth = {key: calls for key, calls in self._arguments().items()
                      if key in now and self._is_worth(now[key], len(calls))}
 
-    def _keep(self, new: Sequence[Kept]) -> bool:
+    def _keep(self, new: Sequence[Specialization]) -> bool:
         """Whether these stay functions: of several each has to be called as before, else the first one comes first."""
-        before, kept, done = self._arguments(), self.kept, self._done
+        before, special, done = self._arguments(), self.specialized, self._done
         keys = {(one.name, one.types) for one in new}
-        self.kept = {**kept, **{(one.name, one.types): one for one in new}}
+        self.specialized = {**special, **{(one.name, one.types): one for one in new}}
         self._done = {of: one for of, one in done.items() if not one.consulted & keys}
         self._evaluate_all()
         now = self._arguments()
         if len(new) == 1 or all(len(now.get(key, ())) == len(before[key]) and
-                                self._known(now[key]) == self.kept[key].known for key in keys):
+                                self._known(now[key]) == self.specialized[key].known for key in keys):
             return True
-        self.kept, self._done = kept, done
+        self.specialized, self._done = special, done
         return False
 
-    def _evaluated(self, kept: Kept, is_root: bool = False) -> Evaluated:
-        if (kept, is_root) not in self._done:
-            self._done[kept, is_root] = self._evaluate(kept, is_root)
-        return self._done[kept, is_root]
+    def _evaluated(self, special: Specialization, is_root: bool = False) -> Evaluated:
+        if (special, is_root) not in self._done:
+            self._done[special, is_root] = self._evaluate(special, is_root)
+        return self._done[special, is_root]
 
-    def _evaluate(self, kept: Kept, is_root: bool) -> Evaluated:
-        function = self.module.overload(kept.name, kept.types)
+    def _evaluate(self, special: Specialization, is_root: bool) -> Evaluated:
+        function = self.module.overload(special.name, special.types)
         consulted: set[Key] = set()
 
-        def keeps(called: Function, arguments: Sequence[Node]) -> Kept | None:
+        def keeps(called: Function, arguments: Sequence[Node]) -> Specialization | None:
             key = called.name, called.types
             consulted.add(key)
-            found = self.kept.get(key)
+            found = self.specialized.get(key)
             return found if found and found.left(arguments) is not None else None
 
         evaluation = Evaluation(self.module, keeps)
         parameters: list[Parameter] = []
         values: list[Typed] = []
         nodes: list[Node] = []  # of the arguments
-        known = iter(kept.known)
+        known = iter(special.known)
         for parameter in function.parameters:
             leaves = {path: Variable(type_, dotted((parameter.at.text, *path)), is_parameter=True)
                       for path, type_ in self.module.parts(parameter.type)}
@@ -309,7 +310,7 @@ class Program:
                     nodes.append(of)
                 elif isinstance(of, int):
                     nodes.append(nodes[of])
-                elif isinstance(of, Kept):
+                elif isinstance(of, Specialization):
                     inside = self._evaluate(of, is_root=False)  # afresh, since its variables get other names
                     consulted |= inside.consulted
                     taken = {one.at.text for one in (*function.parameters, *parameters)}
@@ -335,25 +336,25 @@ class Program:
             return name
         return path[0][1:] if path else AXES[0]
 
-    def _all_passed(self, function: Function) -> Kept:
+    def _all_passed(self, function: Function) -> Specialization:
         count = sum(len(self.module.passed(parameter)) for parameter in function.parameters)
-        return Kept(function.name, function.types, (None,) * count)
+        return Specialization(function.name, function.types, (None,) * count)
 
-    def _called(self) -> dict[Kept, Evaluated]:
+    def _called(self) -> dict[Specialization, Evaluated]:
         """The functions that are called, those that others need first."""
-        found: dict[Kept, Evaluated] = {}
-        order: list[Kept] = []
+        found: dict[Specialization, Evaluated] = {}
+        order: list[Specialization] = []
 
         def visit(evaluated: Evaluated) -> None:
-            for kept in evaluated.calls:
-                if kept not in found:
-                    found[kept] = self._evaluated(kept)
-                    visit(found[kept])
-                    order.append(kept)
+            for special in evaluated.calls:
+                if special not in found:
+                    found[special] = self._evaluated(special)
+                    visit(found[special])
+                    order.append(special)
 
         for root in self.roots:
             visit(root)
-        return {kept: found[kept] for kept in order}
+        return {special: found[special] for special in order}
 
     # Which functions stay.
 
@@ -375,18 +376,18 @@ class Program:
                      else columns.index(column) if columns.index(column) < i else None
                      for i, column in enumerate(columns))
 
-    def _worth_a_call(self) -> list[Kept]:
+    def _worth_a_call(self) -> list[Specialization]:
         """Long functions that are called more than once with other arguments: the longest, and those that follow by
         length as long as none calls another one, since each changes what those that call it are."""
-        found: list[Kept] = []
+        found: list[Specialization] = []
         roots = {(root.function.name, root.function.types) for root in self.roots}
         for key, calls in self._arguments().items():
-            if len(calls) < 2 or key in self.kept or key in roots:
+            if len(calls) < 2 or key in self.specialized or key in roots:
                 continue
-            kept = Kept(*key, self._known(calls))
-            if self._is_worth(kept, len(calls)):
-                found.append(kept)
-        found.sort(key=lambda kept: -self._evaluated(kept).size)
+            special = Specialization(*key, self._known(calls))
+            if self._is_worth(special, len(calls)):
+                found.append(special)
+        found.sort(key=lambda special: -self._evaluated(special).size)
         for count in range(1, len(found)):
             # With those before it, and with those as long as it, since the order of these may change.
             others = [*found[:count], *(one for one in found if self._evaluated(one).size == self._evaluated(found[count]).size)]
@@ -394,31 +395,32 @@ class Program:
                 return found[:count]
         return found
 
-    def _is_worth(self, kept: Kept, count: int) -> bool:
+    def _is_worth(self, special: Specialization, count: int) -> bool:
         """By the savings of all calls but one, less a head of a function and its calls, all in operations."""
-        return (count - 1) * self._evaluated(kept).size > 4 + count
+        return (count - 1) * self._evaluated(special).size > 4 + count
 
-    def _calls(self, kept: Kept, other: Kept) -> bool:
-        return (other.name, other.types) in self._evaluated(kept).consulted
+    def _calls(self, special: Specialization, other: Specialization) -> bool:
+        return (other.name, other.types) in self._evaluated(special).consulted
 
-    def _joined(self) -> list[Kept]:
+    def _joined(self) -> list[Specialization]:
         """A function that takes another one's result in all its calls, joined with the other."""
         uses: Counter[Node] = Counter()
-        calls: dict[Kept, list[Operation]] = {}
+        calls: dict[Specialization, list[Operation]] = {}
         made_here = (node for one in self._all() for node in one.nodes if isinstance(node, Operation))
         for node in sorted(made_here, key=lambda one: one.number):  # sets have no order
             uses.update(node.arguments)
             if _is_call(node):
                 calls.setdefault(node.name, []).append(node)
-        for kept, made in calls.items():
-            free = [i for i, known in enumerate(kept.known) if known is None]
+        for special, made in calls.items():
+            free = [i for i, known in enumerate(special.known) if known is None]
             if len(free) != len(made[0].arguments):
                 continue  # it has one in it already
             for i, arguments in zip(free, zip(*(call.arguments for call in made))):
                 other = arguments[0].name if _is_call(arguments[0]) else None
                 if other and len(self.called[other].block) == 1 and len(calls[other]) == len(arguments) and all(
                         _is_call(one) and one.name == other and uses[one] == 1 for one in arguments):
-                    return [Kept(kept.name, kept.types, (*kept.known[:i], other, *kept.known[i + 1:]))]
+                    known = (*special.known[:i], other, *special.known[i + 1:])
+                    return [Specialization(special.name, special.types, known)]
         return []
 
     # Text.
@@ -437,8 +439,8 @@ class Program:
         names = self._names(language)
         for name in self.structs() if language.structs else []:
             yield name, language.struct(name, [(field, type_) for field, type_, _ in self.module.structs[name].fields])
-        for kept, evaluated in self.called.items():
-            yield f"{kept.name} {' '.join(kept.types)}", self._function(evaluated, names[kept], language, names, precise)
+        for special, evaluated in self.called.items():
+            yield f"{special.name} {' '.join(special.types)}", self._function(evaluated, names[special], language, names, precise)
         for root in self.roots:
             shown = language.public_name(root.function)
             yield wgsl_name(root.function), self._function(root, shown, language, names, precise)
@@ -447,19 +449,19 @@ class Program:
         """Whether GLSL has it without the seed behind its other parameters."""
         return function.types[-1:] == ("uint",) and self.module.overload(function.name, function.types[:-1]) is not None
 
-    def _names(self, language: Language) -> dict[Kept, str]:
+    def _names(self, language: Language) -> dict[Specialization, str]:
         """The names of the functions that are called. Overloads may differ in what is left out alone: the later has a
         number."""
         def head(name: str, types: tuple[str, ...]) -> object:
             return (name, types) if language.has_overloads else name
 
         taken = {head(language.public_name(root.function), root.function.types) for root in self.roots}
-        names: dict[Kept, str] = {}
-        for kept, evaluated in self.called.items():
+        names: dict[Specialization, str] = {}
+        for special, evaluated in self.called.items():
             types = tuple(parameter.type for parameter in evaluated.parameters)
-            numbered = (kept.name, *(f"{kept.name}_{i}" for i in range(2, 100)))
-            names[kept] = next(name for name in numbered if head(name, types) not in taken)
-            taken.add(head(names[kept], types))
+            numbered = (special.name, *(f"{special.name}_{i}" for i in range(2, 100)))
+            names[special] = next(name for name in numbered if head(name, types) not in taken)
+            taken.add(head(names[special], types))
         return names
 
     def structs(self) -> list[str]:
@@ -470,7 +472,7 @@ class Program:
                 needed |= {type_ for _, type_, _ in struct.fields}
         return [name for name in self.module.structs if name in needed]
 
-    def _function(self, evaluated: Evaluated, name: str, language: Language, names: dict[Kept, str],
+    def _function(self, evaluated: Evaluated, name: str, language: Language, names: dict[Specialization, str],
                   precise: bool) -> str:
         variables = (node for node in evaluated.nodes if isinstance(node, Variable))
         read = {variable.name.partition(".")[0] for variable in variables if variable.is_parameter}
@@ -508,7 +510,7 @@ def facts(program: Program, library: Path, may_lack_seed: bool, knobs: Settings)
                      program.module.summed if root.evaluation.sums_other_noise else None) for root in program.roots]
 
 
-def of_noise(known: Facts, summed: Summed | None) -> Facts:
+def of_noise(known: Facts, summed: FractalOver | None) -> Facts:
     """The facts of a sum, for one of another noise."""
     return known._replace(what=f"{known.what} The noise is {summed.name}. Ranges and errors are those with "
                           f"{summed.replaced}.") if summed else known

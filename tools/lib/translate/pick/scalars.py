@@ -19,7 +19,7 @@ from translate.names import PASSED, wgsl_name
 from translate.parsing.lines import wrapped
 from translate.parsing.syntax import Function, Parameter
 from translate.pick import comments
-from translate.pick.evaluate import Kept, Module, dotted
+from translate.pick.evaluate import Module, Specialization, dotted
 from translate.pick.printer import (
     BITS,
     CHOICE,
@@ -479,7 +479,7 @@ class Scalars(Writer):
 
     def __init__(self, syntax: Syntax, structs: Mapping[str, Sequence[Part]], block: list[Statement],
                  hints: Mapping[Node, str], axes: Mapping[Node, str], parameters: Iterable[str],
-                 names: Mapping[Kept, str], results: Sequence[Part]):
+                 names: Mapping[Specialization, str], results: Sequence[Part]):
         self.syntax = syntax
         self.results = results
         self.axes = axes
@@ -690,8 +690,8 @@ def text(program: Program, syntax: Syntax, known: Sequence[comments.Facts] = (),
     public = [wgsl_name(root.function) for root in program.roots]
     names = _names(program, syntax, [syntax.function_name(name, is_public=True) for name in public])
     parts = {name: fields_of(program.module, name) for name in program.structs()}
-    written = [_function(evaluated, names[kept], False, syntax, parts, names)
-               for kept, evaluated in program.called.items()]
+    written = [_function(evaluated, names[special], False, syntax, parts, names)
+               for special, evaluated in program.called.items()]
     of_roots: list[str] = []
     for name, root, of_library in itertools.zip_longest(public, program.roots, known):
         shown = syntax.function_name(name, is_public=True)
@@ -712,8 +712,8 @@ def pieces(program: Program, syntax: Syntax) -> Iterator[tuple[str, str]]:
     public = [syntax.function_name(wgsl_name(root.function), is_public=True) for root in program.roots]
     names = _names(program, syntax, public)
     parts = {name: fields_of(program.module, name) for name in program.structs()}
-    functions = [(names[kept], _function(evaluated, names[kept], False, syntax, parts, names))
-                 for kept, evaluated in program.called.items()]
+    functions = [(names[special], _function(evaluated, names[special], False, syntax, parts, names))
+                 for special, evaluated in program.called.items()]
     functions += [(name, _function(root, name, True, syntax, parts, names))
                   for name, root in zip(public, program.roots)]
     structs = [(syntax.type_name(name), syntax.struct(name, fields)) for name, fields in parts.items()]
@@ -748,24 +748,24 @@ def components(function: Function) -> Sequence[str]:
     return expanded(given, SIZES[function.type] - 1) if len(given) > 1 and function.type in SIZES else AXES
 
 
-def _names(program: Program, syntax: Syntax, public: Sequence[str]) -> dict[Kept, str]:
+def _names(program: Program, syntax: Syntax, public: Sequence[str]) -> dict[Specialization, str]:
     """The names of the functions that are called. There are no overloads: the later has a number."""
     parameters = (one.at.text for evaluated in (*program.roots, *program.called.values())
                   for one in evaluated.parameters)
     taken = {*public, *syntax.helpers, *syntax.reserved, *map(syntax.variable, parameters)}
-    names: dict[Kept, str] = {}
-    for kept in program.called:
-        bases = (kept.name, *(f"{kept.name}_{i}" for i in range(2, 100)))
-        names[kept] = next(name for base in bases if (name := syntax.function_name(base, False)) not in taken)
-        taken.add(names[kept])
+    names: dict[Specialization, str] = {}
+    for special in program.called:
+        bases = (special.name, *(f"{special.name}_{i}" for i in range(2, 100)))
+        names[special] = next(name for base in bases if (name := syntax.function_name(base, False)) not in taken)
+        taken.add(names[special])
     return names
 
 
 def _function(evaluated: Evaluated, name: str, is_public: bool, syntax: Syntax,
-              structs: Mapping[str, Sequence[Part]], names: Mapping[Kept, str]) -> str:
+              structs: Mapping[str, Sequence[Part]], names: Mapping[Specialization, str]) -> str:
     function = evaluated.function
     parameters = [parameter.at.text for parameter in evaluated.parameters]
-    snake = [bare(kept.name) for kept in names]  # as variables are called before the language changes them
+    snake = [bare(special.name) for special in names]  # as variables are called before the language changes them
     results = results_of(function, evaluated.evaluation.library)
     beside = [one.name for one in results[function.type != "void":]] if syntax.sets_parameters else []
     writer = Scalars(syntax, structs, evaluated.block, evaluated.evaluation.hints,

@@ -86,8 +86,8 @@ class InRust(unittest.TestCase):
                 self.assertEqual(written(shown, command.SYNTAXES["rust"]), expected)
 
     def test_a_function_is_not_called_like_a_parameter(self) -> None:
-        shown = written("int hn_i_size(int x) { int y = x * x - 3; return y * y + x * 5 - (y << 2) * y; } "
-                        "int hn_f(int size) { return hn_i_size(size) + hn_i_size(size + 1) + hn_i_size(size * 7); }",
+        shown = written("int hn_i_magnitude(int x) { int y = x * x - 3; return y * y + x * 5 - (y << 2) * y; } "
+                        "int hn_f(int size) { return hn_i_magnitude(size) + hn_i_magnitude(size + 1) + hn_i_magnitude(size * 7); }",
                         command.SYNTAXES["rust"])
         self.assertIn("pub fn f1(size: i32) -> i32 {\n    size_2(size) + size_2(size + 1) + size_2(size * 7)\n}", shown)
 

@@ -370,7 +370,7 @@ class Port(NamedTuple):
         return f"{'signed ' if self.low < 0 else ''}{_range(self.width)}{self.name}"
 
 
-class Made:
+class FunctionCircuit:
     """A function as a module."""
 
     def __init__(self, module: Module, asked: Function, library: Path, choice: Choice):
@@ -478,8 +478,8 @@ class Made:
         return comments.laid_out(self.facts.what + (f" Here {given}." if given else ""), rows, 118)
 
 
-def circuits(names: Sequence[str], choice: Choice, module: Module, library: Path) -> list[Made]:
-    return [Made(module, one, library, choice) for one in chosen(module, names)]
+def circuits(names: Sequence[str], choice: Choice, module: Module, library: Path) -> list[FunctionCircuit]:
+    return [FunctionCircuit(module, one, library, choice) for one in chosen(module, names)]
 
 
 def constants(text: str) -> dict[str, str]:
@@ -527,7 +527,7 @@ def _constant(name: str, type_: str, text: str) -> Constant:
     return Constant(type_, value & WORD if type_ == "uint" else value)
 
 
-def text(made: Sequence[Made], heading: Sequence[str]) -> str:
+def text(made: Sequence[FunctionCircuit], heading: Sequence[str]) -> str:
     known = [one.at.text for of in made for one in of.function.parameters]
     if unknown := [name for name in made[0].constants if name not in known]:
         raise Unknown(f"--constants {unknown[0]}: {made[0].name} has no such parameter; it takes "

@@ -16,7 +16,7 @@ from base.tree import ROOT
 from base.twin import COMPILER, SOON
 from translate.pick.runners import ran
 from translate.pick.values import SIZES
-from translate.pick.verilog import FRACTION, REST, Made, Port
+from translate.pick.verilog import FRACTION, REST, FunctionCircuit, Port
 
 SUM = "octaves=4,lacunarity=2,gain=0.5"  # the constants of a sum of octaves
 LINT = ("verilator", "--lint-only", "-Wall", "--language", "1364-2005")
@@ -99,7 +99,7 @@ def written(points: Sequence[Sequence[int]], folder: Path) -> Path:
     return file
 
 
-def icarus(made: Made, text: str, points: Sequence[Sequence[int]], folder: Path) -> list[list[int]]:
+def icarus(made: FunctionCircuit, text: str, points: Sequence[Sequence[int]], folder: Path) -> list[list[int]]:
     """The results of a module at points, which have a number for each port that is read."""
     outputs = [port.name for port in made.outputs]
     inputs = [port.name for port in made.read]
@@ -122,7 +122,7 @@ class Vectors(NamedTuple):
     left_out: int  # a fraction of 1 is no fraction of 20 bits, and constants may be others
 
 
-def vectors(made: Made, file: Path) -> Vectors:
+def vectors(made: FunctionCircuit, file: Path) -> Vectors:
     """The rows with HN_FIXED and the constants of the module."""
     of_file = json.loads(file.read_text(encoding="utf-8"))
     rows = next(one["rows"] for one in of_file["settings"] if one["name"] == "lattice+fixed")
@@ -144,7 +144,7 @@ def vectors(made: Made, file: Path) -> Vectors:
     return found
 
 
-def of_read(made: Made, points: Sequence[Sequence[int]]) -> list[list[int]]:
+def of_read(made: FunctionCircuit, points: Sequence[Sequence[int]]) -> list[list[int]]:
     """Points without the numbers of ports that no gate reads."""
     kept = [i for i, port in enumerate(made.ports) if port in made.read]
     return [[point[i] for i in kept] for point in points]
@@ -154,7 +154,7 @@ def _vector(kind: str, size: int, parts: Sequence[str]) -> str:
     return parts[0] if size == 1 else f"{kind}{size}({', '.join(parts)})"
 
 
-def call(made: Made) -> str:
+def call(made: FunctionCircuit) -> str:
     """The library's value of the numbers `v`, by the order of the ports."""
     at = {port.name: i for i, port in enumerate(made.ports)}
     passed: list[str] = []
@@ -184,7 +184,7 @@ def call(made: Made) -> str:
     return f"{made.function.name}({', '.join(passed)})"
 
 
-def _expected(made: Made) -> list[str]:
+def _expected(made: FunctionCircuit) -> list[str]:
     if len(made.outputs) == 1:
         parts = ["value"]
     else:
@@ -198,7 +198,7 @@ def _found(port: Port) -> str:
     return f"{shown} - ((top.{port.name} >> {width - 1}) ? {1 << width}L : 0L)" if port.low < 0 else shown
 
 
-def build(made: Made, text: str, folder: Path) -> Path:
+def build(made: FunctionCircuit, text: str, folder: Path) -> Path:
     """A program that compares a module with the library."""
     read = [port.name for port in made.read]
     source = BENCH.format(

@@ -22,7 +22,7 @@ from base.tree import GLSL, ROOT
 from translate.parsing.tokens import Unknown
 from translate.pick import command, verilog, verilog_bench
 from translate.pick.runners import ran
-from translate.pick.verilog import Made
+from translate.pick.verilog import FunctionCircuit
 from translate.pick.verilog_bench import LINT, SUM
 from translate.single_file import files
 
@@ -37,12 +37,12 @@ SKIPPED = 77
 EXAMPLE = ROOT / "examples" / "silicon"
 
 
-def made(name: str, constants: str = "", noise: str = "", **choices: str) -> Made:
+def made(name: str, constants: str = "", noise: str = "", **choices: str) -> FunctionCircuit:
     choice = command.Choice("verilog", "fixed", noise=noise, constants=constants, **choices)
     return verilog.circuits([name], choice, command.read_library(GLSL, choice), GLSL)[0]
 
 
-def text(of: Made) -> str:
+def text(of: FunctionCircuit) -> str:
     return verilog.text([of], [])
 
 
@@ -90,7 +90,7 @@ class Texts(unittest.TestCase):
 class Simulated(unittest.TestCase):
     folder: Path
 
-    def differing(self, of: Made, shown: str, name: str) -> tuple[int, int]:
+    def differing(self, of: FunctionCircuit, shown: str, name: str) -> tuple[int, int]:
         """In how many rows they differ."""
         found = verilog_bench.vectors(of, self.folder / f"{name}.json")
         with tempfile.TemporaryDirectory() as folder:

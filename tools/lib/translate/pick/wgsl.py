@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from translate.names import RESERVED, variable, wgsl_name, wgsl_type
 from translate.parsing.syntax import Function, Parameter
-from translate.pick.evaluate import Kept
+from translate.pick.evaluate import Specialization
 from translate.pick.printer import BITS, PRIMARY, TRUTH, UNARY, Expressions, Language, Writer, splatted
 from translate.pick.statements import Set, Statement, walk
 from translate.pick.typer import CASTS
@@ -54,7 +54,7 @@ class Wgsl(Language):
         return f"fn {name}({', '.join(parameters)}){returned}"
 
     def writer(self, block: list[Statement], hints: Mapping[Node, str], parameters: Sequence[Parameter],
-               names: Mapping[Kept, str], precise: bool) -> Writer:
+               names: Mapping[Specialization, str], precise: bool) -> Writer:
         return WgslWriter(self, block, hints, parameters, names)
 
 
@@ -105,7 +105,7 @@ class WgslExpressions(Expressions):
 
 class WgslWriter(WgslExpressions, Writer):
     def __init__(self, language: Wgsl, block: list[Statement], hints: Mapping[Node, str],
-                 parameters: Sequence[Parameter], names: Mapping[Kept, str]):
+                 parameters: Sequence[Parameter], names: Mapping[Specialization, str]):
         self._pointers = {variable(one.at.text) for one in parameters if one.is_set}
         self._changed = {one.variable for one in walk(block) if isinstance(one, Set)}
         taken = (name for one in parameters for name in (one.at.text, variable(one.at.text)))

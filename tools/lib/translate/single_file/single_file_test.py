@@ -227,7 +227,8 @@ class SingleFile(unittest.TestCase):
         for own, other in (("2", "3"), ("3", "2")):
             with self.subTest(dimension=own):
                 text = generate(f"fbm{own}d.glsl").stdout
-                for function in ("hn_i_perlin(hn_i_box", "hn_perlin(hn_vec", "hn_i_next(hn_vec", "hn_octaves(hn_vec"):
+                for function in ("hn_i_perlin(hn_i_cell_corners", "hn_perlin(hn_vec", "hn_i_next(hn_vec",
+                                 "hn_octaves(hn_vec"):
                     self.assertIn(f"{function}{own} ", text)
                     self.assertNotIn(f"{function}{other} ", text)
 

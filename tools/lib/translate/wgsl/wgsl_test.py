@@ -108,7 +108,7 @@ class Names(unittest.TestCase):
         self.assertEqual(names["hn_tile", ("hn_place3", "ivec3")], "hn_tile3_place")
         self.assertEqual(names["hn_position", ("hn_place4",)], "hn_position4")
         self.assertEqual(names["hn_perlin", ("hn_place2", "float", "uint")], "hn_perlin2_place_phase")
-        self.assertEqual(names["hn_i_box", ("hn_place2",)], "hn_i_box_place2")
+        self.assertEqual(names["hn_i_cell_corners", ("hn_place2",)], "hn_i_cell_corners_place2")
         self.assertIn("\nstruct hn_place2 {\n", self.modules["HN_FAST"].text())
 
     def test_parameters_that_keep_a_name_are_those_of_a_function(self):
@@ -222,15 +222,6 @@ class Command(unittest.TestCase):
         self.assertEqual((refused.returncode, refused.stdout), (2, ""))
         self.assertIn("--hash custom --hash-function my_hash", refused.stderr)
         self.assertEqual(self.call("--out", "/dev/null/absent", "hash.glsl").returncode, 2)
-
-    def test_words_of_options(self):
-        """Options take the words that tools/pick takes for single functions, and the library's, in any case."""
-        one, *others = (self.call(*words.split(), "gradient.glsl").stdout for words in (
-            "--arithmetic fixed --hash pcg --gradient sine", "--arithmetic HN_FIXED --hash PCG --gradient SINE",
-            "--arithmetic Fixed --hash HN_HASH_PCG --gradient hn_gradient_sine"))
-        self.assertIn("HN_FIXED, HN_HASH_PCG and HN_GRADIENT_SINE", one)
-        self.assertEqual(others, [one, one])
-        self.assertIn("{fast,fixed}", self.call("--help").stdout)
 
     def test_import_path(self):
         one, other = (self.call(*arguments, "hash.glsl").stdout for arguments in ((), ("--import-path", "game::noise")))

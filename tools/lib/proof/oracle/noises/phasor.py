@@ -14,11 +14,11 @@ from typing import TypeVar
 
 from proof.oracle import integers, kernels, ramps, rotation
 from proof.oracle.gradients import Real
+from proof.oracle.hashes import MASK
 from proof.oracle.integers import NOISE_UNIT, part, signed
 from proof.oracle.kernels import Kernel
 from proof.oracle.lattice import Lattice
 from proof.oracle.noises import Noise, rotating, simplex
-from proof.oracle.words import MASK
 
 Number = TypeVar("Number", int, Fraction)
 

@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from proof.golden.generator import INT_MAX, INT_MIN, Generator, generator_of, to_f32
 from proof.golden.simplex_rows import PHASES, fractions
-from proof.oracle import noises, words
+from proof.oracle import hashes, noises
 from proof.oracle.gradients import Real
 from proof.oracle.integers import UNIT
 from proof.oracle.lattice import Choice, Lattice
@@ -55,7 +55,7 @@ def naive(cell: Sequence[int], f: Sequence[Real], wave: Sequence[Real], phase: R
             continue
         point = [steps * c + i for c, i in zip(cell, numbers)]
         point = [i % (steps * period) if period > 0 else i for i, period in zip(point, periods or (0,) * n)]
-        a = words.point_word("lattice", point, seed, centre) / 2**32 + turns
+        a = hashes.point_word("lattice", point, seed, centre) / 2**32 + turns
         a += sum(max(-16.0, min(16.0, k)) * x for k, x in zip(wave, d))
         weight = t**3 * (1 + 15 * (1 - t)**2)
         value += weight * math.cos(2 * math.pi * a)
@@ -99,7 +99,7 @@ VECTORS = (
      (-1191729, -462683, 0, 0, 0, 0)),
     ((-1, INT_MAX), (300000, 700001), (3, 0), (16.0, -16.0), 0.75, 7,
      (-1168895, -573555, 1792742, -3747043, -1798347, 3576300)),
-    ((INT_MIN, -7), (UNIT, 524287), (0, 7), (-3e+38, 2.0**-17), -1 / 3, words.MASK,
+    ((INT_MIN, -7), (UNIT, 524287), (0, 7), (-3e+38, 2.0**-17), -1 / 3, hashes.MASK,
      (63154, -7117, -53212, -473364, 2, 1)),
     ((4, -3), (12345, 1040000), (5, INT_MAX), (-9.625, 1e-40), 1000.125, 9,
      (-1273031, 117376, 221825, 2405854, 0, 0)),
@@ -144,7 +144,7 @@ class Phasor(unittest.TestCase):
         self.assertEqual(found, products[0] // 32 + products[1] // 32)
         # Angles wrap. Half a step is 4 turns along each axis.
         lattice, d = Lattice(KNOBS, phase=-0.25, choice=Choice(wave=(16.0, -16.0))), (UNIT // 2, -(UNIT // 2))
-        self.assertEqual([phasor.fixed_turns(lattice, KERNELS[2], 2**30 + h, d) for h in (-5, 5)], [words.MASK - 4, 5])
+        self.assertEqual([phasor.fixed_turns(lattice, KERNELS[2], 2**30 + h, d) for h in (-5, 5)], [hashes.MASK - 4, 5])
         self.assertEqual(phasor.fixed_turns(lattice, KERNELS[3], 0, d), 3 * 2**30)
         # 2 pi is 51471.85 in units of 2^-13, and 16 times that 823549.7.
         self.assertEqual([phasor_d.fixed_turn(k * 2**16) for k in (-16, -1, 0, 1, 16)],

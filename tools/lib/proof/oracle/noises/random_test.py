@@ -8,7 +8,7 @@ import unittest
 from fractions import Fraction
 
 from proof.golden.generator import INT_MAX, INT_MIN
-from proof.oracle import noises, words
+from proof.oracle import hashes, noises
 from proof.oracle.gradients import Knobs
 
 RANDOM = noises.find("random")
@@ -16,7 +16,7 @@ KNOBS = Knobs("pcg")
 
 
 def number_of(cell: tuple[int, ...], seed: int = 7) -> Fraction:
-    return Fraction(words.lattice("pcg", cell, seed) >> 8, 2**24)
+    return Fraction(hashes.lattice("pcg", cell, seed) >> 8, 2**24)
 
 
 class Random(unittest.TestCase):

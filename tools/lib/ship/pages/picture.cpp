@@ -120,7 +120,7 @@ int check(const Sheet& sheet, const char* path) {
   std::vector<Pixel> pixels(PNG_IMAGE_SIZE(image) / sizeof(Pixel));
   png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr);
   if (shows(sheet, image, pixels)) return 0;
-  std::fprintf(stderr, "picture: %s shows another picture; draw it again by tools/make readme\n", path);
+  std::fprintf(stderr, "picture: %s shows another picture; draw it again by tools/make pages\n", path);
   return 1;
 }
 

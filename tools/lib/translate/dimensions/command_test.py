@@ -1,4 +1,4 @@
-"""Tests of tools/make umbrella."""
+"""Tests of tools/make dimensions."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from translate.dimensions import command as umbrella
+from translate.dimensions import command
 
 # hashnoise.glsl includes these first.
 NOISES = ["noise1d.glsl", "noise2d.glsl", "noise3d.glsl", "noise4d.glsl"]
 # Then it includes functions built on noise, and others.
-BUILT = umbrella.INCLUDE.findall((umbrella.GLSL / "hashnoise.glsl").read_text())[len(NOISES):]
+BUILT = command.INCLUDE.findall((command.GLSL / "hashnoise.glsl").read_text())[len(NOISES):]
 
 
 class Umbrella(unittest.TestCase):
@@ -23,19 +23,19 @@ class Umbrella(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.glsl = Path(scratch.name, "glsl")
-        shutil.copytree(umbrella.GLSL, self.glsl)
+        shutil.copytree(command.GLSL, self.glsl)
 
     def run_main(self, *arguments: str) -> tuple[int, list[str]]:
         output = io.StringIO()
         with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
             try:
-                status = umbrella.main([*arguments, "--glsl", str(self.glsl)])
+                status = command.main([*arguments, "--glsl", str(self.glsl)])
             except SystemExit as stop:
                 status = stop.code
         return status, [line.split()[0] for line in output.getvalue().splitlines()]
 
     def includes(self, file: str) -> list[str]:
-        return umbrella.INCLUDE.findall((self.glsl / file).read_text())
+        return command.INCLUDE.findall((self.glsl / file).read_text())
 
     def test_the_library_has_what_it_makes(self):
         self.assertEqual(self.run_main("--check"), (0, []))
@@ -105,7 +105,7 @@ class Umbrella(unittest.TestCase):
         self.assertEqual(self.run_main(), (0, []))
         path.write_text(path.read_text().replace("b * q.x + a * q.y", "a * q.y + b * q.x"))  # by hand in each
         self.assertEqual(self.run_main("--check"), (0, []))
-        path.write_text(path.read_text().replace("o.y = hn_i_whole(", "o.y = hn_i_hole("))
+        path.write_text(path.read_text().replace("o.y = hn_i_fixed_position(", "o.y = hn_i_hole("))
         self.assertEqual(self.run_main("--check"), (1, ["octaves2d.glsl,"]))  # what would o.z be?
         self.assertEqual(self.run_main(), (1, ["octaves2d.glsl,"]))
 

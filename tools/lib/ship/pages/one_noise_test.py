@@ -3,7 +3,7 @@
 import unittest
 
 from base.tree import ROOT
-from ship.readme import one_noise
+from ship.pages import one_noise
 
 
 class OneNoise(unittest.TestCase):

@@ -6,7 +6,7 @@ import functools
 import re
 
 from base.tree import GLSL
-from catalog import asked
+from catalog import popular
 from catalog.tables import glsl
 from catalog.tables.markdown import table
 from translate.pick.command import ARITHMETICS, Choice, picker, read_library
@@ -41,7 +41,7 @@ def nodes_table() -> str:
     """The nodes of packages for graphs of shaders. A row has the functions with the same cells."""
     sizes: dict[str, dict[str, list[str]]] = {}
     for who in GRAPHS:
-        for form in asked.nodes(who):
+        for form in popular.nodes(who):
             name, size, place = NODE.fullmatch(form).groups()
             of = sizes.setdefault(f"`{name}`{' in a tile' if place else ''}", {one: [] for one in GRAPHS})
             of[who].append(f"{size}D")
@@ -68,7 +68,7 @@ def picks_table() -> str:
     for name, file in PICKED.items():
         programs = [Program(module, chosen(module, [name])) for module in modules]
         texts = [*(program.text(LANGUAGES["glsl"]) for program in programs), programs[0].text(LANGUAGES["wgsl"])]
-        rows.append([f"`{name}`", *(f"{len(shown):,} bytes, {shown.count(chr(10))} lines" for shown in texts), size(file)])
+        rows.append([f"`{name}`", *(f"{len(shown):,} bytes" for shown in texts), size(file)])
     return table(("", "`HN_FAST`", "`HN_FIXED`", "`HN_FAST` in WGSL", "the file, by `tools/pick whole --strip`"), rows)
 
 

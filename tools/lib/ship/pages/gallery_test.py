@@ -5,8 +5,8 @@ import shutil
 import tempfile
 import unittest
 
-from ship.readme import gallery
-from ship.readme.readme_test import compile_glsl
+from ship.pages import gallery
+from ship.pages.pages_test import compile_glsl
 
 
 class Gallery(unittest.TestCase):
@@ -21,7 +21,7 @@ class Gallery(unittest.TestCase):
         recipe = gallery.recipes()[0]
         self.assertNotEqual(compile_glsl(recipe.shader.replace("hn_", "hm_")).returncode, 0)
 
-    def test_another_picture_is_found(self):  # that they are right is a test of tools/make readme
+    def test_another_picture_is_found(self):  # that they are right is a test of tools/make pages
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             shutil.copy(gallery.PAGE.parent / "wood.png", folder / "marble.png")

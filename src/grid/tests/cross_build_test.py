@@ -1,4 +1,4 @@
-"""The library on other machines and with other compilers: python3 elsewhere_test.py WHERE DIGESTS FOLDER
+"""The library on other machines and with other compilers: python3 cross_build_test.py WHERE DIGESTS FOLDER
 
 It is compiled into FOLDER, which is kept, and run: for ARM, RISC-V and Windows with Debian's cross compilers, by qemu
 and wine, for WebAssembly by Emscripten in Node.js, by Clang with libc++, without vector extensions as MSVC would
@@ -19,8 +19,8 @@ sys.path[:0] = [str(TESTING), str(ROOT / "tools" / "lib")]
 sys.argv, (WHERE, *PATHS) = sys.argv[:1], sys.argv[1:]
 from msvc import WHOLE_AS_MSVC  # noqa: E402
 
-from base import elsewhere  # noqa: E402
-from base.elsewhere import NEON, Place  # noqa: E402
+from base import cross_build  # noqa: E402
+from base.cross_build import NEON, Place  # noqa: E402
 
 DIGESTS, FOLDER = (Path(path).resolve() for path in PATHS)
 # And the instructions of each. Where nothing is forced inline, a quarter of the time is enough to compile.
@@ -40,7 +40,7 @@ PLACES = {
     "fast_math": (Place("g++", (), flags=("-Ofast", QUICK)), HERE),
 }
 PLACE, SETS = PLACES[WHERE]
-BUILD = elsewhere.Build(PLACE, FOLDER)
+BUILD = cross_build.Build(PLACE, FOLDER)
 # Wine makes a folder for itself here, and prints by itself what it has not done yet.
 ENVIRONMENT = {**os.environ, "WINEPREFIX": str(FOLDER / "wine"), "WINEDEBUG": "-all"}
 # With -ffinite-math-only a compiler may leave out checks for such numbers.
@@ -69,7 +69,7 @@ int main() {
 
 
 def output_of(*command: object) -> str:
-    return elsewhere.output_of(*command, environment=ENVIRONMENT)
+    return cross_build.output_of(*command, environment=ENVIRONMENT)
 
 
 def differences(ours: str, theirs: str) -> list[str]:

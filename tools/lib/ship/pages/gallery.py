@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from base.tree import ROOT
-from ship.readme import picture
+from ship.pages import picture
 
 PAGE = ROOT / "docs" / "guide" / "gallery" / "README.md"
 SHEET = "sheet.png"  # all of them

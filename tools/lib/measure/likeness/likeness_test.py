@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-import functools
 import subprocess
 import unittest
 from pathlib import Path
-from unittest import mock
 
 from base.testing import Case, called
-from measure import likeness
+from measure.likeness import command as likeness
+from measure.noise.noise import version
 
 PORTS = Path(likeness.__file__).with_name("ports.glsl")
 
 
 class Likeness(Case):
-    def setUp(self) -> None:
-        self.enterContext(mock.patch.object(likeness, "Renderer", functools.partial(likeness.Renderer, side=256)))
-
     def test_a_known_scale_and_factor_are_found(self) -> None:
         """By a file that includes another; the library's own call with other numbers."""
         (self.folder / "library.glsl").write_text(likeness.our_library("hn_simplex(", 2))
@@ -46,16 +42,16 @@ class Likeness(Case):
 
     def test_half_is_where_it_is(self) -> None:
         for size in (0.05, 0.7, 0.8, 5.0):
-            found = likeness.half(lambda *lags, size=size: [max(1.0 - 0.5 * lag / size, -0.1) for lag in lags])
-            self.assertAlmostEqual(found, size, places=3)
+            found = likeness.half(lambda lag, size=size: max(1.0 - 0.5 * lag / size, -0.1))
+            self.assertAlmostEqual(found, size, delta=likeness.NEAR)
         with self.assertRaisesRegex(ValueError, "does not vary"):
-            likeness.half(lambda *lags: [float("nan") for _ in lags])
+            likeness.half(lambda lag: float("nan"))
 
     def test_a_version_is_the_name_that_git_has(self) -> None:
         file = self.folder / "a.glsl"
         file.write_text("float a() { return 1.0; }\n")
         blob = subprocess.run(["git", "hash-object", file], capture_output=True, text=True, check=True).stdout
-        self.assertEqual(likeness.version(file), f"blob {blob[:10]}")
+        self.assertEqual(version(file), f"blob {blob[:10]}")
 
 
 if __name__ == "__main__":

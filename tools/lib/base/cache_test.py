@@ -6,10 +6,10 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from base.kept import kept
+from base.cache import cached
 
 
-class Kept(unittest.TestCase):
+class Cached(unittest.TestCase):
     def setUp(self) -> None:
         self.root = Path(self.enterContext(tempfile.TemporaryDirectory()))
         self.source = self.root / "source"
@@ -21,7 +21,7 @@ class Kept(unittest.TestCase):
         return {"a": self.source.read_text(), "b": "2"}
 
     def look(self) -> dict[str, str]:
-        folder = kept(self.root / "build" / "things", [self.source], self.make)
+        folder = cached(self.root / "build" / "things", [self.source], self.make)
         return {path.name: path.read_text() for path in folder.iterdir()}
 
     def test_it_is_made_once(self) -> None:

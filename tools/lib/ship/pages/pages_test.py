@@ -1,4 +1,4 @@
-"""The pages are true: their code compiles and runs as it stands there, and tools/make readme makes the
+"""The pages are true: their code compiles and runs as it stands there, and tools/make pages makes the
 rest."""
 
 import contextlib
@@ -16,7 +16,7 @@ from base.pieces import is_deleted, was_deleted
 from base.png import png
 from base.tree import ROOT, TOOLS
 from catalog.tables import glsl
-from ship.readme import command, files, numbers, picture
+from ship.pages import command, files, numbers, picture
 from ship.recipes import RECIPES
 from translate.pick.command import SYNTAXES
 
@@ -109,7 +109,7 @@ class Picture(unittest.TestCase):
 
 
 class Numbers(unittest.TestCase):
-    """tools/make readme --check, and that it can fail."""
+    """tools/make pages --check, and that it can fail."""
 
     def check(self):
         output = io.StringIO()
@@ -175,7 +175,7 @@ class Nodes(unittest.TestCase):
     def test_a_row_has_the_functions_that_the_same_packages_have(self):
         nodes = {"graphs": ("hn_perlin2", "hn_cell_border2_jitter", "hn_perlin2_place"), "materialx": ("hn_perlin2_place",),
                  "blender": ("hn_cell_border2_jitter", "hn_perlin2", "hn_perlin3")}
-        with mock.patch.object(files.asked, "nodes", nodes.get):
+        with mock.patch.object(files.popular, "nodes", nodes.get):
             self.assertEqual(files.nodes_table().splitlines()[2:], [
                 "| `hn_perlin` | 2D | 2D, 3D | |", "| `hn_cell_border` | 2D | 2D | |", "| `hn_perlin` in a tile | 2D | | 2D |"])
 

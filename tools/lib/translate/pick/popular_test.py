@@ -5,7 +5,7 @@ from __future__ import annotations
 import unittest
 
 from base.tree import GLSL
-from catalog import asked
+from catalog import popular
 from translate.pick.command import Choice, read_library
 
 WHO = {"graphs", "blender", "materialx"}
@@ -23,17 +23,17 @@ def unknown(lists: dict) -> list[str]:
 
 class Asked(unittest.TestCase):
     def test_it_is_there(self) -> None:
-        self.assertEqual(unknown(asked._lists()), [])
+        self.assertEqual(unknown(popular._lists()), [])
 
     def test_what_is_not_is_noticed(self) -> None:
         for list_, entry in (("nodes", {"perlin5": ["graphs"]}), ("nodes", {"perlin2": ["grahps"]}),
                              ("snippets", {"perln2": "noise"}),
                              ("rust", {"fbm": {"functions": ["fmb"], "dimensions": 3}})):
             with self.subTest(entry):
-                self.assertEqual(len(unknown({**asked._lists(), list_: entry})), 1)
+                self.assertEqual(len(unknown({**popular._lists(), list_: entry})), 1)
 
     def test_each_package_has_some(self) -> None:
         for who in WHO:
-            self.assertIn("hn_fbm2", asked.nodes(who))
-        self.assertEqual(asked.modules()["perlin"], (("hn_perlin",), 4))
-        self.assertEqual(asked.snippets()["hn_perlin2"], "gradient noise on the plane")
+            self.assertIn("hn_fbm2", popular.nodes(who))
+        self.assertEqual(popular.modules()["perlin"], (("hn_perlin",), 4))
+        self.assertEqual(popular.snippets()["hn_perlin2"], "gradient noise on the plane")

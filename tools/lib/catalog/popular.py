@@ -1,4 +1,4 @@
-"""The functions in most use: catalog/asked.toml."""
+"""The functions in most use: catalog/popular.toml."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from catalog.model import CATALOG, loads
 
 @cache
 def _lists() -> dict[str, dict[str, Any]]:
-    return loads((CATALOG / "asked.toml").read_text(encoding="utf-8"))
+    return loads((CATALOG / "popular.toml").read_text(encoding="utf-8"))
 
 
 def nodes(who: str) -> tuple[str, ...]:

@@ -16,7 +16,7 @@ def _sum(paths: Iterable[Path]) -> str:
     return digest.hexdigest()
 
 
-def kept(folder: Path, sources: Iterable[Path], make: Callable[[], Mapping[str, str]]) -> Path:
+def cached(folder: Path, sources: Iterable[Path], make: Callable[[], Mapping[str, str]]) -> Path:
     """The folder with the files that make() returns by their names. It is called if a source or a file is not as it was
     when they were made; FOLDER.made records that."""
     record, of_sources = folder.with_name(f"{folder.name}.made"), _sum(sources)

@@ -7,7 +7,7 @@ const kBrowsers = [["Edge", /\bEdgA?\/(\d+)/], ["Opera", /\bOPR\/(\d+)/],
 const kSystems = [["Android", /Android/], ["iOS", /iPhone|iPad|iPod/], ["ChromeOS", /CrOS/], ["Windows", /Windows/],
                   ["macOS", /Mac OS X|Macintosh/], ["Linux", /Linux/]];
 
-export function whereabouts(userAgent) {
+export function browserName(userAgent) {
   const [system] = kSystems.find(([, pattern]) => pattern.test(userAgent)) ?? ["unknown"];
   for (const [name, pattern] of kBrowsers) {
     const found = pattern.exec(userAgent);

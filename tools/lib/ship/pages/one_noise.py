@@ -21,7 +21,6 @@ from base.usage import Parser
 from catalog.tables.markdown import table, with_section
 from proof.oracle.cells import weighted_sum
 from proof.oracle.noises import perlin
-from ship.readme import files
 
 NAME = "docs/develop/one-noise.md"
 ID = "noise2d.perlin"
@@ -35,16 +34,11 @@ def contract() -> str:
 
 
 def text() -> str:
-    """The noise in the library, without the comment of the public function, and all that a shader runs of it."""
+    """The noise in the library, without the comment of the public function."""
     whole = (GLSL / "perlin2d.glsl").read_text(encoding="ascii")
     inner = re.search(r"^HN_FN hn_i_num hn_i_perlin\(.*?^}\n", whole, re.DOTALL | re.MULTILINE)[0]
     outer = re.search(r"^HN_FN hn_float hn_perlin\(hn_place2.*?^}\n", whole, re.DOTALL | re.MULTILINE)[0]
     return f"```glsl\n{inner}{outer}```\n"
-
-
-def picked() -> str:
-    lines = files.picked_text("hn_perlin2", "glsl").splitlines(keepends=True)
-    return "".join(line for line in lines if not line.startswith("//"))
 
 
 def oracle() -> str:
@@ -80,7 +74,7 @@ def price() -> str:
 
 
 def with_quotes(page: str) -> str:
-    for part in (contract, text, picked, oracle, bounds, golden, *[price] * (not is_deleted("measuring"))):
+    for part in (contract, text, oracle, bounds, golden, *[price] * (not is_deleted("measuring"))):
         page = with_section(NAME, page, f"tools/make one-noise: {part.__name__}", part())
     return page
 

@@ -1,8 +1,8 @@
 """Makes the pages' parts from the library: their pictures, the table of typical values, the tables of costs, which
 file has which function, the size of all of them in one, and what packages for other programs have.
 
-    tools/make readme            writes them
-    tools/make readme --check    whether they are up to date, and the README states the costs
+    tools/make pages            writes them
+    tools/make pages --check    whether they are up to date, and the README states the costs
 
 A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of
 docs/guide/gallery. The typical values are those of 2^16 points. Costs and randomness are from the records of
@@ -23,7 +23,7 @@ from base.pieces import is_deleted
 from base.tree import ROOT
 from base.usage import Parser
 from catalog.tables.markdown import with_section
-from ship.readme import files, gallery, numbers, picture
+from ship.pages import files, gallery, numbers, picture
 
 README = "README.md"
 NOISES = "docs/reference/noises.md"
@@ -46,24 +46,22 @@ def of_packages() -> Iterator[tuple[str, str, str]]:
     for path in sorted((ROOT / "tools" / "lib" / "ship").glob("*/files.py")):
         module = importlib.import_module(f"ship.{path.parent.name}.files")
         if hasattr(module, "node_table"):
-            yield f"packages/{path.parent.name}/README.md", "tools/make readme: nodes", module.node_table()
+            yield f"packages/{path.parent.name}/README.md", "tools/make pages: nodes", module.node_table()
 
 
 def tables() -> list[tuple[str, str, str]]:
     """Made parts of pages: the page, the name of the marks, and the table."""
     typical = numbers.typical()
-    return [(NOISES, "tools/make readme: values", numbers.typical_table(typical, numbers.COMMON)),
-            (SUMS, "tools/make readme: typical values of sums", numbers.typical_table(typical, numbers.SUMS)),
-            (SUMS, "tools/make readme: typical values of sums in 1D and 4D",
+    return [(NOISES, "tools/make pages: values", numbers.typical_table(typical, numbers.COMMON)),
+            (SUMS, "tools/make pages: typical values of sums", numbers.typical_table(typical, numbers.SUMS)),
+            (SUMS, "tools/make pages: typical values of sums in 1D and 4D",
              numbers.typical_table(typical, numbers.PLAIN_SUMS, (1, 4))),
-            (SUMS, "tools/make readme: footprint", numbers.footprint_quote(numbers.footprint())),
-            (LANGUAGES, "tools/make readme: picked", files.picked_text("hn_value2", "glsl")),
-            (LANGUAGES, "tools/make readme: picked in WGSL", files.picked_text("hn_lattice2", "wgsl")),
-            (LANGUAGES, "tools/make readme: picks", files.picks_table()),
-            (LANGUAGES, "tools/make readme: files", files.files_table()),
-            (ENGINES, "tools/make readme: nodes", files.nodes_table()),
+            (SUMS, "tools/make pages: footprint", numbers.footprint_quote(numbers.footprint())),
+            (LANGUAGES, "tools/make pages: picks", files.picks_table()),
+            (LANGUAGES, "tools/make pages: files", files.files_table()),
+            (ENGINES, "tools/make pages: nodes", files.nodes_table()),
             *([] if is_deleted("pick-rust") else [
-                (LANGUAGES, "tools/make readme: picked in Rust", files.picked_text("hn_lattice2", "rust"))]),
+                (LANGUAGES, "tools/make pages: picked in Rust", files.picked_text("hn_lattice2", "rust"))]),
             *of_packages(), *of_measuring("tables")]
 
 
@@ -76,13 +74,13 @@ def problems(check: bool) -> list[str]:
         if not check:
             (ROOT / path).write_text(right, encoding="utf-8")
         elif page != right:
-            found.append(f"{path}: a table is not what it should be; run tools/make readme")
+            found.append(f"{path}: a table is not what it should be; run tools/make pages")
     readme = (ROOT / README).read_text(encoding="utf-8")
     right = SIZE.sub(rf"\g<1>{files.size('hashnoise.glsl')}", readme)
     if not check:
         (ROOT / README).write_text(right, encoding="utf-8")
     elif right != readme:
-        found.append(f"{README}: the size of the single file is not what it should be; run tools/make readme")
+        found.append(f"{README}: the size of the single file is not what it should be; run tools/make pages")
     found += [f"{README}: it must state {quote!r}"
               for quote in (numbers.golden_quote(), *of_measuring("quotes"))
               if quote not in readme]
@@ -90,7 +88,7 @@ def problems(check: bool) -> list[str]:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = Parser("tools/make readme", __doc__)
+    parser = Parser("tools/make pages", __doc__)
     parser.add_argument("--check", action="store_true", help="write nothing")
     options = parser.parse_args(arguments)
     try:
@@ -100,7 +98,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sheets = [*picture.of_pages(), *gallery.sheets()]
         return picture.draw(sheets, options.check, gallery.functions()) or bool(found)
     except (OSError, LookupError, ValueError) as error:
-        parser.exit(2, f"tools/make readme: {error}\n")
+        parser.exit(2, f"tools/make pages: {error}\n")
 
 
 if __name__ == "__main__":
