@@ -318,7 +318,3 @@ class Roots(unittest.TestCase):
         self.assertTrue(65535**2 < 2**32 and q * q < 2**32)
         for dims in DIMS:
             self.assertLess(features.largest_weights(dims) + 2**-12, 4)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -97,7 +97,3 @@ class Steps(unittest.TestCase):
                 ("fbm", (SUMS["fbm"][0], coarse), "fbm, octaves 1, strength 0: step noise in steps.py, roundings")):
             with self.subTest(wrong):
                 self.assertIn(wrong, [what for what, ratio in ratios(name, oracle) if ratio > 1])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -249,7 +249,3 @@ class Formulas(unittest.TestCase):
                 reached.append(abs(seen).max() / most[0])
             with self.subTest(function.id):
                 self.assertTrue({1: 0.95, 2: 0.9, 3: 0.5, 4: 0.3}[dims] < max(reached) < 1 + 1e-7, max(reached))
-
-
-if __name__ == "__main__":
-    unittest.main()
