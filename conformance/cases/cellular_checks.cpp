@@ -239,9 +239,9 @@ struct PointNames {
 }  // namespace
 
 const Function* returning(const Function& function) {
-  if (!function.is_cellular() || !(function.is_name(0) || function.is_offset(0))) return nullptr;
+  if (!function.is_cellular() || !(function.is_name(0) || function.is_offset)) return nullptr;
   const auto returns_for_same = [&](const Function& other) {
-    return other.bound == function.bound && other.axes == function.axes && !other.is_name(0) && !other.is_offset(0) &&
+    return other.bound == function.bound && other.axes == function.axes && !other.is_name(0) && !other.is_offset &&
            std::ranges::equal(other.inputs, function.inputs, {}, &Column::name, &Column::name);
   };
   const auto found = std::ranges::find_if(all_functions(), returns_for_same);

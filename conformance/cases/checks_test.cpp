@@ -35,7 +35,8 @@ constexpr LibraryFault kFaults[] = {
      "hn_i_shifted(x, HN_I_SHIFT_X)", "hn_i_shifted(hn_i_rotated_axis(x, y, HN_I_COS_XY, -HN_I_SIN_XY), HN_I_SHIFT_X)"},
     // A sum from a cell, in every arithmetic and with a period: the fraction, and a step of only one of the two.
     {"fbm.fbm2_cell.lattice.fast.fragment.gl330.from_cell", "octaves2d.glsl",
-     "o.x = hn_i_fixed_position(place.cell.x, place.fraction.x, ", "o.x = hn_i_fixed_position(place.cell.x, 0.999f * place.fraction.x, "},
+     "o.x = hn_i_fixed_position(place.cell.x, place.fraction.x, ",
+     "o.x = hn_i_fixed_position(place.cell.x, 0.999f * place.fraction.x, "},
     {"fbm.ridged3_cell.lattice.fixed.fragment.gl330.from_cell", "place.glsl", "hn_i_place(cell, hn_i_to_num(f),",
      "hn_i_place(cell, hn_i_to_num(f) ^ 256,"},
     {"warp.warp_progressive2_cell.lattice.fast.fragment.gl330.from_cell", "detail/jacobian.glsl",
@@ -59,7 +60,8 @@ constexpr LibraryFault kFaults[] = {
     // A form that is not the one without periods, which is under test as well: so only calls of the one may be wrong.
     // A period of 0 that is one of 2^20, and a large one that counts as none.
     {"noise2d.perlin_cell_period.lattice.fast.fragment.gl330.wrapped", "perlin2d.glsl", "hn_i_cell_corners(place)",
-     "hn_i_cell_corners(hn_tile(place, ivec2(place.tiled && place.period.x == 0 ? 1048576 : place.period.x, place.period.y)))"},
+     "hn_i_cell_corners(hn_tile(place, ivec2(place.tiled && place.period.x == 0 ? 1048576 : place.period.x, "
+     "place.period.y)))"},
     {"noise3d.value_cell_period.lattice.fixed.fragment.gl330.wrapped", "value3d.glsl", "hn_i_cell_corners(place)",
      "hn_i_cell_corners(hn_tile(place, ivec3(place.period.xy, place.period.z > 1073741824 ? 0 : place.period.z)))"},
     // Cells below 0 count towards it.
@@ -240,13 +242,13 @@ constexpr LibraryFault kFaults[] = {
      "ivec2(o.x.x, o.y.x + (o.y.y >> 24))"},
     // A block of cells that is too small by a row, or has the wrong ones.
     {"noise2d.cellular.lattice.fast.fragment.gl330.search", "detail/feature_points2d.glsl",
-     "block, block.following.y, s)", "block, block.cell.y, s)"},
+     "cells, cells.following.y, s)", "cells, cells.cell.y, s)"},
     {"noise2d.cellular_cell_nearest.lattice.fixed.fragment.gl330.search", "detail/feature_points2d.glsl",
-     "block, block.previous.y, s)", "block, block.cell.y, s)"},
+     "cells, cells.previous.y, s)", "cells, cells.cell.y, s)"},
     {"noise3d.cellular_offset.lattice.precise.fragment.gl400.search", "detail/feature_points3d.glsl",
      "joins.z, odds.z, x", "joins.y, odds.y, x"},
     {"noise2d.cellular_three.lattice.fast.fragment.gl330.search", "cellular_three2d.glsl",
-     "best = hn_i_insert(best, hn_i_ranks(words, x, y, jitter, metric), HN_I_NO_CODE, 0);", ""},
+     "best = hn_i_insert(best, hn_i_ranks(hashes, x, y, jitter, metric), HN_I_NO_CODE, 0);", ""},
     {"noise2d.cellular_three_full.lattice.fixed.fragment.gl330.search", "detail/feature_points.glsl",
      "hn_i_select_int(d > HN_I_NO_OFFSET, 2, -2)", "hn_i_select_int(d > HN_I_NO_OFFSET, 2, 2)"},
     {"noise3d.cellular_three_cell_full.lattice.fast.vertex.gl330.search", "cellular_three3d.glsl",
@@ -254,9 +256,9 @@ constexpr LibraryFault kFaults[] = {
     {"noise3d.cellular_three_cell_full.lattice.fixed.fragment.gl330.search", "cellular_three3d.glsl", "n <= 1",
      "n < 1"},
     {"noise2d.cell_border.lattice.fast.fragment.gl330.search", "cell_border2d.glsl",
-     "best = hn_i_border(best, words, x, hn_i_equal_triple(y.z), jitter, hn_i_code(0, 1), 1, from, nearest);", ""},
+     "best = hn_i_border(best, hashes, x, hn_i_equal_triple(y.z), jitter, hn_i_code(0, 1), 1, from, nearest);", ""},
     {"noise2d.cell_border_cell.lattice.fixed.fragment.gl330.search", "cell_border2d.glsl",
-     "words, x, hn_i_equal_triple(y.x), jitter", "words, x, hn_i_equal_triple(y.y), jitter"},
+     "hashes, x, hn_i_equal_triple(y.x), jitter", "hashes, x, hn_i_equal_triple(y.y), jitter"},
     {"noise3d.cell_border.lattice.fixed.fragment.gl330.search", "cell_border3d.glsl", "slab = -1;", "slab = 0;"},
     // Another metric, and another jitter.
     {"noise2d.cellular_full.lattice.fast.fragment.gl330.search", "detail/feature_points2d.glsl",
@@ -280,8 +282,8 @@ constexpr LibraryFault kFaults[] = {
      "nearest = hn_i_cell_of(place, best.w);", "nearest = hn_i_cell_of(place, best.w) + ivec2(0, 1);"},
     // A value of its own beside the nearest point.
     {"noise2d.cell_border_nearest.lattice.fast.fragment.gl330.returned", "cell_border2d.glsl",
-     "return hn_i_cell_border(block, hn_i_far_cell(place, block, d), d, jitter, seed, best);",
-     "return -hn_i_cell_border(block, hn_i_far_cell(place, block, d), d, jitter, seed, best);"},
+     "return hn_i_cell_border(cells, hn_i_far_cell(place, cells, d), d, jitter, seed, best);",
+     "return -hn_i_cell_border(cells, hn_i_far_cell(place, cells, d), d, jitter, seed, best);"},
     {"noise3d.cell_border_cell_offset.lattice.fixed.fragment.gl330.returned", "cell_border3d.glsl",
      "hn_i_jitter(jitter), seed, nearest, offset);", "hn_i_jitter(0.5f), seed, nearest, offset);"},
     {"noise2d.cellular_phase_nearest.lattice.precise.fragment.gl400.returned", "cellular_phase2d.glsl",

@@ -36,7 +36,7 @@ std::string form_of(const Function& function) {
 std::string_view part_of(const Function& function) {
   if (function.is_derived() && !function.has_slopes()) return "the value of ";
   if (function.is_name(0)) return "the cell of ";
-  if (function.is_offset(0)) return "the offset of ";
+  if (function.is_offset) return "the offset of ";
   if (function.outputs.front().name == "reach") return "the distribution of ";
   return "";
 }

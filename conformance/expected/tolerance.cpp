@@ -239,7 +239,7 @@ const NoiseBounds& bounds_of(const Function& function, const Configuration& conf
   }
   // A component of the vector to a point is as exact as the Manhattan distance, which contains it. For points that go
   // round it has the bound of their own.
-  const bool is_part = function.is_cellular() && function.is_offset(output) && !function.takes_phase();
+  const bool is_part = function.is_cellular() && function.is_offset && !function.takes_phase();
   const std::string_view bound = is_part ? "cellular" : function.bound;
   return bounds_in(table, bound, function.axes, configuration.gradient);
 }

@@ -47,6 +47,7 @@ struct Function {
   // Whether it is an octave sum of one noise that adds each octave to a mean, so that its derivatives are those of its
   // value.
   bool is_sum_of_noise = false;
+  bool is_offset = false;  // its outputs are the components of the vector to the nearest feature point
 
   bool exact() const { return bound == "exact"; }
   bool is_noise() const;
@@ -68,16 +69,13 @@ struct Function {
   bool takes_count() const { return input("n") >= 0; }        // of items
   bool takes_detail() const { return input("detail") >= 0; }  // a float of octaves
   // Whether an output is the cell of the nearest feature point or the word of a hexagon, which is exact though other
-  // outputs are not; or a component of the vector to that point.
+  // outputs are not.
   bool is_name(std::size_t output) const {
     const WordType type = outputs[output].type;
     return (type == WordType::i32 || type == WordType::u32) && !exact();
   }
-  bool is_offset(std::size_t output) const { return outputs[output].name.front() == 'o'; }
   // Whether an output, or the last one at least, jumps where two feature points are equally near.
-  bool jumps(std::size_t output) const {
-    return is_cellular() && (is_name(output) || is_offset(output) || is_slope(output));
-  }
+  bool jumps(std::size_t output) const { return is_cellular() && (is_name(output) || is_offset || is_slope(output)); }
   bool jumps() const { return jumps(outputs.size() - 1); }
   // Whether it takes positions that are whole numbers of units.
   bool inputs_are_units() const { return input("units") >= 0; }

@@ -41,7 +41,3 @@ class Find(unittest.TestCase):
         for line in ("SHADER ERROR: Expected a ';'.", "ERROR: Shader compilation failed.", "SCRIPT ERROR: Parse Error"):
             self.assertTrue(WRONG.search(f"Godot Engine\n{line}\n   at: set_code"), line)
         self.assertFalse(WRONG.search("WARNING: Could not set V-Sync mode.\n     at: set_use_vsync"))
-
-
-if __name__ == "__main__":
-    unittest.main()

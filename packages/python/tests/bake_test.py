@@ -466,7 +466,3 @@ class Ranges(unittest.TestCase):
     def test_settings_change_them(self):
         self.assertEqual(self.ranges("cellular", 2, metric="manhattan"), {"f1": None, "f2": None})
         self.assertEqual(self.ranges("warp", 2, amplitude=2.5), {"x": (-2.5, 2.5), "y": (-2.5, 2.5)})
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -37,7 +37,3 @@ class Cached(unittest.TestCase):
         (self.root / "build" / "things" / "a").unlink()
         self.assertEqual(self.look(), {"a": "two", "b": "2"})
         self.assertEqual(self.made, 5)
-
-
-if __name__ == "__main__":
-    unittest.main()

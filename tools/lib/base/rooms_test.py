@@ -60,7 +60,3 @@ class Rooms(unittest.TestCase):
             self.assertEqual(beyond(OF_ORACLE, {new: text}), [new])
         for path in (LIB / "translate" / "pick" / "program.py", LIB / "proof" / "bounds" / "table.py"):
             self.assertEqual(beyond(OF_ORACLE, {path: ""}), [path])
-
-
-if __name__ == "__main__":
-    unittest.main()

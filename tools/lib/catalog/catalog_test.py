@@ -221,7 +221,3 @@ class Wrong(unittest.TestCase):
             command.main(["--check"])
         self.assertEqual((stop.exception.code, errors.getvalue()),
                          (2, "tools/make catalog: catalog/noises.toml: perlin has no shape\n"))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -70,7 +70,7 @@ def of_functions(catalog: Catalog, functions: Sequence[Function]) -> str:
                   "configurations": mask(function), "has_unseeded": flag(function.has_unseeded),
                   "is_continuous": flag(not (noise and noise.jumps)),
                   "is_never_negative": flag(bool(noise and is_never_negative(noise))),
-                  "is_sum_of_noise": flag(function.bound in sums)}
+                  "is_sum_of_noise": flag(function.bound in sums), "is_offset": flag(function.sets == "offset")}
         return f"{{{', '.join(f'.{name} = {value}' for name, value in fields.items())}}},\n"
 
     return HEAD + "".join(map(one, functions))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import unittest
 from pathlib import Path
 from unittest import mock
 
@@ -108,7 +107,3 @@ class Baseline(Clock):
         for given in (1, 2, 3, 130):
             status, out = self.measure(rows=(FAILED,), status=given)
             self.assertEqual((status, "index.html" in out), (given, given == 1))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import unittest
 from unittest import mock
 
 from base.testing import Case, called
@@ -55,7 +54,3 @@ class Languages(Case):
             status, printed = self.call("c")
         self.assertEqual(status, 4)
         self.assertIn("c is left out: there is no no-such-compiler", printed)
-
-
-if __name__ == "__main__":
-    unittest.main()

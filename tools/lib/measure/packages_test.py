@@ -7,7 +7,6 @@ import contextlib
 import io
 import os
 import types
-import unittest
 from unittest import mock
 
 from base.testing import Case, called
@@ -75,7 +74,3 @@ class Commands(Case):
             calls.main(3)
         self.assertEqual(output.getvalue().splitlines(), ["Perlin 2D,hashnoise,1.2,1e+09,1e+09,1e+09",
                                                           "Perlin 2D,theirs,1.2,4e+09,4e+09,4e+09"])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -68,7 +68,3 @@ class Comparison(unittest.TestCase):
                {"id": "broken", "ms": "failed", "spread": "failed"}]
         compared = record.compare(*(record.quantities(rows, ("id",), "ms", "spread") for rows in (before, now)))
         self.assertEqual(compared, {("kept",): Change(Quantity(1.0, 0.5), Quantity(9.0))})
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -118,7 +118,3 @@ class Committed(unittest.TestCase):
                 stamps.read(path)
                 if path.name != "bench.csv":  # its subjects are those of costs.csv, with settings that take longer
                     stamps.stale(path)
-
-
-if __name__ == "__main__":
-    unittest.main()

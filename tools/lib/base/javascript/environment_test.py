@@ -43,7 +43,3 @@ class Environment(unittest.TestCase):
     def test_other_arguments_are_bad_usage(self):
         with contextlib.redirect_stderr(io.StringIO()):
             self.assertEqual(environment.main(["make"]), 2)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -27,7 +27,3 @@ class Archive(unittest.TestCase):
                                    "ship.website.website_test", "ship.release.release_test.Addresses"],
                                   cwd=root / "tools" / "lib", capture_output=True, text=True, check=False)
             self.assertEqual(done.returncode, 0, done.stderr)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -104,7 +104,3 @@ class BadUsage(unittest.TestCase):
                 self.assertEqual(self.refusal(*arguments), f"tools/measure taste: {message}")
         self.assertRegex(self.refusal("--kind", "swet"),
                          r"--kind: invalid choice: 'swet' .*\(did you mean sweet\?\); .*\n\Z")
-
-
-if __name__ == "__main__":
-    unittest.main()

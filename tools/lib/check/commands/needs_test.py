@@ -266,7 +266,3 @@ class Running(unittest.TestCase):
                 with self.subTest(python=python):
                     done = call(python, "-c", f"import sys; sys.path.insert(0, {str(LIB)!r}); import {started}")
                     self.assertEqual((done.returncode, done.stderr), (0, ""))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -62,7 +62,3 @@ class Pack(Case):
         self.assertEqual((done.returncode, done.stdout), (4, ""))
         self.assertIn("The files of the package could not be made; all of the output is in", done.stderr)
         self.assertFalse((self.root / "build" / "npm").exists())
-
-
-if __name__ == "__main__":
-    unittest.main()

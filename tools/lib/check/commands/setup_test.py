@@ -312,7 +312,3 @@ class Node(Machine):
                 done = self.call("lib/base/node", "node", "-p", "process.versions.node")
                 self.assertEqual(done.returncode, status, done.stderr)
                 self.assertEqual(done.stdout, "" if status else f"{version}\n")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -159,9 +159,9 @@ def noises_without_entries(tree: Tree) -> Iterator[str]:
 
 
 OF_SUMS = (  # of a sum of values what it has in which file, and by which mark
-    ("oracle/sums.py", '"{name}": ', "its exact and its fixed value, from docs/reference/contract.md"),
-    ("bounds/steps.py", '"{step}": ', "its computation and its errors in integers"),
-    ("sums/bounds.cpp", "case SumStep::{step}:", "its errors in floats, proven"))
+    ("tools/lib/proof/oracle/sums.py", '"{name}": ', "its exact and its fixed value, from docs/reference/contract.md"),
+    ("tools/lib/proof/bounds/steps.py", '"{step}": ', "its computation and its errors in integers"),
+    ("conformance/sums/bounds.cpp", "case SumStep::{step}:", "its errors in floats, proven"))
 
 
 def sums_without_entries(tree: Tree) -> Iterator[str]:
@@ -169,8 +169,8 @@ def sums_without_entries(tree: Tree) -> Iterator[str]:
         for file, mark, what in OF_SUMS if sum_.takes_noise else ():
             if not sum_.is_of_values:  # with slopes, or of vectors
                 file, mark = re.sub(r"\w+\.py", "jacobians.py", file), mark.replace("step}\"", "name}\"")
-            if mark.format(name=sum_.name, step=sum_.step or sum_.name) not in tree.text(f"tools/lib/proof/{file}"):
-                yield f"catalog/sums.toml: {sum_.name}: write in tools/lib/proof/{file} {what}"
+            if mark.format(name=sum_.name, step=sum_.step or sum_.name) not in tree.text(file):
+                yield f"catalog/sums.toml: {sum_.name}: write in {file} {what}"
 
 
 def noises_without_comments(tree: Tree) -> Iterator[str]:

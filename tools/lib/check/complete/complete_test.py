@@ -14,7 +14,7 @@ from pathlib import Path
 from unittest import mock
 
 from base.testing import Case
-from base.tree import BOUNDS, GLSL, GOLDEN, ROOT
+from base.tree import BOUNDS, CONFORMANCE, GLSL, GOLDEN, ROOT
 from catalog.model import CATALOG
 from catalog.tables import glsl
 from check.complete.check import ROWS, SETTINGS, problems
@@ -125,14 +125,13 @@ DELETIONS = (
     # Proofs
     (((BOUNDS_FILE, r'^NOISE_BOUNDS\("perlin", 3.*\n', ""),),
      (r"noise3d\.perlin: .*bounds\.inc has no perlin in 3D: write in .*, and run tools/make bounds",)),
-    *((((f"tools/lib/proof/{path}", mark, ""),),
-       (rf"^catalog/sums\.toml: {name}: write in tools/lib/proof/{path} {what}",)) for name, path, mark, what in (
-        ("ridged", "oracle/sums.py", '"ridged": ', "its exact and its fixed value"),
-        ("ping_pong", "bounds/steps.py", '"ping_pong": ', "its computation"),
-        ("weighted", "sums/bounds.cpp", "case SumStep::weighted:", "its errors"),
-        ("eroded", "oracle/jacobians.py", '"eroded": ', "its exact and its fixed value"),
-        ("warp", "bounds/jacobians.py", '"warp": ', "its computation"),
-        ("warp_progressive", "sums/bounds.cpp", "case SumStep::warp_progressive:", "its errors"))),
+    *((((path, mark, ""),), (rf"^catalog/sums\.toml: {name}: write in {path} {what}",)) for name, path, mark, what in (
+        ("ridged", "tools/lib/proof/oracle/sums.py", '"ridged": ', "its exact and its fixed value"),
+        ("ping_pong", "tools/lib/proof/bounds/steps.py", '"ping_pong": ', "its computation"),
+        ("weighted", "conformance/sums/bounds.cpp", "case SumStep::weighted:", "its errors"),
+        ("eroded", "tools/lib/proof/oracle/jacobians.py", '"eroded": ', "its exact and its fixed value"),
+        ("warp", "tools/lib/proof/bounds/jacobians.py", '"warp": ', "its computation"),
+        ("warp_progressive", "conformance/sums/bounds.cpp", "case SumStep::warp_progressive:", "its errors"))),
     # Settings
     (((SETTINGS, r'"noise4d.value"', '"noise2d.perlin", "noise2d.merlin"'),),
      (rf"^{SETTINGS}: noise2d.perlin has values with pcg as all of gradient_noise have: take",
@@ -163,10 +162,10 @@ DELETIONS = (
 class Deletions(Case):
     def setUp(self) -> None:
         self.tree, docs = self.folder / "tree", ROOT / "docs"
-        for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", CATALOG, BOUNDS,
+        for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", CATALOG, BOUNDS, CONFORMANCE / "sums",
                      *(docs / "reference" / f"{page}.md" for page in ("contract", "knobs", "noises")),
                      *(docs / "guide" / f"{page}.md" for page in ("random", "same-bits", "uniform")),
-                     *(ROOT / "tools" / "lib" / "proof" / of for of in ("oracle", "bounds", "sums"))):
+                     *(ROOT / "tools" / "lib" / "proof" / of for of in ("oracle", "bounds"))):
             target = self.tree / path.relative_to(ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
             (shutil.copytree if path.is_dir() else shutil.copy)(path, target)

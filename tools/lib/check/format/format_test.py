@@ -41,7 +41,3 @@ class Format(Case):
         status, printed = called(command.main, file)
         self.assertEqual(status, 1)
         self.assertIn("undefined-name", printed)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -227,7 +227,3 @@ class Committed(unittest.TestCase):
                     self.assertEqual(len({one.points for one in sums}), 1)
                     self.assertEqual(len({one.values for one in sums}), len(sums))
                     self.assertNotIn("00000000", [one.values for one in sums])
-
-
-if __name__ == "__main__":
-    unittest.main()

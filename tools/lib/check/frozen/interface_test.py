@@ -145,7 +145,3 @@ class Interface(Case):
             path.write_text(text, encoding="utf-8")
             with self.assertRaisesRegex(ValueError, "line 1 has to be kind,name,what"):
                 interface.read(path)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -330,7 +330,3 @@ class Help(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         for part in MADE:
             self.assertIn(f"{part.name}.made: make\n", done.stdout)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -28,8 +28,7 @@ class Part(NamedTuple):
 
 
 LIBRARY = ("glsl/hashnoise/**/*.glsl", "glsl/hashnoise/**/*.h", "include/hashnoise/**/*.h*")
-SUITE = (*(f"{room}/*.[ch]pp" for room in ("src/base", "conformance/library", "conformance/expected",
-                                           "tools/lib/proof/sums")),
+SUITE = ("src/base/*.[ch]pp", *(f"conformance/{room}/*.[ch]pp" for room in ("library", "expected", "sums")),
          "conformance/expected/*.inc", "catalog/*.toml")
 PAGES = ("README.md", "docs/guide/gallery/README.md",
          *(f"docs/{page}.md" for page in (
@@ -59,7 +58,7 @@ PARTS = tuple(part for part in (
          "half a minute", "proof.bounds.command",
          (*LIBRARY, "docs/measured/accuracy.md", "docs/reference/knobs.md", "docs/reference/fractals.md",
           "tools/lib/proof/bounds/noises/*.py",
-          "tools/lib/proof/bounds/*.cpp", "tools/lib/proof/sums/*.[ch]pp", "catalog/*.toml"),
+          "tools/lib/proof/bounds/*.cpp", "conformance/sums/*.[ch]pp", "catalog/*.toml"),
          ("conformance/expected/bounds.inc", "docs/measured/accuracy.md"), scientific=True),
     Part("golden", "golden files, by the oracle", "five minutes", "proof.golden.command",
          ("catalog/*.toml", "tools/lib/proof/oracle/noises/*.py"), ("conformance/expected/golden/*.golden",),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import unittest
 from unittest import mock
 
 from base.testing import Case, called
@@ -141,7 +140,3 @@ class Estimate(Case):
             self.assertEqual(command.digest_of_tree(), before)
             path.write_text("two")
             self.assertNotEqual(command.digest_of_tree(), before)
-
-
-if __name__ == "__main__":
-    unittest.main()

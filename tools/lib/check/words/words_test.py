@@ -103,7 +103,3 @@ class Words(unittest.TestCase):
                     self.assertEqual(len(list(lint.faults_of_tree(root))), 1)
             with mock.patch.object(lint, "NOT_YET", ("a/", "docs/")):
                 self.assertEqual(len(list(lint.faults_of_tree(root))), 1)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shutil
-import unittest
 from unittest import mock
 
 from base.testing import Case, called
@@ -105,7 +104,3 @@ class CompileTimes(Case):
             status, said = called(command.main, *arguments)
             self.assertEqual(status, 2)
             self.assertIn(message, said)
-
-
-if __name__ == "__main__":
-    unittest.main()

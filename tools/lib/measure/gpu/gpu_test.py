@@ -396,7 +396,3 @@ class Real(unittest.TestCase):
         self.assertEqual({chip for _, chip in costs}, {chip.name for chip in CHIPS})
         for row in costs.values():
             self.assertGreater(float(row.cost), 10, row)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -417,7 +417,3 @@ class Real(Case):
                     units = sum(result.statistics.get(kind, 0) for kind in chip.vendor.kinds if kind != "Loops")
                     self.assertEqual(units, result.statistics[chip.vendor.cost])
                     self.assertGreater(units, 40)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -164,7 +164,3 @@ class Stripes(unittest.TestCase):
         twin = another(self, "phasor2d.glsl", r"\bhn_i_weight\w*\(", "hn_i_weight4(")
         found = {name.partition(",")[0] for name in failing(stripes.measure(twin.phasor, stripes.WAVES[1]))}
         self.assertLessEqual({"error of the width along", "even"}, found)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -256,7 +256,3 @@ def changed(test: unittest.TestCase, name: str, pattern: str, replacement: str) 
     test.assertGreater(count, 0, f"{name} has no {pattern}")
     path.write_text(text, encoding="utf-8")
     return folder / "include"
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -88,7 +88,3 @@ class Others(unittest.TestCase):
         plane = Other.parse(f"theirs/2={self.folder / 'hashes.glsl'}:good(c)")
         with mock.patch.object(windows, "judge", return_value=[]):
             self.assertEqual({n for n, _, _ in others.judge(plane, (2, 3), self.renderer)}, {2})
-
-
-if __name__ == "__main__":
-    unittest.main()

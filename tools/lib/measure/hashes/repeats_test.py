@@ -30,7 +30,3 @@ class Repeats(unittest.TestCase):
                 self.assertLess(percent_of_equal_words((lag[0] + 1, *lag[1:]), 500), 1)
                 text = re.escape(f"({', '.join(map(str, lag))})")
                 self.assertRegex(page, rf"{text}, (with )?{percent}%|{text} has {percent}%|{percent}% at {text}")
-
-
-if __name__ == "__main__":
-    unittest.main()

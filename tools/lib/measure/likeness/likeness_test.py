@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import subprocess
-import unittest
 from pathlib import Path
 
 from base.testing import Case, called
@@ -52,7 +51,3 @@ class Likeness(Case):
         file.write_text("float a() { return 1.0; }\n")
         blob = subprocess.run(["git", "hash-object", file], capture_output=True, text=True, check=True).stdout
         self.assertEqual(version(file), f"blob {blob[:10]}")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -159,7 +159,3 @@ class Page(unittest.TestCase):
         shown = page.greys(np.array([[0.0, np.nan], [1.0, 2.0]]))
         self.assertTrue(shown.startswith('<img alt="" src="data:image/png;base64,'))
         self.assertIn('height="32.00"', page.bars([1, 2]))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -6,7 +6,6 @@ import contextlib
 import html.parser
 import io
 import re
-import unittest
 from unittest import mock
 
 import numpy as np
@@ -158,7 +157,3 @@ class Drawings(Case):
         samples = [reproduction.sample({"algorithm": "a", "form": "b", "dimensions": "2"}, sampled(1))]
         plots.histograms(path, samples, {samples[0][:3]: np.array([1, 5, 1])}, -1.5, 1.5)
         self.assertRegex(path.read_text(), re.compile("<svg.*</svg>", re.DOTALL))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -146,7 +146,3 @@ class UniformTest(unittest.TestCase):
             model.spreads_of(self.text.replace("HN_DISTRIBUTION_SINE2)", "HN_DISTRIBUTION_OTHER)"))
         with self.assertRaisesRegex(ValueError, "three calls of hn_i_of_sum"):
             model.Bell.of("")
-
-
-if __name__ == "__main__":
-    unittest.main()

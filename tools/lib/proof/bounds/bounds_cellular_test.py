@@ -158,7 +158,7 @@ class Errors(unittest.TestCase):
                 field = feature_points.Field.exact(lattice, list(map(int, place[:dims])),
                                                    list(map(Fraction, place[dims:])), 1)
                 around = itertools.product(range(-2, 3), repeat=dims)
-                offsets = np.array([field.point(beside).offset for beside in around], float) / field.arithmetic.unit
+                offsets = np.array([field.point(beside).offset for beside in around], float) / float(field.arithmetic.unit)
                 nearest = offsets[(offsets**2).sum(axis=1).argmin()]
                 others = offsets[(offsets != nearest).any(axis=1)]
                 away = np.linalg.norm(others - nearest, axis=1)
@@ -318,7 +318,3 @@ class Roots(unittest.TestCase):
         self.assertTrue(65535**2 < 2**32 and q * q < 2**32)
         for dims in DIMS:
             self.assertLess(features.largest_weights(dims) + 2**-12, 4)
-
-
-if __name__ == "__main__":
-    unittest.main()

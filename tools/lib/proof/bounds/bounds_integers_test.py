@@ -152,7 +152,3 @@ class Integers(unittest.TestCase):
         error = abs(value - np.sin(w.astype(np.int32).astype(np.float32).astype(float))).max()
         self.assertTrue(0.9 * sine.fixed_sine_error() < error < sine.fixed_sine_error())
         self.assertLessEqual(abs(value).max(), sine.fixed_sine_largest())
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -262,7 +262,3 @@ class Rotations(unittest.TestCase):
             seen = (math.sqrt(3) / 2 * abs(off_b) + abs(off_a)).max()
             self.assertLess(seen, rotations.float_rounding(3))
         self.assertGreater(seen, rotations.float_rounding(3) / 3)
-
-
-if __name__ == "__main__":
-    unittest.main()

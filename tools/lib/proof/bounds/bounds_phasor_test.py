@@ -189,7 +189,3 @@ class Fixed(unittest.TestCase):
             self.assertLess(max(largest.values()), 2**31)
             high = abs(np.array([-2**29, 2**29]) >> 9) * (abs(turns).max() >> 9)
             self.assertTrue(0.99 < high.max() / largest["rotated"] <= 1)
-
-
-if __name__ == "__main__":
-    unittest.main()

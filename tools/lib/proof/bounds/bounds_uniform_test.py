@@ -84,7 +84,3 @@ class Bounds(unittest.TestCase):
         for row, of in zip(read_uniform(), (uniform.errors(False), uniform.errors(True))):
             for rounded, derived in zip(astuple(row), astuple(of)):
                 self.assertTrue(derived <= rounded < derived * 1.01)
-
-
-if __name__ == "__main__":
-    unittest.main()

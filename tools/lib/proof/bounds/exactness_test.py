@@ -103,7 +103,3 @@ class Ramps(unittest.TestCase):
         for terms, start, unit in (((0.75 * 2.0**-21, 0.25), 3.0, 2.0**-22), ((0.75, 2.0**-22), 7.0, 2.0**-22),
                                    ((0.75, 0.75), 3.0, 2.0**-22), ((2.5, 2.5), 12.0, 2.0**-20)):
             self.assertTrue(self.wrong(terms, start, unit), (terms, start))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,4 @@
-"""Asks the C++ of tools/lib/proof/sums, which has the proofs, how far an octave sum of floats may be off."""
+"""Asks the C++ of conformance/sums, which has the proofs, how far an octave sum of floats may be off."""
 
 from __future__ import annotations
 
@@ -9,12 +9,13 @@ import tempfile
 from dataclasses import astuple
 from pathlib import Path
 
+from base.tree import CONFORMANCE
 from base.twin import compile_program
 from catalog import suite
 from proof.bounds.sums import KINDS, Sum
 from proof.bounds.table import Bounds, GulliesBounds
 
-SOURCE = Path(__file__).parents[1] / "sums" / "answers.cpp"
+SOURCE = CONFORMANCE / "sums" / "answers.cpp"
 
 
 @functools.cache
@@ -23,7 +24,7 @@ def _program() -> subprocess.Popen[str]:
     folder = tempfile.TemporaryDirectory()
     program = Path(folder.name) / SOURCE.stem
     suite.write(Path(folder.name))
-    compile_program("the bounds of sums", SOURCE, program, f"-I{SOURCE.parents[1]}", include=Path(folder.name))
+    compile_program("the bounds of sums", SOURCE, program, f"-I{CONFORMANCE}", include=Path(folder.name))
     process = subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1)
 
     def end() -> None:

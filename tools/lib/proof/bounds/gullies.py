@@ -1,6 +1,6 @@
 """hn_gullies: proofs for the waves of its octaves, and how far the sum may be off in fixed arithmetic, from
 docs/reference/contract.md, section 24. The suite has the formula of floats, and float_sums.py calls it:
-tools/lib/proof/sums/gullies.cpp has the proof.
+conformance/sums/gullies.cpp has the proof.
 
 WAVES. A wave is k = 3/2 (-u_y, u_x) with |u| < 1, so it is shorter than 3/2. The bounds of value and derivatives are
 as of phasor noise, for 3/2 waves along each axis. How long the vector g of both derivatives is, and how fast v

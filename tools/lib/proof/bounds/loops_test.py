@@ -226,7 +226,3 @@ int main() {{
         jacobian.write_text(jacobian.read_text().replace("128.0f", "4.0f"))
         with self.assertRaises(AssertionError):
             self.check(self.program("cut", library / "include", ("simplex_d",)), 12, ("simplex_d",))
-
-
-if __name__ == "__main__":
-    unittest.main()

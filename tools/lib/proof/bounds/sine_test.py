@@ -67,7 +67,3 @@ class Sine(unittest.TestCase):
         for rounding in roundings(17):
             _, found = text()("rotation", rounding, phase=angle / 2**32)
             self.assertLess(abs(found - np.sin(angle / 2**31 * np.pi)).max(), rotations.float_error())
-
-
-if __name__ == "__main__":
-    unittest.main()

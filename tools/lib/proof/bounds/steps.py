@@ -22,7 +22,7 @@ class Step(Protocol):
 
     def fixed_errors(self, errs: list[float], strength: float, cut: float) -> list[float]:
         """The errors of octaves in integers, before their weights, given the noise's; the strength is cut by so
-        much. The errors of floats are in tools/lib/proof/sums/bounds.cpp."""
+        much. The errors of floats are in conformance/sums/bounds.cpp."""
 
 
 class Noise:

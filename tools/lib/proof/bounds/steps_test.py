@@ -1,4 +1,4 @@
-"""Tests of the steps by which sums add octaves: what steps.py and tools/lib/proof/sums/bounds.cpp prove of a step holds
+"""Tests of the steps by which sums add octaves: what steps.py and conformance/sums/bounds.cpp prove of a step holds
 for what the oracle computes. A proof that somebody copied from a step with smaller slopes fails here, by its name."""
 
 import itertools
@@ -97,7 +97,3 @@ class Steps(unittest.TestCase):
                 ("fbm", (SUMS["fbm"][0], coarse), "fbm, octaves 1, strength 0: step noise in steps.py, roundings")):
             with self.subTest(wrong):
                 self.assertIn(wrong, [what for what, ratio in ratios(name, oracle) if ratio > 1])
-
-
-if __name__ == "__main__":
-    unittest.main()

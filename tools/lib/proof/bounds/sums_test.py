@@ -331,7 +331,3 @@ class Steps(unittest.TestCase):
             with mock.patch.object(jacobians, "SLOPE_LIMIT", limit):
                 tolerance = jacobians.fixed_slope_tolerance(Sum("fbm_d", 1.0, octaves, 2.0, 0.5), noise, slope)
                 self.assertEqual(tolerance < 2.0, bounded)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -28,8 +28,7 @@ INDEX = "index.json"
 LARGEST_BOUND = 2.0**-6  # of a row. Octave sums of floats far out have larger ones, which mean little
 DEFAULTS = {"lattice", "lattice+sine"}  # the settings of noise that are written out, without their arithmetic
 PROGRAM = Path(__file__).with_name("tolerances.cpp")
-SUMS = Path(__file__).parents[1] / "sums"  # their bounds
-OPTIONS = ("-O0", f"-I{CONFORMANCE}", f"-I{SUMS.parent}", f"-I{ROOT / 'src'}", "-lfmt")
+OPTIONS = ("-O0", f"-I{CONFORMANCE}", f"-I{ROOT / 'src'}", "-lfmt")
 KINDS = {"i32": (4, struct.Struct(">i")), "f32": (4, struct.Struct(">f")), "f64": (8, struct.Struct(">d"))}
 
 Words = Sequence[int]
@@ -166,7 +165,7 @@ def vectors() -> dict[str, str]:
 
 def sources() -> list[Path]:
     """All that the files are made of: golden files, the suite's bounds, the names of functions, and this code."""
-    units = [path for room in (CONFORMANCE / "library", CONFORMANCE / "expected", SUMS) for path in room.glob("*.*")
+    units = [path for room in ("library", "expected", "sums") for path in (CONFORMANCE / room).glob("*.*")
              if "_test." not in path.name]
     return [PROGRAM, *GOLDEN.glob("*.golden"), *units, *(ROOT / "catalog").glob("*.toml"), *glsl_files().values(),
             *modules.files_of([Path(__file__)])]

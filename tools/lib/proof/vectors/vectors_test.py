@@ -232,7 +232,3 @@ class Command(unittest.TestCase):
                 contextlib.redirect_stderr(error), self.assertRaises(SystemExit) as ended:
             command.main([])
         self.assertEqual((ended.exception.code, error.getvalue()), (4, "tools/make vectors: there is no g++\n"))
-
-
-if __name__ == "__main__":
-    unittest.main()

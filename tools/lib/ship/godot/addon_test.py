@@ -107,7 +107,3 @@ class Addon(unittest.TestCase):
             unpacked = zipfile.ZipFile(io.BytesIO(content))
             self.assertEqual({name: unpacked.read(name).decode("utf-8") for name in unpacked.namelist()}, self.files)
             self.assertEqual(zipfile.ZipFile(later / ARCHIVE).infolist()[0].date_time[:3], (2023, 11, 14))
-
-
-if __name__ == "__main__":
-    unittest.main()

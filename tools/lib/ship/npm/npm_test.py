@@ -138,7 +138,3 @@ class Twin(unittest.TestCase):
     def test_what_is_wrong_is_told(self):
         with self.assertRaises(twin.Failed):
             twin.compiled(source=ROOT / "absent.cpp")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -180,7 +180,3 @@ class Tutorial(unittest.TestCase):
             self.assertRegex(settings, rf"(?m)^  {name}: ", name)
             if name in ("sum", "noise") and value != "none":
                 self.assertRegex(tables, rf"(?m)^  {value}: \{{", value)
-
-
-if __name__ == "__main__":
-    unittest.main()

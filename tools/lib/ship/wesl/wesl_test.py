@@ -75,7 +75,3 @@ class Package(unittest.TestCase):
             with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit) as ended:
                 command.main(["wesl", ""])
         self.assertEqual(ended.exception.code, 2)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -740,11 +740,12 @@ class Command(unittest.TestCase):
                                check=True).stdout
         self.assertTrue(code(shown).startswith(text(*names, arithmetic="fixed")))
 
+    @unittest.skipIf("rust" in DELETED, "Rust was deleted")
     def test_the_text_is_the_same_behind_others(self) -> None:
         """Where nothing is forgotten between them, statements that another function has, too, stand elsewhere."""
         def behind(*others: str) -> str:
             pick = command.picker()
-            return [pick([name], command.Choice("javascript", "fixed")) for name in (*others, "hn_cell_border3_jitter")][-1]
+            return [pick([name], command.Choice("rust", "fixed")) for name in (*others, "hn_cell_border3_jitter")][-1]
 
         self.assertEqual(behind("hn_cellular_phase3_place_nearest"), behind())
         with mock.patch.object(values, "_known", return_value=None):  # else they have no statement in common

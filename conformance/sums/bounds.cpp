@@ -320,7 +320,7 @@ double value_tolerance(const SumRule& rule, const OctaveArguments& arguments, co
 // No switch has a default: a step or a mean that is new has no proof, and is refused by its name.
 
 [[noreturn]] void refuse(const std::string& what) {
-  throw std::logic_error("tools/lib/proof/sums/bounds.cpp has no proof of the " + what +
+  throw std::logic_error("conformance/sums/bounds.cpp has no proof of the " + what +
                          ": write it, and name it in the switch");
 }
 
