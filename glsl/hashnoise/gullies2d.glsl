@@ -15,18 +15,7 @@
 //   hn_i_steepness(r)       r / (r + 1/8), in the units of weights
 //   hn_i_added_slope(a, b)  a - b, as a float
 
-#if HN_ARITHMETIC == HN_FIXED
-
-HN_FN hn_int hn_i_eroding_slope(hn_float x) { return int(min(max(-8.0f, x), 8.0f) * 65536.0f); }
-HN_FN hn_int hn_i_eroded_slope(hn_int e, hn_int d) { return min(max(hn_i_wide_plus(e, d), -524288), 524288); }
-HN_FN hn_int hn_i_slope_of_waves(hn_float d) { return int(d * 65536.0f); }
-
-// r is in units of 2^-14, and 2048 is 1/8. A quotient is a multiple of 2^-21, so 3/2 of it is exact.
-HN_FN hn_float hn_i_gully_wave(hn_int x, hn_uint r) { return hn_i_over(x, r + 2048u) * 1.5f; }
-HN_FN hn_int hn_i_steepness(hn_uint r) { return hn_i_setting(hn_i_over(int(r * 4u), r + 2048u), 1.0f); }
-HN_FN hn_float hn_i_added_slope(hn_int a, hn_int b) { return hn_i_float(a - b) * (1.0f / 65536.0f); }
-
-#else
+#if HN_ARITHMETIC != HN_FIXED
 
 HN_FN hn_float hn_i_eroding_slope(hn_float x) { return min(max(-8.0f, hn_i_to_num(x)), 8.0f); }
 HN_FN hn_float hn_i_eroded_slope(hn_float e, hn_float d) { return hn_i_eroding_slope(hn_i_plus(e, d)); }
@@ -36,6 +25,17 @@ HN_FN hn_float hn_i_gully_wave(hn_float x, hn_float r) {
   return hn_i_times(hn_i_quotient(x, hn_i_plus(r, 0.125f)), 1.5f);
 }
 HN_FN hn_float hn_i_added_slope(hn_float a, hn_float b) { return hn_i_derivative(hn_i_minus(a, b)); }
+
+#else
+
+HN_FN hn_int hn_i_eroding_slope(hn_float x) { return int(min(max(-8.0f, x), 8.0f) * 65536.0f); }
+HN_FN hn_int hn_i_eroded_slope(hn_int e, hn_int d) { return min(max(hn_i_wide_plus(e, d), -524288), 524288); }
+HN_FN hn_int hn_i_slope_of_waves(hn_float d) { return int(d * 65536.0f); }
+
+// r is in units of 2^-14, and 2048 is 1/8. A quotient is a multiple of 2^-21, so 3/2 of it is exact.
+HN_FN hn_float hn_i_gully_wave(hn_int x, hn_uint r) { return hn_i_over(x, r + 2048u) * 1.5f; }
+HN_FN hn_int hn_i_steepness(hn_uint r) { return hn_i_setting(hn_i_over(int(r * 4u), r + 2048u), 1.0f); }
+HN_FN hn_float hn_i_added_slope(hn_int a, hn_int b) { return hn_i_float(a - b) * (1.0f / 65536.0f); }
 
 #endif
 

@@ -115,17 +115,17 @@ HN_FN hn_octaves2 hn_octaves(hn_place2 place, hn_int octaves, hn_float lacunarit
   hn_i_update_place(o);
   return o;
 }
-#if HN_ARITHMETIC == HN_FIXED
-HN_FN hn_octaves2 hn_octaves(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  return hn_octaves(hn_place(p), octaves, lacunarity, gain, seed);
-}
-#else
+#if HN_ARITHMETIC != HN_FIXED
 HN_FN hn_octaves2 hn_octaves(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   hn_vec2 start = hn_i_flushed_position(p);
   hn_octaves2 o = hn_i_octaves(hn_place(start), octaves, lacunarity, gain, seed);
   o.p = start;
   o.is_fixed_point = false;
   return o;
+}
+#else
+HN_FN hn_octaves2 hn_octaves(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_octaves(hn_place(p), octaves, lacunarity, gain, seed);
 }
 #endif
 
@@ -168,9 +168,7 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves2) o) {
 #endif
   o.seed += HN_I_SEED_STEP;
   o.sum.weight = hn_i_weight_times(o.sum.weight, o.sum.gain);
-#if HN_ARITHMETIC == HN_FIXED
-  hn_i_advance(o);
-#else
+#if HN_ARITHMETIC != HN_FIXED
   if (o.is_fixed_point) {
     hn_i_advance(o);
   } else {
@@ -178,6 +176,8 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves2) o) {
     o.place.cell = hn_i_cell(o.p);
     o.place.fraction = hn_i_fraction(o.p);
   }
+#else
+  hn_i_advance(o);
 #endif
   return more;
 }

@@ -128,17 +128,17 @@ HN_FN hn_octaves3 hn_octaves(hn_place3 place, hn_int octaves, hn_float lacunarit
   hn_i_update_place(o);
   return o;
 }
-#if HN_ARITHMETIC == HN_FIXED
-HN_FN hn_octaves3 hn_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
-  return hn_octaves(hn_place(p), octaves, lacunarity, gain, seed);
-}
-#else
+#if HN_ARITHMETIC != HN_FIXED
 HN_FN hn_octaves3 hn_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   hn_vec3 start = hn_i_flushed_position(p);
   hn_octaves3 o = hn_i_octaves(hn_place(start), octaves, lacunarity, gain, seed);
   o.p = start;
   o.is_fixed_point = false;
   return o;
+}
+#else
+HN_FN hn_octaves3 hn_octaves(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_octaves(hn_place(p), octaves, lacunarity, gain, seed);
 }
 #endif
 
@@ -181,9 +181,7 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves3) o) {
 #endif
   o.seed += HN_I_SEED_STEP;
   o.sum.weight = hn_i_weight_times(o.sum.weight, o.sum.gain);
-#if HN_ARITHMETIC == HN_FIXED
-  hn_i_advance(o);
-#else
+#if HN_ARITHMETIC != HN_FIXED
   if (o.is_fixed_point) {
     hn_i_advance(o);
   } else {
@@ -191,6 +189,8 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves3) o) {
     o.place.cell = hn_i_cell(o.p);
     o.place.fraction = hn_i_fraction(o.p);
   }
+#else
+  hn_i_advance(o);
 #endif
   return more;
 }

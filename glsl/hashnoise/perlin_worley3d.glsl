@@ -18,14 +18,14 @@ HN_FN hn_float hn_i_billow_at(hn_float distance) {
 }
 
 // 1 - (1 - a) (1 - b) / 4
-#if HN_ARITHMETIC == HN_FIXED
-HN_FN hn_int hn_i_either(hn_int a, hn_int b) {
-  return HN_I_UNITS_VALUE - ((hn_i_wide_times(HN_I_UNITS_VALUE - a, HN_I_UNITS_VALUE - b) + 16) >> 5);
-}
-#else
+#if HN_ARITHMETIC != HN_FIXED
 HN_FN hn_float hn_i_either(hn_float a, hn_float b) {
   HN_I_PRECISE hn_float neither = (1.0f - a) * (1.0f - b) * 0.25f;
   return hn_i_minus(1.0f, neither);
+}
+#else
+HN_FN hn_int hn_i_either(hn_int a, hn_int b) {
+  return HN_I_UNITS_VALUE - ((hn_i_wide_times(HN_I_UNITS_VALUE - a, HN_I_UNITS_VALUE - b) + 16) >> 5);
 }
 #endif
 

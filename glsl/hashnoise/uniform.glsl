@@ -84,7 +84,23 @@ HN_FN hn_vec4 hn_distribution(hn_int kind) {
 // ---------------------------------------------------------------------------------------------------------------------
 // The steps. With HN_FIXED values are in units of 2^-21, and all else is in units of weights, 2^-18.
 
-#if HN_ARITHMETIC == HN_FIXED
+#if HN_ARITHMETIC != HN_FIXED
+
+#define HN_I_VALUE_ONE 1.0f
+#define HN_I_VALUE_TWO 2.0f
+
+HN_FN hn_float hn_i_as_value(hn_float x, hn_float least, hn_float most) { return min(max(least, x), most); }
+HN_FN hn_float hn_i_as_reach(hn_float x) { return min(max(0.0625f, x), 3.0f); }
+HN_FN hn_float hn_i_half_value(hn_float n) { return hn_i_flushed(hn_i_times(n, 0.5f)); }
+HN_FN hn_float hn_i_of_units(hn_float n) { return hn_i_flushed(n); }
+HN_FN hn_float hn_i_parts(hn_float x, hn_int n) { return hn_i_times(x, hn_i_float(n) * (1.0f / 1024.0f)); }
+HN_FN hn_float hn_i_variance(hn_float a, hn_float b, hn_float c) {
+  HN_I_PRECISE hn_float n = 65.0f * a + 33.0f * b + 17.0f * c + 7.0f;
+  return n;
+}
+HN_FN hn_float hn_i_root_of_ratio(hn_float ratio) { return hn_i_root(min(ratio, 8.0f)); }
+
+#else
 
 #define HN_I_VALUE_ONE HN_I_UNITS_VALUE
 #define HN_I_VALUE_TWO (2 * HN_I_UNITS_VALUE)
@@ -102,22 +118,6 @@ HN_FN hn_int hn_i_parts(hn_int x, hn_int n) { return (x * n) >> 10; }
 // The result is in units of 2^-15, since a mean has 23 bits.
 HN_FN hn_int hn_i_variance(hn_int a, hn_int b, hn_int c) { return (65 * a + 33 * b + 17 * c + 1835008) >> 3; }
 HN_FN hn_int hn_i_root_of_ratio(hn_int ratio) { return int(hn_i_root(uint(min(ratio, HN_I_UNITS_VALUE)) << 10u)); }
-
-#else
-
-#define HN_I_VALUE_ONE 1.0f
-#define HN_I_VALUE_TWO 2.0f
-
-HN_FN hn_float hn_i_as_value(hn_float x, hn_float least, hn_float most) { return min(max(least, x), most); }
-HN_FN hn_float hn_i_as_reach(hn_float x) { return min(max(0.0625f, x), 3.0f); }
-HN_FN hn_float hn_i_half_value(hn_float n) { return hn_i_flushed(hn_i_times(n, 0.5f)); }
-HN_FN hn_float hn_i_of_units(hn_float n) { return hn_i_flushed(n); }
-HN_FN hn_float hn_i_parts(hn_float x, hn_int n) { return hn_i_times(x, hn_i_float(n) * (1.0f / 1024.0f)); }
-HN_FN hn_float hn_i_variance(hn_float a, hn_float b, hn_float c) {
-  HN_I_PRECISE hn_float n = 65.0f * a + 33.0f * b + 17.0f * c + 7.0f;
-  return n;
-}
-HN_FN hn_float hn_i_root_of_ratio(hn_float ratio) { return hn_i_root(min(ratio, 8.0f)); }
 
 #endif
 

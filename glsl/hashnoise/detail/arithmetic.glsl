@@ -6,6 +6,32 @@
 
 #include "word.glsl"
 
+// Noises with derivatives return this in four dimensions, where no vector has room for all of it.
+struct hn_derivatives4 {
+  hn_float value;
+  hn_vec4 gradient;
+};
+
+// Vectors of noise with derivatives return these: 2x3 has two components, along three axes. dx has the derivatives of
+// all components along x, and so on.
+struct hn_derivatives2x2 {
+  hn_vec2 value;
+  hn_vec2 dx;
+  hn_vec2 dy;
+};
+struct hn_derivatives2x3 {
+  hn_vec2 value;
+  hn_vec2 dx;
+  hn_vec2 dy;
+  hn_vec2 dz;
+};
+struct hn_derivatives3x3 {
+  hn_vec3 value;
+  hn_vec3 dx;
+  hn_vec3 dy;
+  hn_vec3 dz;
+};
+
 // A noise has one text for all three arithmetics. It is written in these steps, not in operators, so that with
 // HN_PRECISE each step can round on its own:
 //
@@ -266,31 +292,5 @@ HN_FN hn_i_num hn_i_minus_one(hn_i_num f) { return hn_i_minus(f, HN_I_ONE); }
 HN_FN hn_i_num hn_i_lerp(hn_i_num4 n, hn_i_num x, hn_i_num y) {
   return hn_i_lerp(hn_i_lerp(n.x, n.y, x), hn_i_lerp(n.z, n.w, x), y);
 }
-
-// Noises with derivatives return this in four dimensions, where no vector has room for all of it.
-struct hn_derivatives4 {
-  hn_float value;
-  hn_vec4 gradient;
-};
-
-// Vectors of noise with derivatives return these: 2x3 has two components, along three axes. dx has the derivatives of
-// all components along x, and so on.
-struct hn_derivatives2x2 {
-  hn_vec2 value;
-  hn_vec2 dx;
-  hn_vec2 dy;
-};
-struct hn_derivatives2x3 {
-  hn_vec2 value;
-  hn_vec2 dx;
-  hn_vec2 dy;
-  hn_vec2 dz;
-};
-struct hn_derivatives3x3 {
-  hn_vec3 value;
-  hn_vec3 dx;
-  hn_vec3 dy;
-  hn_vec3 dz;
-};
 
 #endif

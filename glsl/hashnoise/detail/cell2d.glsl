@@ -9,7 +9,9 @@
 
 // The rest of a fraction and of a position, which the numbers of HN_ARITHMETIC do not hold; with floats it is 0. The
 // rest of a position has its sign, as the result of hn_i_rest has.
-#if HN_ARITHMETIC == HN_FIXED
+#if HN_ARITHMETIC != HN_FIXED
+#define HN_I_REST(rest) 0
+#else
 HN_FN hn_int hn_i_rest_of_fraction(hn_float f) {
   return int(min(max(0.0f, f), 1.0f) * HN_I_FLOAT_UNITS_POSITION) - hn_i_to_num(f) * 16;
 }
@@ -17,18 +19,16 @@ HN_FN hn_int hn_i_rest_of_position(hn_float p) {
   return int(hn_i_beside_cell(p) * HN_I_FLOAT_UNITS_POSITION) - hn_i_rest(p) * 16;
 }
 #define HN_I_REST(rest) rest
-#else
-#define HN_I_REST(rest) 0
 #endif
 
 // The position along one axis. Floats have no rest.
-#if HN_ARITHMETIC == HN_FIXED
-HN_FN hn_float hn_i_position_of(hn_int cell, hn_int fraction, hn_int rest) {
-  return hn_i_float(cell) + HN_I_NOT_WHOLE(hn_i_float(fraction * 16 + rest) * (1.0f / HN_I_FLOAT_UNITS_POSITION));
-}
-#else
+#if HN_ARITHMETIC != HN_FIXED
 HN_FN hn_float hn_i_position_of(hn_int cell, hn_float fraction, hn_int rest) {
   return hn_i_float(cell) + (fraction + hn_i_float(rest));
+}
+#else
+HN_FN hn_float hn_i_position_of(hn_int cell, hn_int fraction, hn_int rest) {
+  return hn_i_float(cell) + HN_I_NOT_WHOLE(hn_i_float(fraction * 16 + rest) * (1.0f / HN_I_FLOAT_UNITS_POSITION));
 }
 #endif
 

@@ -22,7 +22,39 @@
 //   hn_i_coarse            a result that a float holds
 //   hn_i_erosion_weight(square, strength)  1 / (1 + strength * square), in the units of weights
 
-#if HN_ARITHMETIC == HN_FIXED
+#if HN_ARITHMETIC != HN_FIXED
+
+HN_FN hn_float hn_i_wide_times(hn_float a, hn_float b) { return hn_i_times(a, b); }
+HN_FN hn_float hn_i_wide_plus(hn_float a, hn_float b) { return hn_i_plus(a, b); }
+HN_FN hn_float hn_i_wide_minus(hn_float a, hn_float b) { return hn_i_minus(a, b); }
+
+HN_FN hn_float hn_i_rotated_by(hn_float a, hn_float b, hn_int along, hn_int across) {
+  HN_I_PRECISE hn_float n = hn_i_float(along) * (1.0f / 32.0f) * a + hn_i_float(across) * (1.0f / 32.0f) * b;
+  return n;
+}
+
+HN_FN hn_float hn_i_growth(hn_float gain, hn_float lacunarity) { return hn_i_times(gain, lacunarity); }
+HN_FN hn_float hn_i_octave_slope(hn_float g) { return g; }
+HN_FN hn_float hn_i_coarse(hn_float n) { return n; }
+HN_FN hn_float hn_i_summed_slope(hn_float slope, hn_float g) { return min(max(-8.0f, hn_i_plus(slope, g)), 8.0f); }
+HN_FN hn_float hn_i_squared_slope(hn_float slope) { return hn_i_times(slope, slope); }
+
+HN_FN hn_float hn_i_erosion_weight(hn_float square, hn_float strength) {
+  return hn_i_quotient(1.0f, hn_i_multiply_add(square, strength, 1.0f));
+}
+
+// Moves a coordinate of a fixed-point position. Beyond the domain the number may not fit an int, which C++ leaves
+// undefined.
+HN_FN hn_ivec2 hn_i_displaced(hn_ivec2 x, hn_float n) {
+  hn_float cells = floor(min(max(-1073741824.0f, n), 1073741824.0f));
+  hn_int rest = x.y + int(min(max(0.0f, hn_i_minus(n, cells)), 1.0f) * HN_I_FLOAT_UNITS_POSITION);
+  return ivec2(int(uint(x.x) + uint(int(cells)) + uint(rest >> 24)), rest & (HN_I_UNITS_POSITION - 1));
+}
+HN_FN hn_float hn_i_displacement(hn_float n, hn_float rate) { return hn_i_flushed(hn_i_times(n, rate)); }
+
+#define hn_i_square_of_slope hn_float
+
+#else
 
 HN_FN hn_int hn_i_wide_times(hn_int a, hn_int b) {
   hn_uint high = hn_i_multiply_high(uint(a), uint(b));
@@ -69,7 +101,7 @@ HN_FN hn_int hn_i_erosion_weight(hn_uint square, hn_int strength) {
   return int((quotient << 3u) | ((rest << 3u) / divisor));
 }
 
-// Moves a coordinate, by a number in units of 2^-21.
+// The number is in units of 2^-21.
 HN_FN hn_ivec2 hn_i_displaced(hn_ivec2 x, hn_int n) {
   hn_int rest = x.y + ((n & (HN_I_UNITS_VALUE - 1)) << 3);
   return ivec2(int(uint(x.x) + uint(n >> 21) + uint(rest >> 24)), rest & (HN_I_UNITS_POSITION - 1));
@@ -77,37 +109,6 @@ HN_FN hn_ivec2 hn_i_displaced(hn_ivec2 x, hn_int n) {
 HN_FN hn_int hn_i_displacement(hn_int n, hn_int rate) { return hn_i_wide_times(n, rate); }
 
 #define hn_i_square_of_slope hn_uint
-
-#else
-
-HN_FN hn_float hn_i_wide_times(hn_float a, hn_float b) { return hn_i_times(a, b); }
-HN_FN hn_float hn_i_wide_plus(hn_float a, hn_float b) { return hn_i_plus(a, b); }
-HN_FN hn_float hn_i_wide_minus(hn_float a, hn_float b) { return hn_i_minus(a, b); }
-
-HN_FN hn_float hn_i_rotated_by(hn_float a, hn_float b, hn_int along, hn_int across) {
-  HN_I_PRECISE hn_float n = hn_i_float(along) * (1.0f / 32.0f) * a + hn_i_float(across) * (1.0f / 32.0f) * b;
-  return n;
-}
-
-HN_FN hn_float hn_i_growth(hn_float gain, hn_float lacunarity) { return hn_i_times(gain, lacunarity); }
-HN_FN hn_float hn_i_octave_slope(hn_float g) { return g; }
-HN_FN hn_float hn_i_coarse(hn_float n) { return n; }
-HN_FN hn_float hn_i_summed_slope(hn_float slope, hn_float g) { return min(max(-8.0f, hn_i_plus(slope, g)), 8.0f); }
-HN_FN hn_float hn_i_squared_slope(hn_float slope) { return hn_i_times(slope, slope); }
-
-HN_FN hn_float hn_i_erosion_weight(hn_float square, hn_float strength) {
-  return hn_i_quotient(1.0f, hn_i_multiply_add(square, strength, 1.0f));
-}
-
-// This moves a fixed-point position, too. Beyond the domain the number may not fit an int, which C++ leaves undefined.
-HN_FN hn_ivec2 hn_i_displaced(hn_ivec2 x, hn_float n) {
-  hn_float cells = floor(min(max(-1073741824.0f, n), 1073741824.0f));
-  hn_int rest = x.y + int(min(max(0.0f, hn_i_minus(n, cells)), 1.0f) * HN_I_FLOAT_UNITS_POSITION);
-  return ivec2(int(uint(x.x) + uint(int(cells)) + uint(rest >> 24)), rest & (HN_I_UNITS_POSITION - 1));
-}
-HN_FN hn_float hn_i_displacement(hn_float n, hn_float rate) { return hn_i_flushed(hn_i_times(n, rate)); }
-
-#define hn_i_square_of_slope hn_float
 
 #endif
 

@@ -37,86 +37,7 @@ struct hn_i_octave_sum {
 // ---------------------------------------------------------------------------------------------------------------------
 // Values and weights.
 
-#if HN_ARITHMETIC == HN_FIXED
-
-#define HN_I_WEIGHT_ONE HN_I_UNITS_WEIGHT
-#define HN_I_NO_WEIGHT 0
-
-// A setting in [0, most], in the units of weights.
-HN_FN hn_int hn_i_setting(hn_float x, hn_float most) { return int(min(max(0.0f, x), most) * HN_I_FLOAT_UNITS_WEIGHT); }
-HN_FN hn_int hn_i_gain(hn_float gain) { return hn_i_setting(gain, 1.0f); }
-
-// The product of two numbers in [0, 1].
-HN_FN hn_int hn_i_weight_times(hn_int a, hn_int b) { return ((a >> 9) * b + (((a & 511) * b) >> 9)) >> 9; }
-
-// sum + n * weight
-HN_FN hn_int hn_i_summed(hn_int sum, hn_int n, hn_int weight) {
-  return sum + ((n * (weight >> 9) + (n >> 9) * (weight & 511)) >> 9);
-}
-
-// The noise of an octave as it is, and in [-1, 1]. (With HN_GRADIENT_SINE it reaches 3/2 in space.)
-HN_FN hn_int hn_i_octave(hn_float n) { return int(min(max(-1.5f, n), 1.5f) * HN_I_FLOAT_UNITS_VALUE); }
-HN_FN hn_int hn_i_bounded_octave(hn_float n) { return int(min(max(-1.0f, n), 1.0f) * HN_I_FLOAT_UNITS_VALUE); }
-
-// hn_i_ridge is 1 - abs(n), in the units of weights, and hn_i_weight_to_value converts these to the units of values.
-HN_FN hn_int hn_i_ridge(hn_int n) { return (HN_I_UNITS_VALUE - hn_i_magnitude(n)) >> 3; }
-HN_FN hn_int hn_i_weight_to_value(hn_int weight) { return weight << 3; }
-
-// (1 + n) / 2, in the units of weights.
-HN_FN hn_int hn_i_height(hn_int n) { return (HN_I_UNITS_VALUE + n) >> 4; }
-
-// A wave between -1 and 1: up and down again along two units of (n + 1) * strength. These are in units of 2^-30, and a
-// uint holds them modulo 4.
-HN_FN hn_int hn_i_folds(hn_int n, hn_int strength) {
-  hn_uint u = uint(n + HN_I_UNITS_VALUE);
-  hn_uint s = uint(strength);
-  hn_uint t = (u * (s >> 9u) + ((u * (s & 511u)) >> 9u)) & 0x7FFFFFFFu;
-  return int(min(t, 0x80000000u - t) >> 8u) - HN_I_UNITS_VALUE;
-}
-
-// 1 - strength * (1 - n) / 2
-HN_FN hn_int hn_i_weight_factor(hn_int n, hn_int strength) {
-  return HN_I_WEIGHT_ONE - hn_i_weight_times((HN_I_UNITS_VALUE - n) >> 4, strength);
-}
-
-// The total of the weights. Only a part of the last octave counts. (gain * total + 1 would round in another way than
-// the weights do, so these are added one by one.)
-HN_FN hn_int hn_i_total(hn_int octaves, hn_int gain, hn_int part) {
-  hn_int total = 0;
-  hn_int weight = HN_I_WEIGHT_ONE;
-  for (hn_int i = 1; i < octaves; ++i) {
-    total += weight;
-    weight = hn_i_weight_times(weight, gain);
-  }
-  return total + hn_i_weight_times(weight, part);
-}
-
-// sum * 2^18 / total, cut off towards 0, by long division: the whole part, then 9 bits, then 9 more. A rest of 23 bits
-// leaves room for only 9 bits at a time.
-HN_FN hn_int hn_i_mean(hn_int sum, hn_int total) {
-  hn_uint divisor = uint(total);
-  hn_uint rest = uint(hn_i_magnitude(sum));
-  hn_uint quotient = rest / divisor;
-  rest -= quotient * divisor;
-  for (hn_int i = 0; i < 2; ++i) {
-    rest <<= 9u;
-    hn_uint digits = rest / divisor;
-    rest -= digits * divisor;
-    quotient = (quotient << 9u) | digits;
-  }
-  return hn_i_select(sum < 0, -int(quotient), int(quotient));
-}
-
-// A sky of an fBm: it is clear below -1/8 and dense above 3/8, with a smooth step between. The density is
-// 1/2 + c (3/2 - 2 c^2) with c = 2 mean - 1/4, clamped to [-1/2, 1/2], in units of 2^-16.
-HN_FN hn_int hn_i_density(hn_int mean) {
-  hn_int c = (min(max(2 * mean + HN_I_UNITS_VALUE / 4, 0), HN_I_UNITS_VALUE) - HN_I_UNITS_VALUE / 2) >> 5;
-  return HN_I_UNITS_VALUE / 2 + ((c * int((0xC0000000u - uint(c * c)) >> 16u)) >> 10);
-}
-
-HN_FN hn_int hn_i_billows(hn_int mean) { return 2 * mean - HN_I_UNITS_VALUE; }
-
-#else
+#if HN_ARITHMETIC != HN_FIXED
 
 #if HN_ARITHMETIC == HN_FAST
 
@@ -165,17 +86,24 @@ HN_FN hn_float hn_i_smooth(hn_float t) {
 #define HN_I_WEIGHT_ONE 1.0f
 #define HN_I_NO_WEIGHT 0.0f
 
+// A setting in [0, most].
 HN_FN hn_float hn_i_setting(hn_float x, hn_float most) { return min(max(0.0f, x), most); }
 HN_FN hn_float hn_i_gain(hn_float gain) { return gain; }
+
+// The product of two numbers in [0, 1], and sum + n * weight.
 HN_FN hn_float hn_i_weight_times(hn_float a, hn_float b) { return hn_i_times(a, b); }
 HN_FN hn_float hn_i_summed(hn_float sum, hn_float n, hn_float weight) { return hn_i_multiply_add(weight, n, sum); }
 
+// The noise of an octave as it is, and in [-1, 1]. (With HN_GRADIENT_SINE it reaches 3/2 in space.)
 HN_FN hn_float hn_i_octave(hn_float n) { return n; }
 HN_FN hn_float hn_i_bounded_octave(hn_float n) { return min(max(-1.0f, n), 1.0f); }
+
+// 1 - abs(n), and (1 + n) / 2. hn_i_weight_to_value converts them from the units of weights to those of values.
 HN_FN hn_float hn_i_ridge(hn_float n) { return hn_i_minus(1.0f, abs(n)); }
 HN_FN hn_float hn_i_weight_to_value(hn_float weight) { return weight; }
 HN_FN hn_float hn_i_height(hn_float n) { return hn_i_multiply_add(0.5f, n, 0.5f); }
 
+// A wave between -1 and 1: up and down again along two units of (n + 1) * strength.
 HN_FN hn_float hn_i_folds(hn_float n, hn_float strength) {
   HN_I_PRECISE hn_float t = (n + 1.0f) * strength;
   HN_I_PRECISE hn_float folded = t - 2.0f * floor(t * 0.5f);
@@ -183,11 +111,13 @@ HN_FN hn_float hn_i_folds(hn_float n, hn_float strength) {
   return wave;
 }
 
+// 1 - strength * (1 - n) / 2
 HN_FN hn_float hn_i_weight_factor(hn_float n, hn_float strength) {
   HN_I_PRECISE hn_float factor = 1.0f - strength * (0.5f - 0.5f * n);
   return factor;
 }
 
+// The total of the weights. Only a part of the last octave counts.
 HN_FN hn_float hn_i_total(hn_int octaves, hn_float gain, hn_float part) {
   hn_float total = part;
   for (hn_int i = 1; i < octaves; ++i) total = hn_i_multiply_add(gain, total, 1.0f);
@@ -203,6 +133,72 @@ HN_FN hn_float hn_i_density(hn_float mean) {
 
 HN_FN hn_float hn_i_billows(hn_float mean) { return min(hn_i_multiply_add(2.0f, mean, -1.0f), 1.0f); }
 
+#else
+
+#define HN_I_WEIGHT_ONE HN_I_UNITS_WEIGHT
+#define HN_I_NO_WEIGHT 0
+
+HN_FN hn_int hn_i_setting(hn_float x, hn_float most) { return int(min(max(0.0f, x), most) * HN_I_FLOAT_UNITS_WEIGHT); }
+HN_FN hn_int hn_i_gain(hn_float gain) { return hn_i_setting(gain, 1.0f); }
+
+HN_FN hn_int hn_i_weight_times(hn_int a, hn_int b) { return ((a >> 9) * b + (((a & 511) * b) >> 9)) >> 9; }
+HN_FN hn_int hn_i_summed(hn_int sum, hn_int n, hn_int weight) {
+  return sum + ((n * (weight >> 9) + (n >> 9) * (weight & 511)) >> 9);
+}
+
+HN_FN hn_int hn_i_octave(hn_float n) { return int(min(max(-1.5f, n), 1.5f) * HN_I_FLOAT_UNITS_VALUE); }
+HN_FN hn_int hn_i_bounded_octave(hn_float n) { return int(min(max(-1.0f, n), 1.0f) * HN_I_FLOAT_UNITS_VALUE); }
+HN_FN hn_int hn_i_ridge(hn_int n) { return (HN_I_UNITS_VALUE - hn_i_magnitude(n)) >> 3; }
+HN_FN hn_int hn_i_weight_to_value(hn_int weight) { return weight << 3; }
+HN_FN hn_int hn_i_height(hn_int n) { return (HN_I_UNITS_VALUE + n) >> 4; }
+
+// (n + 1) * strength is in units of 2^-30, and a uint holds it modulo 4.
+HN_FN hn_int hn_i_folds(hn_int n, hn_int strength) {
+  hn_uint u = uint(n + HN_I_UNITS_VALUE);
+  hn_uint s = uint(strength);
+  hn_uint t = (u * (s >> 9u) + ((u * (s & 511u)) >> 9u)) & 0x7FFFFFFFu;
+  return int(min(t, 0x80000000u - t) >> 8u) - HN_I_UNITS_VALUE;
+}
+
+HN_FN hn_int hn_i_weight_factor(hn_int n, hn_int strength) {
+  return HN_I_WEIGHT_ONE - hn_i_weight_times((HN_I_UNITS_VALUE - n) >> 4, strength);
+}
+
+// gain * total + 1 would round in another way than the weights do, so these are added one by one.
+HN_FN hn_int hn_i_total(hn_int octaves, hn_int gain, hn_int part) {
+  hn_int total = 0;
+  hn_int weight = HN_I_WEIGHT_ONE;
+  for (hn_int i = 1; i < octaves; ++i) {
+    total += weight;
+    weight = hn_i_weight_times(weight, gain);
+  }
+  return total + hn_i_weight_times(weight, part);
+}
+
+// sum * 2^18 / total, cut off towards 0, by long division: the whole part, then 9 bits, then 9 more. A rest of 23 bits
+// leaves room for only 9 bits at a time.
+HN_FN hn_int hn_i_mean(hn_int sum, hn_int total) {
+  hn_uint divisor = uint(total);
+  hn_uint rest = uint(hn_i_magnitude(sum));
+  hn_uint quotient = rest / divisor;
+  rest -= quotient * divisor;
+  for (hn_int i = 0; i < 2; ++i) {
+    rest <<= 9u;
+    hn_uint digits = rest / divisor;
+    rest -= digits * divisor;
+    quotient = (quotient << 9u) | digits;
+  }
+  return hn_i_select(sum < 0, -int(quotient), int(quotient));
+}
+
+// The density is 1/2 + c (3/2 - 2 c^2) with c = 2 mean - 1/4, clamped to [-1/2, 1/2], in units of 2^-16.
+HN_FN hn_int hn_i_density(hn_int mean) {
+  hn_int c = (min(max(2 * mean + HN_I_UNITS_VALUE / 4, 0), HN_I_UNITS_VALUE) - HN_I_UNITS_VALUE / 2) >> 5;
+  return HN_I_UNITS_VALUE / 2 + ((c * int((0xC0000000u - uint(c * c)) >> 16u)) >> 10);
+}
+
+HN_FN hn_int hn_i_billows(hn_int mean) { return 2 * mean - HN_I_UNITS_VALUE; }
+
 #endif
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -217,19 +213,19 @@ HN_FN hn_float hn_i_billows(hn_float mean) { return min(hn_i_multiply_add(2.0f, 
 
 // hn_i_fixed_position converts one axis of a place to a fixed-point position, and hn_i_fixed_fraction the fraction of
 // one back to a number of HN_ARITHMETIC.
-#if HN_ARITHMETIC == HN_FIXED
-HN_FN hn_ivec2 hn_i_fixed_position(hn_int cell, hn_int fraction, hn_int rest) {
-  hn_int units = fraction * 16 + rest;  // from -15 to 2^24
-  return ivec2(int(uint(cell) + uint(units >> 31)), units + ((units >> 31) & HN_I_UNITS_POSITION));
-}
-HN_FN hn_int hn_i_fixed_fraction(hn_ivec2 x) { return x.y >> 4; }
-#else
+#if HN_ARITHMETIC != HN_FIXED
 HN_FN hn_ivec2 hn_i_fixed_position(hn_int cell, hn_float fraction, hn_int rest) {
   return ivec2(cell, int(min(max(0.0f, fraction), 1.0f) * HN_I_FLOAT_UNITS_POSITION) + rest);
 }
 HN_FN hn_float hn_i_fixed_fraction(hn_ivec2 x) {
   return HN_I_NOT_WHOLE(hn_i_float(x.y) * (1.0f / HN_I_FLOAT_UNITS_POSITION));
 }
+#else
+HN_FN hn_ivec2 hn_i_fixed_position(hn_int cell, hn_int fraction, hn_int rest) {
+  hn_int units = fraction * 16 + rest;  // from -15 to 2^24
+  return ivec2(int(uint(cell) + uint(units >> 31)), units + ((units >> 31) & HN_I_UNITS_POSITION));
+}
+HN_FN hn_int hn_i_fixed_fraction(hn_ivec2 x) { return x.y >> 4; }
 #endif
 
 // The high 32 bits of a product of two uints. umulExtended is not in GLSL 1.30.
@@ -280,7 +276,15 @@ HN_FN hn_ivec2 hn_i_shifted(hn_ivec2 x, hn_int shift) {
 
 HN_FN hn_int hn_i_next_period(hn_int period, hn_float lacunarity) { return int(uint(period) * uint(lacunarity)); }
 
-#if HN_ARITHMETIC == HN_FIXED
+#if HN_ARITHMETIC != HN_FIXED
+
+HN_FN hn_float hn_i_footprint(hn_float footprint) { return footprint; }
+HN_FN hn_float hn_i_resolved_part(hn_float footprint) { return min(max(0.0f, hn_i_minus(1.5f, footprint)), 1.0f); }
+HN_FN hn_float hn_i_next_footprint(hn_float footprint, hn_float lacunarity) {
+  return hn_i_times(footprint, max(lacunarity, 1.0f));
+}
+
+#else
 
 // hn_i_footprint clamps a footprint, which matters up to 2 cells. hn_i_resolved_part returns how much of an octave it
 // leaves: all of it up to half a cell, and nothing from one and a half on. hn_i_next_footprint converts it to cells of
@@ -297,14 +301,6 @@ HN_FN hn_int hn_i_next_footprint(hn_int footprint, hn_float lacunarity) {
   return hn_i_select(next.x > 1, 2 * HN_I_UNITS_POSITION, (next.x << 24) + next.y);
 }
 
-#else
-
-HN_FN hn_float hn_i_footprint(hn_float footprint) { return footprint; }
-HN_FN hn_float hn_i_resolved_part(hn_float footprint) { return min(max(0.0f, hn_i_minus(1.5f, footprint)), 1.0f); }
-HN_FN hn_float hn_i_next_footprint(hn_float footprint, hn_float lacunarity) {
-  return hn_i_times(footprint, max(lacunarity, 1.0f));
-}
-
 #endif
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -312,12 +308,12 @@ HN_FN hn_float hn_i_next_footprint(hn_float footprint, hn_float lacunarity) {
 
 // hn_i_bounded keeps a mean in [-1, 1]: where all octaves are at an end, roundings of floats could take it beyond.
 // hn_i_finite returns 0 in place of what is no number, because the positions or the weights of octaves overflowed.
-#if HN_ARITHMETIC == HN_FIXED
-HN_FN hn_int hn_i_bounded(hn_int mean) { return mean; }
-HN_FN hn_int hn_i_finite(hn_int mean) { return mean; }
-#else
+#if HN_ARITHMETIC != HN_FIXED
 HN_FN hn_float hn_i_bounded(hn_float mean) { return min(max(-1.0f, mean), 1.0f); }
 HN_FN hn_float hn_i_finite(hn_float mean) { return hn_i_select(abs(mean) < 1.0e38f, mean, 0.0f); }
+#else
+HN_FN hn_int hn_i_bounded(hn_int mean) { return mean; }
+HN_FN hn_int hn_i_finite(hn_int mean) { return mean; }
 #endif
 
 // A detail is a number of octaves that need not be whole. hn_i_whole_octaves returns how many octaves it takes, and
