@@ -157,10 +157,9 @@ class Statuses(unittest.TestCase):
         return found[1]
 
     def test_all_that_are_bad_kill_but_error(self):
-        names = set(re.findall(r'return "(\w+)";', self.body("name_of")))
-        bad = set(re.findall(r"Status::(\w+)", self.body("is_bad").split("return false;")[1]))
+        names = set(re.findall(r'"(\w+)"[,}]', self.body("name_of")))
+        bad = names - set(re.findall(r"!= Status::(\w+)", self.body("is_bad")))
         self.assertLessEqual({"pass", "error"}, names - set(mutate.KILLING))
-        self.assertLessEqual(bad, names, "a status has another name in results.json than in C++")
         self.assertEqual(set(mutate.KILLING), bad - {"error"})
 
 

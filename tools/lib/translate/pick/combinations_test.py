@@ -166,7 +166,7 @@ class TypeScriptCompiler:
         names = written_to(folder, {f"m{i}.{self.suffix}": text for i, text in enumerate(texts)})
         ran(self.packages, NODE, "npx", "--no-install", "tsc", "--ignoreConfig", "--noEmit", "--strict",
             "--noUnusedLocals", "--noUnusedParameters", "--noImplicitReturns", "--target", "es2020", "--module",
-            "es2020", "--types", "", *self.options, *(folder / name for name in names))
+            "es2020", *self.options, *(folder / name for name in names))
 
 
 class JavaScriptCompiler(TypeScriptCompiler):

@@ -86,10 +86,10 @@ class InRust(unittest.TestCase):
                 self.assertEqual(written(shown, command.SYNTAXES["rust"]), expected)
 
     def test_a_function_is_not_called_like_a_parameter(self) -> None:
-        shown = written("int hn_i_magnitude(int x) { int y = x * x - 3; return y * y + x * 5 - (y << 2) * y; } "
-                        "int hn_f(int size) { return hn_i_magnitude(size) + hn_i_magnitude(size + 1) + hn_i_magnitude(size * 7); }",
+        shown = written("int hn_i_power(int x) { int y = x * x - 3; return y * y + x * 5 - (y << 2) * y; } "
+                        "int hn_f(int power) { return hn_i_power(power) + hn_i_power(power + 1) + hn_i_power(power * 7); }",
                         command.SYNTAXES["rust"])
-        self.assertIn("pub fn f1(size: i32) -> i32 {\n    size_2(size) + size_2(size + 1) + size_2(size * 7)\n}", shown)
+        self.assertIn("pub fn f1(power: i32) -> i32 {\n    power_2(power) + power_2(power + 1) + power_2(power * 7)\n}", shown)
 
 
 class InC(unittest.TestCase):
