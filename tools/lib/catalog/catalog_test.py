@@ -69,7 +69,7 @@ class Made(unittest.TestCase):
                     self.assertRegex(made["__init__.pyi"], rf"(?m)^def {function.name}\(")
                     self.assertRegex(module, rf"(?m)^{function.name} = _")
                 self.assertIn(f'.call = "hn_{function.name}(p', suite.files()["library/functions.inc"])
-                self.assertIn(f"HN_ONLY_TYPES_OF_GLSL(hn_{function.name})\n", made["hashnoise.hpp"])
+                self.assertIn(f"HN_ONLY_TYPES_OF_GLSL(hn_{function.name})\n", made["functions_of_glsl.h"])
                 if getattr(function, "step", "") not in ("", "eroded"):
                     self.assertRegex(made["fbm2d.glsl"], rf"(?m)^HN_FN hn_float hn_i_{function.name}\(hn_octaves2 o")
 

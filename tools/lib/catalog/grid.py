@@ -9,7 +9,7 @@ from catalog.model import Catalog, Function, Noise, Setting, Sum
 from catalog.sections import with_section
 
 PATH = ROOT / "src" / "grid" / "catalog.inc"
-HEADER = "include/hashnoise/hashnoise.hpp"
+HEADER = "include/hashnoise/detail/functions_of_glsl.h"
 MACROS = {
     "HN_CATALOG_NOISE": "(Id, name, first dimension, last dimension, shape, takes): Shape::shape and Takes::takes",
     "HN_CATALOG_RANGE": "(noise, component, dimensions, least, greatest): of a component that is not in [-1, 1]",

@@ -99,7 +99,7 @@ def catalog() -> Iterator[Row]:
 
 def cpp() -> Iterator[Row]:
     """Members in their order, with their defaults."""
-    for file in ("points.hpp", "field.hpp", "hashnoise.hpp"):
+    for file in ("points.hpp", "field.hpp", "detail/types_of_glsl.hpp"):
         text = re.sub("//.*", "", text_at("include", "hashnoise", file))
         yield from (("c++", macro, "") for macro in re.findall(r"^#define (HN_ONLY\w+)", text, re.M))
         for name, body in STRUCT_OF_CPP.findall(text):
