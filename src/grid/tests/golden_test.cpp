@@ -76,7 +76,7 @@ Golden read(const hn::Function& function) {
 // The field that has what a file is of. None if no field has what the function returns: the nearest cell, or the way to
 // its point; or what it is: derivatives of several numbers, or gullies.
 std::optional<Settings> settings_of(const hn::Function& function, const Golden& golden) {
-  if (function.inputs_are_units() || function.is_name(0) || function.is_offset(0)) return {};
+  if (function.inputs_are_units() || function.is_name(0) || function.is_offset) return {};
   Settings settings;
   settings.arithmetic = Arithmetic::kFixed;
   if (function.is_octave_sum()) {
