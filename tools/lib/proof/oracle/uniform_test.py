@@ -73,7 +73,7 @@ class Page(unittest.TestCase):
             return f"({', '.join(map(str, numbers))}) / {uniform.PARTS}"
 
         v = "{} a + {} b + {} c + {}".format(*uniform.VARIANCE)
-        for text in (f"`B = {listed(uniform.BELL)}`", f"`H = {listed(uniform.WAY)}`", f"V(a, b, c) = {v}\n",
+        for text in (f"`B` is `{listed(uniform.BELL)}`", f"`H` is `{listed(uniform.WAY)}`", f"V(a, b, c) = {v}\n",
                      f"to [1, {uniform.MOST_OCTAVES}]", f"[1/16, {uniform.LARGEST_REACH}]",
                      f"{uniform.TABLE_UNIT} times their distributions"):
             self.assertIn(text, PAGE)
