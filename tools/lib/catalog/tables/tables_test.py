@@ -185,7 +185,7 @@ HN_FN hn_float hn_four(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return 0.0f; }
         self.assertIs(second.comment, first.comment)  # an overload without one of its own
         self.assertIsNone(third.comment)
 
-    def test_overloads_that_tools_umbrella_made_have_the_comment_of_the_plane(self) -> None:
+    def test_overloads_that_dimensions_made_have_the_comment_of_the_plane(self) -> None:
         (self.folder / "a.glsl").write_text("""
 //   seed     any
 HN_FN hn_float hn_one(hn_vec2 p) { return 0.0f; }

@@ -10,7 +10,7 @@ from translate.dimensions.rule import Unclear, in_dimension
 
 
 class Rule(unittest.TestCase):
-    """The library's own files are made by it, and umbrella_test holds them to that."""
+    """The library's own files are made by it, and command_test holds them to that."""
 
     def test_a_value_grows_with_its_derivatives(self):
         self.assertEqual(in_dimension(3, "hn_vec3 n = vec3(v, g.x, g.y);"), "hn_vec4 n = vec4(v, g.x, g.y, g.z);")
