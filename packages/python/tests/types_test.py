@@ -88,7 +88,7 @@ WRONG = {
 }
 # The modules behind the stub are without types, as it has them.
 CONFIGURATION = """[mypy]
-[mypy-hashnoise._core,hashnoise._evaluate,hashnoise._grids,hashnoise._noises,hashnoise._sums,dask.*,xarray.*]
+[mypy-hashnoise._core,hashnoise._evaluate,hashnoise._grids,hashnoise._noises,hashnoise._sums,hashnoise._bake.*,hashnoise._bake_files,dask.*,xarray.*]
 ignore_errors = True
 ignore_missing_imports = True
 """
