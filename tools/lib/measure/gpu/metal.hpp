@@ -9,7 +9,7 @@
 typedef unsigned int uint;
 template <class T, int N>
 using vec = T __attribute__((ext_vector_type(N)));
-#define VECTORS(type, name) \
+#define VECTORS(type, name)     \
   typedef vec<type, 2> name##2; \
   typedef vec<type, 3> name##3; \
   typedef vec<type, 4> name##4;
@@ -49,13 +49,16 @@ T as_type(A a) {
 }
 
 // A function of numbers is one of vectors, component by component.
-#define BY_COMPONENT(type, name, of)                                                                                \
-  static type##2 name PARAMETERS_##of(type##2) { return made<type##2>(name ARGUMENTS_##of(x), name ARGUMENTS_##of(y)); }  \
-  static type##3 name PARAMETERS_##of(type##3) {                                                                    \
-    return made<type##3>(name ARGUMENTS_##of(x), name ARGUMENTS_##of(y), name ARGUMENTS_##of(z));                         \
-  }                                                                                                                 \
-  static type##4 name PARAMETERS_##of(type##4) {                                                                    \
-    return made<type##4>(name ARGUMENTS_##of(x), name ARGUMENTS_##of(y), name ARGUMENTS_##of(z), name ARGUMENTS_##of(w)); \
+#define BY_COMPONENT(type, name, of)                                                              \
+  static type##2 name PARAMETERS_##of(type##2) {                                                  \
+    return made<type##2>(name ARGUMENTS_##of(x), name ARGUMENTS_##of(y));                         \
+  }                                                                                               \
+  static type##3 name PARAMETERS_##of(type##3) {                                                  \
+    return made<type##3>(name ARGUMENTS_##of(x), name ARGUMENTS_##of(y), name ARGUMENTS_##of(z)); \
+  }                                                                                               \
+  static type##4 name PARAMETERS_##of(type##4) {                                                  \
+    return made<type##4>(name ARGUMENTS_##of(x), name ARGUMENTS_##of(y), name ARGUMENTS_##of(z),  \
+                         name ARGUMENTS_##of(w));                                                 \
   }
 #define PARAMETERS_1(type) (type a)
 #define PARAMETERS_2(type) (type a, type b)
@@ -69,40 +72,32 @@ T as_type(A a) {
 
 #if defined(__NVPTX__)
 #define INDEX __nvvm_read_ptx_sreg_tid_x()
+#define NATIVE(name, of_ptx) __nvvm_##of_ptx##_approx_ftz_f
 FUNCTION(float, spvFAdd, 2, __nvvm_add_rn_ftz_f(a, b))
 FUNCTION(float, spvFMul, 2, __nvvm_mul_rn_ftz_f(a, b))
-FUNCTION(float, sqrt, 1, __nvvm_sqrt_approx_ftz_f(a))
-FUNCTION(float, rsqrt, 1, __nvvm_rsqrt_approx_ftz_f(a))
-FUNCTION(float, sin, 1, __nvvm_sin_approx_ftz_f(a))
-FUNCTION(float, cos, 1, __nvvm_cos_approx_ftz_f(a))
-FUNCTION(float, exp2, 1, __nvvm_ex2_approx_ftz_f(a))
-FUNCTION(float, log2, 1, __nvvm_lg2_approx_ftz_f(a))
 #else
 #pragma clang fp contract(off)
-FUNCTION(float, spvFAdd, 2, a + b)
-FUNCTION(float, spvFMul, 2, a* b)
+FUNCTION(float, spvFAdd, 2, (a + b))
+FUNCTION(float, spvFMul, 2, (a * b))
 #pragma clang fp contract(fast)
 #if defined(__SPIR__)
 #define INDEX get_global_id(0)
 unsigned long get_global_id(uint);
+#define NATIVE(name, of_ptx) native_##name
 float native_sqrt(float), native_rsqrt(float), native_sin(float), native_cos(float), native_exp2(float),
     native_log2(float);
-FUNCTION(float, sqrt, 1, native_sqrt(a))
-FUNCTION(float, rsqrt, 1, native_rsqrt(a))
-FUNCTION(float, sin, 1, native_sin(a))
-FUNCTION(float, cos, 1, native_cos(a))
-FUNCTION(float, exp2, 1, native_exp2(a))
-FUNCTION(float, log2, 1, native_log2(a))
 #else  // this processor, for tests
 #define INDEX 0
-FUNCTION(float, sqrt, 1, __builtin_sqrtf(a))
-FUNCTION(float, rsqrt, 1, 1.0f / __builtin_sqrtf(a))
-FUNCTION(float, sin, 1, __builtin_sinf(a))
-FUNCTION(float, cos, 1, __builtin_cosf(a))
-FUNCTION(float, exp2, 1, __builtin_exp2f(a))
-FUNCTION(float, log2, 1, __builtin_log2f(a))
+#define NATIVE(name, of_ptx) __builtin_##name##f
+#define __builtin_rsqrtf(a) (1.0f / __builtin_sqrtf(a))
 #endif
 #endif
+FUNCTION(float, sqrt, 1, NATIVE(sqrt, sqrt)(a))
+FUNCTION(float, rsqrt, 1, NATIVE(rsqrt, rsqrt)(a))
+FUNCTION(float, sin, 1, NATIVE(sin, sin)(a))
+FUNCTION(float, cos, 1, NATIVE(cos, cos)(a))
+FUNCTION(float, exp2, 1, NATIVE(exp2, ex2)(a))
+FUNCTION(float, log2, 1, NATIVE(log2, lg2)(a))
 FUNCTION(float, spvFSub, 2, spvFAdd(a, -b))
 FUNCTION(float, floor, 1, __builtin_floorf(a))
 FUNCTION(float, ceil, 1, __builtin_ceilf(a))
