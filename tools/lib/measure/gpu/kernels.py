@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from measure.gpu.drivers import Drivers
 
 HEADER = Path(__file__).with_name("metal.hpp")
-# Of Clang; what may be contracted says so, and LLVM optimizes later.
+# Clang's options. Operations that may be contracted are marked, and LLVM optimizes later.
 OPTIONS = ("-x", "cl", "-cl-std=clc++", "-cl-no-stdinc", "-cl-single-precision-constant", "-cl-denorms-are-zero",
            "-ffp-contract=fast", "-freciprocal-math", "-w", "-I", HEADER.parent)
 # Functions that SPIRV-Cross defines for what must not be contracted; the header has them.
