@@ -1,5 +1,5 @@
-// The compiled part of the Python package: fields over numbers that lie in a row. hashnoise/ has the interface of users,
-// checks what they pass, and brings other arrays into rows.
+// The compiled part of the Python package: fields over numbers that lie in a row. hashnoise/ has the interface that
+// users see, checks what they pass, and brings other arrays into rows.
 // SPDX-License-Identifier: MIT
 
 #include <nanobind/nanobind.h>
