@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 import time
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 
 import hashnoise
 import numpy
@@ -93,7 +94,7 @@ class Arrays(unittest.TestCase):
 
 class Cells(unittest.TestCase):
     def test_kinds_of_numbers(self):
-        """Of cells along one axis that are broadcast to a plane."""
+        """Cells along two axes are broadcast to a plane."""
         cells = numpy.random.default_rng(3).integers(0, 2**31, 600)
         expected = hashnoise.perlin_d(0.5, 0.25, cell=(cells, -cells[:, None]), seed=4)
         for kind in ("i4", "i8", ">i8", "u4", "u8"):
@@ -235,17 +236,6 @@ class Grids(unittest.TestCase):
                          planes.astype(numpy.float16).tobytes())
         self.assertEqual(hashnoise.grid("fbm", (9, 0), step=0.05, dtype="uint16").shape, (0, 9))
 
-    def test_every_float16(self):
-        """A line through 0 has as values all that a float16 may be between -1 and 1."""
-        for step in (2.0**-26, 2.0**-20, 2.0**-12, 0.0371):
-            values = hashnoise.grid("perlin", 40_001, step=step, origin=-20_000 * step)
-            self.assertEqual(hashnoise.grid("perlin", 40_001, step=step, origin=-20_000 * step, dtype="f2").tobytes(),
-                             values.astype(numpy.float16).tobytes())
-        # Larger values: squared distances in cells are at most 5.
-        values = hashnoise.grid("cellular", (99, 99), step=0.1, metric="squared")
-        self.assertEqual(hashnoise.grid("cellular", (99, 99), step=0.1, metric="squared", dtype="f2").tobytes(),
-                         values.astype(numpy.float16).tobytes())
-
     def test_words(self):
         for name, dimensions, least, greatest in (("ridged", 2, 0, 1), ("perlin", 3, -1, 1), ("value", 1, -1, 1)):
             size = (41, 31, 21)[:dimensions]
@@ -324,16 +314,6 @@ class Threads(unittest.TestCase):
 
     def test_many_threads_of_python(self):
         expected = hashnoise.grid("simplex", (200, 200), step=0.1).tobytes()
-        wrong = []
-
-        def compute():
-            for _ in range(20):
-                if hashnoise.grid("simplex", (200, 200), step=0.1).tobytes() != expected:
-                    wrong.append(True)
-
-        threads = [threading.Thread(target=compute) for _ in range(4)]
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            thread.join()
-        self.assertEqual(wrong, [])
+        with ThreadPoolExecutor(4) as pool:
+            found = set(pool.map(lambda _: hashnoise.grid("simplex", (200, 200), step=0.1).tobytes(), range(80)))
+        self.assertEqual(found, {expected})
