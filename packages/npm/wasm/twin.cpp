@@ -154,43 +154,38 @@ enum Sum {
   kWarp,
   kWarpProgressive,
 };
+// clang-format on
+// tools/make catalog: end
 
 // Once for all dimensions: what adds to octaves would be there for each.
 [[gnu::noinline]] hn_i_octave_sum with_value(hn_i_octave_sum s, Float n) {
+  const float& strength = settings.strength;
   switch (static_cast<Sum>(settings.sum)) {
-    case kFbm: return hn_i_add_noise(s, n);
-    case kTurbulence: return hn_i_add_turbulence(s, n);
-    case kClouds: return hn_i_add_noise(s, n);
-    case kBillow: return hn_i_add_billow(s, n);
-    case kRidged: return hn_i_add_ridged(s, n);
-    case kHybrid: return hn_i_add_hybrid(s, n);
-    case kPingPong: return hn_i_add_ping_pong(s, n, settings.strength);
-    case kWeighted: return hn_i_add_weighted(s, n, settings.strength);
-    case kFbmD: return s;
-    case kEroded: return s;
-    case kWarp: return s;
-    case kWarpProgressive: return s;
+#define HN_CATALOG_STEP(Id, name, added, ...) \
+  case k##Id:                                 \
+    return added;
+#include "../../../src/grid/catalog.inc"
+    case kFbmD:
+    case kEroded:
+    case kWarp:
+    case kWarpProgressive:
+      return s;
   }
 }
 
 Int finished(Int mean) {
   switch (static_cast<Sum>(settings.sum)) {
-    case kFbm: return mean;
-    case kTurbulence: return mean;
-    case kClouds: return hn_i_density(mean);
-    case kBillow: return hn_i_billows(mean);
-    case kRidged: return hn_i_bounded(mean);
-    case kHybrid: return hn_i_bounded(mean);
-    case kPingPong: return hn_i_bounded(mean);
-    case kWeighted: return hn_i_bounded(mean);
-    case kFbmD: return mean;
-    case kEroded: return mean;
-    case kWarp: return mean;
-    case kWarpProgressive: return mean;
+#define HN_CATALOG_STEP(Id, name, added, made) \
+  case k##Id:                                  \
+    return made;
+#include "../../../src/grid/catalog.inc"
+    case kFbmD:
+    case kEroded:
+    case kWarp:
+    case kWarpProgressive:
+      return mean;
   }
 }
-// clang-format on
-// tools/make catalog: end
 
 bool is_warp() { return settings.sum == kWarp || settings.sum == kWarpProgressive; }
 
