@@ -156,17 +156,10 @@ def in_this_form(text: str) -> str:
 
 
 def kernels(twin: Twin) -> str:
-    """The tables of twin.cpp: for each number of dimensions the noises, up to the last that there is."""
-    made = []
-    for dimensions, (table_, macro) in enumerate((("kLine", "TWIN_LINE"), ("kPlane", "TWIN_PLANE"),
-                                                  ("kSpace", "TWIN_SPACE")), 1):
-        found = [", ".join([noise.name, *(f"settings.{part}" for part in parts_of(noise)), "seed"])
-                 if noise.is_in(dimensions) else "" for noise in twin.noises]
-        last = max(i for i, arguments in enumerate(found) if arguments)
-        made += [f"const Kernel{dimensions} {table_}[] = {{\n",
-                 *(f"    {f'{macro}({arguments})' if arguments else 'nullptr'},\n" for arguments in found[:last + 1]),
-                 "};\n"]
-    return in_this_form("".join(made))
+    """The table of twin.cpp."""
+    calls = (", ".join([noise.name, *(f"settings.{part}" for part in parts_of(noise)), "seed"]) for noise in twin.noises)
+    return in_this_form("".join(["template <int D>\n", "const Kernel<D> kNoises[] = {\n",
+                                 *(f"    TWIN_NOISE({call}),\n" for call in calls), "};\n"]))
 
 
 def sums(twin: Twin) -> str:
