@@ -6,7 +6,6 @@ import test from "node:test";
 import { fileURLToPath } from "node:url";
 import { shaderKey } from "../code.js";
 import { exported, exportedText, kKinds, kLicense } from "../export.js";
-import { costOf } from "../cost.js";
 import { Library } from "../library.js";
 import { ignoredIn, kLooks, linkOf, stateOf, stateOfLook } from "../links.js";
 import {
@@ -207,28 +206,6 @@ test("what one waits for any picture is no cost of a pixel", async () => {
   const steady = new Speed(4, 0.02);
   steady.learn(180, 4);
   assert.ok(steady.pixelsIn(40) * 0.02 < 60, `${steady.pixel}`);
-});
-
-// A GPU that takes a given time for each of the texts.
-const costWhere = (position, cell) =>
-  costOf(
-    {
-      build: async (text) => text,
-      discard: () => {},
-      time: async (text) => {
-        const [call] = /sum \+= .*?;/.exec(text);
-        if (!call.includes("pattern")) return 2;
-        if (!text.includes("fbm")) return 2 + 8;
-        return 2 + 8 * (/pattern\(ivec2\(/.test(call) ? cell : position);
-      },
-    },
-    library,
-    { ...usualState(), x: 3n << 54n },
-  );
-
-test("the cost is that of pattern(p) in calls of hn_perlin(p), and that from a cell is apart", async () => {
-  const { ratio, low, high, cell } = await costWhere(7.7, 20.8);
-  assert.deepEqual([ratio, low, high, cell].map((number) => number.toFixed(3)), ["7.700", "7.700", "7.700", "20.800"]);
 });
 
 test("what is below a pointer stays there while the scale changes", () => {

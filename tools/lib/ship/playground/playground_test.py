@@ -157,14 +157,6 @@ class Command(unittest.TestCase):
             path = Path(folder).resolve() / "a" / "page.html"
             self.assertEqual((out.getvalue(), path.read_text()), (f"{path}\n", "the page"))
 
-    def test_the_picture_is_that_of_the_page_and_its_status_counts(self):
-        with tempfile.TemporaryDirectory() as folder, mock.patch.object(command, "page", lambda _: "the page"), \
-                mock.patch.object(command, "draw", return_value=77) as draw, \
-                mock.patch.object(sys, "argv", ["playground", "--out", f"{folder}/page.html", "--picture"]), \
-                contextlib.redirect_stdout(io.StringIO()):
-            self.assertEqual(command.main(), 77)
-            draw.assert_called_once_with(Path(folder) / "page.html")
-
     def test_bad_usage_is_status_2(self):
         for arguments in (["--out"], ["more"], ["--out", "/dev/null/page.html"], ["--picks"]):
             done = subprocess.run([sys.executable, TOOLS / "playground", *arguments], capture_output=True, text=True, check=False)
