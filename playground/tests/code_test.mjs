@@ -404,7 +404,7 @@ test("code that is wrong is noticed", async () => {
   assert.notDeepEqual(await drawnWgsl(wgsl.replaceAll(", 7u)", ", 8u)"), state, false), shown);
   // The text of tools/pick with other arithmetic.
   await page.evaluate(() => {
-    const { modules } = window.hashnoise.library.pieces.shading;
+    const { modules } = window.hashnoise.library;
     for (const key of Object.keys(modules)) modules[key] = modules[key.replace(" fixed ", " fast ")];
   });
   for (const found of [

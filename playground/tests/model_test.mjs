@@ -6,7 +6,6 @@ import test from "node:test";
 import { fileURLToPath } from "node:url";
 import { shaderKey } from "../code.js";
 import { exported, exportedText, kKinds, kLicense } from "../export.js";
-import { Library } from "../library.js";
 import { ignoredIn, kLooks, linkOf, stateOf, stateOfLook } from "../links.js";
 import {
   changed, dimensionsOf, kSettings, noisesOf, possible, settingsOf, shownLayers, usualLayer, usualState,
@@ -14,7 +13,7 @@ import {
 import { chance, settingsBy } from "./states.mjs";
 import { parsedNumber, parsedPosition, positionText } from "../numbers.js";
 import { paletteOf } from "../palette.js";
-import { Pieces, unpacked } from "../pieces.js";
+import { Library, unpacked } from "../pieces.js";
 import { pageShader } from "../shaders.js";
 import { Speed } from "../speed.js";
 import { kLockable, randomized } from "../randomize.js";
@@ -25,9 +24,7 @@ import "./model_undo.mjs";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "..", "..");
 const page = readFileSync(process.argv[2], "utf8");
-const inPage = (id) => new RegExp(`id="${id}">([^<]*)<`).exec(page)[1];
-const library = new Library("1.2.3");
-for (const name of ["shading", "cpu"]) library.pieces[name] = new Pieces(await unpacked(inPage(name)));
+const library = new Library("1.2.3", await unpacked(/id="pieces">([^<]*)</.exec(page)[1]));
 
 test("the page is small", () => assert.ok(page.length < 1_080_000, `${page.length} bytes`));
 
@@ -330,7 +327,7 @@ test("a text without a piece is noticed", () => {
     assert.equal(wrongText(library, language, usualState()), "");
   }
   assert.equal(wrongText(without("hn_fbm"), "glsl", usualState()), "there is no hn_fbm");
-  assert.throws(() => library.pieces.shading.texts(["hn_absent2"], "glsl", "fast", "lattice", 2), /no hn_absent2 in glsl/);
+  assert.throws(() => library.texts(["hn_absent2"], "glsl", usualState()), /no hn_absent2 in glsl/);
 });
 
 test("a copied text has the chosen settings", () => {

@@ -28,16 +28,16 @@ def unpacked(text: str) -> bytes:
 class Page(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.picks = {"shading": "YQ==", "cpu": "Yg=="}  # the test playground.page makes a page of all texts
+        cls.pieces = "YQ=="  # the test playground.page makes a page of all texts
         cls.text = cls.made(cls)
 
     def made(self) -> str:
-        with mock.patch.object(picks, "kept_texts", lambda _: self.picks):
+        with mock.patch.object(picks, "kept_text", lambda _: self.pieces):
             return page.page()
 
     def test_it_is_one_file_that_is_the_same_each_time(self):
         self.assertEqual(self.made(), self.text)
-        self.assertNotRegex(self.text, r"\{\{(?:style|looks|script|hash|version|shading|cpu)\}\}")
+        self.assertNotRegex(self.text, r"\{\{(?:style|looks|script|hash|version|pieces)\}\}")
         self.assertNotRegex(self.text, r'(?i)(?:src|href)="(?!data:)')
         self.assertNotRegex(self.text, r"\bimport\(|@import|url\((?!data:)")
 
@@ -51,8 +51,7 @@ class Page(unittest.TestCase):
 
     def test_the_functions_are_in_it(self):
         self.assertIn(f'<span id="version">{version()}</span>', self.text)
-        for name, text in self.picks.items():
-            self.assertIn(f'id="{name}">{text}<', self.text)
+        self.assertIn(f'id="pieces">{self.pieces}<', self.text)
 
 
 class Picks(unittest.TestCase):
