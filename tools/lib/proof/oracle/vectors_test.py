@@ -10,7 +10,6 @@ from pathlib import Path
 
 from proof.golden.generator import INT_MAX, INT_MIN, to_f32
 from proof.oracle import noises, sums
-from proof.oracle.curl import CURL
 from proof.oracle.gradients import Knobs
 from proof.oracle.hashes import MASK
 from proof.oracle.integers import NOISE_UNIT
@@ -187,7 +186,7 @@ class Vectors(unittest.TestCase):
                 *((False, row) for row in VECTORS.items()), *((True, row) for row in with_sine.items())):
             periods = PERIODS[:n] if has_periods else ()
             for name in vectors:
-                noise, knobs = CURL if name == CURL.name else noises.find(name), Knobs(hash_name, sine)
+                noise, knobs = noises.find(name), Knobs(hash_name, sine)
                 at_point, in_cell = (noise if noise.phase is None else noise.rotated(phase)
                                      for phase in (PHASE, CELL_PHASE))
                 found = (*units(noise, at_point.fixed(knobs, POINT[:n], SEED, periods)),
@@ -228,6 +227,6 @@ class Vectors(unittest.TestCase):
     def test_every_noise_has_some_or_a_test_of_its_own(self) -> None:
         found = {name for vectors in VECTORS.values() for name in vectors}
         found |= {f"{name}_vector" for name in ("perlin", "value")}  # components_test.py has what they are of those
-        found |= {"phasor_d", "cellular_phase"}  # phasor_test.py and cellular_test.py have them
+        found |= {"phasor_d", "cellular_phase", "hex_tiling"}  # phasor_test.py, cellular_test.py and hexes_test.py have them
         of_their_own = {path.stem.removesuffix("_test") for path in Path(noises.__file__).parent.glob("*_test.py")}
-        self.assertLessEqual({*noises.names(), CURL.name}, found | of_their_own)
+        self.assertLessEqual({*noises.names()}, found | of_their_own)
