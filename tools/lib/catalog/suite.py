@@ -120,6 +120,8 @@ def files() -> dict[str, str]:
     of_cmake = "".join(f'  "{" ".join([one.name, *one.macros])}"\n' for one in configurations)
     return {"library/functions.inc": of_functions(catalog, functions), "library/bodies.inc": of_bodies(functions),
             "library/configurations.inc": of_configurations(configurations), "library/sums.inc": of_sums(catalog),
+            "library/metrics.inc": "".join([HEAD, "// Define METRIC(name, number), and include this file.\n", *(
+                row("METRIC", name, number) for number, name in enumerate(catalog.metrics, 1)), "#undef METRIC\n"]),
             "library/families.inc": HEAD + "".join(f"{name},\n" for name in families()),
             "configurations.cmake": f"set(configurations\n{of_cmake})\n"}
 

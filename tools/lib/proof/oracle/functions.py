@@ -1,5 +1,5 @@
-"""Chooses how the oracle evaluates a function of the library, by its row: by the noise or the sum that it is, by its
-arguments, or by what it calls."""
+"""Chooses how the oracle evaluates a function of the library, by its row: by its noise or sum, its arguments, or its
+name in the library."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ Evaluate = Callable[[Knobs, Sequence[Real]], Values]
 
 
 def along_axes(of: Callable[[int, int, int], Real], *row: int) -> Values:
-    """Of a position that is a whole number along each axis, and of cells and units."""
+    """A row has a position that is a whole number along each axis, and cells and units."""
     *position, cells, units = row
     return tuple(of(x, cells, units) for x in position)
 
@@ -53,7 +53,7 @@ def scattered(knobs: Knobs, *row: Real) -> Values:
     return (scatter.scattered(Lattice(knobs, seed, tuple(place[n:])), place[:n], radius),)
 
 
-# By what they call, the functions that are neither noises nor sums: of a row, whatever the knobs; ...
+# The functions that are neither noises nor sums, by their names in the library. They take a row, whatever the knobs; ...
 OF_ROWS: dict[str, Callable[..., Values]] = {
     "hn_unorm": lambda h: (gradients.unorm(h),), "hn_snorm": lambda h: (gradients.snorm(h),),
     "hn_gradient1": gradients.gradient1, "hn_gradient2": gradients.gradient2,
@@ -69,14 +69,14 @@ OF_ROWS: dict[str, Callable[..., Values]] = {
     "hn_fraction": functools.partial(along_axes, positions.fraction),
     "hn_distribution": uniform.spread, "hn_distribution_fbm": uniform.spread_fbm,
     "hn_uniform": lambda *row: uniform.uniform_d(*row)[:1], "hn_uniform_d": uniform.uniform_d}
-# of the knobs and a row; ...
+# the knobs and a row; ...
 OF_KNOBS: dict[str, Callable[..., Values]] = {
     "hn_hash": lambda knobs, *words: (hashes.hash_words(knobs.hash, words),),
     "hn_lattice": lambda knobs, *point: (hashes.lattice(knobs.hash, point[:-1], point[-1]),),
     "hn_gradient": lambda knobs, *point: gradients.gradient(knobs, point[:-1], point[-1]),
     "hn_self_check": lambda knobs, zero: (self_check(knobs.hash, zero),),
     "hn_scatter_point": scatter_point, "hn_scattered": scattered}
-# and those of them that fixed arithmetic changes.
+# and in fixed arithmetic, where that changes them.
 FIXED: dict[str, Callable[..., Values]] = {
     "hn_gradient": lambda knobs, *point: integers.gradient(knobs, point[:-1], point[-1]),
     "hn_distribution_fbm": lambda _, *row: uniform.fixed_spread_fbm(*row),

@@ -14,6 +14,7 @@ from fractions import Fraction
 from base.thorough import THOROUGH
 from proof.bounds import table
 from proof.bounds.table import Bounds
+from proof.golden.cellular_rows import METRICS
 from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
 from proof.oracle import gradients, noises
 from proof.oracle.components import component
@@ -64,7 +65,7 @@ def is_cellular(noise: Noise) -> bool:
 def with_each_metric(noise: Noise) -> list[Noise]:
     """Its bounds are those of all metrics; points that move have one."""
     has_metrics = is_cellular(noise) and noise.phase is None
-    return [noise.chosen(Choice(metric=metric)) for metric in (1, 2, 3, 4, 5)] if has_metrics else [noise]
+    return [noise.chosen(Choice(metric=metric)) for metric in METRICS] if has_metrics else [noise]
 
 
 def values_of(noise: Noise, numbers: Sequence[Fraction]) -> Sequence[Fraction]:
