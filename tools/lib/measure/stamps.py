@@ -228,6 +228,7 @@ class Kind(NamedTuple):
 
 KINDS = {"bench.csv": Kind("clock", of_subject), "peers.csv": Kind("peers", of_subject),
          "costs.csv": Kind("gpu", of_subject), "operations.csv": Kind("gpu", None), "chips.csv": Kind("gpu", None),
+         "stripes.csv": Kind("gpu", None),
          "compile.csv": Kind("compile", of_shader), "uniform.csv": Kind("uniform", of_distribution),
          **{f"{name}.csv": Kind("paper", of_paper) for name in ("table", "statistics", "period", "bandwidth")},
          "judged.csv": Kind("noise", of_names), "hashes.csv": Kind("hashes", of_names),
