@@ -229,11 +229,11 @@ def may_draw(noise: Noise, option: str) -> bool:
 
 
 def playground(catalog: Catalog) -> str:
-    slopes = {noise.name for noise in catalog.noises if noise.shape == "slopes"}
+    steep = {noise.plain for noise in catalog.noises if noise.shape == "slopes"}
 
     def of_noise(noise: Noise) -> dict[str, Any]:
         return {"dimensions": dimensions_of(noise, 4), **{option: True for option in noise.options if may_draw(noise, option)},
-                **({"steep": True} if f"{noise.name}_d" in slopes else {}),
+                **({"steep": True} if noise.name in steep else {}),
                 **({"range": noise.ranges["value"][0]} if "value" in noise.ranges else {}), "about": shown(noise)}
 
     def of_sum(sum_: Sum) -> dict[str, Any]:
