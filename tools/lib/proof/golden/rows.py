@@ -290,7 +290,7 @@ def with_phases(rows: list[Row], function: Function, waves: Sequence[float], gen
     if not function.has_phase or function.family in cellular_rows.FAMILIES:
         return rows
     rows = simplex_rows.with_phases(rows, generator)
-    return phasor_rows.with_waves(rows, function.axes, waves, generator) if function.has_wave else rows
+    return phasor_rows.with_waves(rows, function.axes, waves, generator) if "wave" in function.takes else rows
 
 
 def rows_of_fixed(function: Function, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
@@ -324,6 +324,6 @@ def plain_rows(function: Function, settings: Sequence[Configuration], generator:
         rows += cellular_rows.far_borders(function)
         if cellular_rows.jumps(function):
             rows = list(cellular_rows.cleared(rows, function, generator))
-    if function.noise in JUMPING and form == "position":
+    if function.bound in JUMPING and form == "position":
         rows = [tuple(-LEAST if -LEAST < x < 0 else x for x in row[:n]) + row[n:] for row in rows]
     return with_phases(rows, function, phasor_rows.EDGES, generator)

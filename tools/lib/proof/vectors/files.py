@@ -85,7 +85,7 @@ class Group:
             return []
         return [f"{self.configuration} {self.function.id} {hexadecimal(words)}" for words in self.golden.inputs]
 
-    def said(self, bounds: Sequence[Sequence[float]], known: dict[str, tuple[list, set]]) -> dict:
+    def said(self, bounds: Sequence[Sequence[float]], known: dict[str, tuple[list, set]]) -> str:
         """Its part of the file. `bounds` are for all rows, or none if every bit counts; `known` keeps numbers
         and features of rows by their words, since settings have most of them alike."""
         golden, results = self.golden, self.results
@@ -102,12 +102,11 @@ class Group:
         rows: list[dict] = [{"in": known[words[i]][0], "words": words[i], "out": results[i]} for i in numbers]
         if bounds:
             rows = [{**row, "bound": bounds[i]} for i, row in zip(numbers, rows)]
-            return {**head, "rows": rows}
-        if self.arithmetic == "fixed" and all(kind == "f64" for _, kind in golden.head.results):
+        elif self.arithmetic == "fixed" and all(kind == "f64" for _, kind in golden.head.results):
             head["units"] = [unit_of(values) for values in zip(*results)]
             rows = [{**row, "units": [int(value * 2.0**-unit) for value, unit in zip(row["out"], head["units"])]}
                     for row in rows]
-        return {**head, "rows": rows}
+        return written(head, "rows", map(compact, rows), " ")
 
 
 def hexadecimal(words: Words) -> str:
@@ -158,8 +157,8 @@ def vectors() -> dict[str, str]:
                 "inputs": [*map(asdict, function.inputs)], "outputs": [*map(asdict, function.outputs)]}
         of_words: dict[str, tuple[list, set]] = {}
         said = [group.said(bounds[id(group)], of_words) for group in groups]
-        files[f"{function.id}.json"] = written({**head, "settings": said})
-    files[INDEX] = written({"format": FORMAT, "bits": bits, "files": listed})
+        files[f"{function.id}.json"] = written(head, "settings", said) + "\n"
+    files[INDEX] = written({"format": FORMAT, "bits": bits}, "files", map(compact, listed)) + "\n"
     return files
 
 
@@ -178,27 +177,12 @@ def vectors_folder() -> Path:
     return there if there.is_dir() else cached(VECTORS, sources(), vectors)
 
 
-def written(value: dict) -> str:
-    """JSON that a person can read and that a change shows up in line by line: a row is one line."""
-    lines: list[str] = []
+def compact(part: object) -> str:
+    return json.dumps(part, ensure_ascii=True, allow_nan=False, separators=(",", ":"))
 
-    def compact(part: object) -> str:
-        return json.dumps(part, ensure_ascii=True, allow_nan=False, separators=(",", ":"))
 
-    def is_long(part: object) -> bool:
-        return isinstance(part, list) and bool(part) and isinstance(part[0], dict) and "type" not in part[0]
-
-    def put(part: dict, indent: str, end: str) -> None:
-        *others, (last, rows) = part.items()
-        head = "".join(f"{compact(key)}:{compact(one)}," for key, one in others)
-        lines.append(f"{indent}{{{head}{compact(last)}:[")
-        for i, row in enumerate(rows):
-            comma = "," if i + 1 < len(rows) else ""
-            if any(is_long(one) for one in row.values()):
-                put(row, f"{indent} ", comma)
-            else:
-                lines.append(f"{indent} {compact(row)}{comma}")
-        lines.append(f"{indent}]}}{end}")
-
-    put(value, "", "")
-    return "\n".join(lines) + "\n"
+def written(head: dict, name: str, items: Iterable[str], indent: str = "") -> str:
+    """JSON that a person can read and that a change shows up in line by line: the head, then a list of that name with an
+    item on each line."""
+    lines = ",\n".join(f"{indent} {item}" for item in items)
+    return f"{compact(head)[:-1]},{compact(name)}:[\n{lines}\n{indent}]}}"
