@@ -430,9 +430,9 @@ def _of_row(group: str, name: str, keys: Mapping[str, Any], dimensions: int | No
     id_, takes = text("id", "{group}.{name}{n}"), texts("takes")
     if unknown := {*takes} - PARTS.keys():
         raise CatalogError(f"{entry.where}: nothing is known of {min(unknown)}, which it takes")
-    sets = entry.one_of("sets", ("nearest", "offset")) if "sets" in entry.keys else ""
+    sets = entry.one_of("sets", ("nearest", "offset", ""), "")
     gives = (f"{sets[0]}*",) if sets else texts("gives")
-    type_ = {"nearest": "i32", "offset": "f64"}[sets] if sets else entry.one_of("type", TYPES)
+    type_ = {"nearest": "i32", "offset": "f64"}[sets] if sets else entry.one_of("type", TYPES, "f64")
     member, component = entry.take("member", str, ""), entry.take("component", str, "")
     members = tuple(f"{member}.{axis}" for axis in AXES[:len(gives)]) if member else ()
     if component:
