@@ -9,7 +9,7 @@ from pathlib import Path
 
 from base.pieces import is_deleted
 from base.tree import ROOT
-from catalog.model import AXES, Catalog, CatalogError, Function, Sum
+from catalog.model import AXES, Catalog, CatalogError, Function, Noise, Sum
 from catalog.sections import with_section
 
 PACKAGE = "packages/python/hashnoise"
