@@ -9,7 +9,6 @@ import unittest
 from collections.abc import Callable
 from pathlib import Path
 
-from base.tree import glsl_files
 from catalog.model import CATALOG, CatalogError
 from catalog.tables import glsl
 from catalog.tables.configurations import families, read_configurations
@@ -245,7 +244,3 @@ HN_FN hn_float hn_one(hn_vec2 p) { return 0.0f; }
 
         self.assertEqual(marked(self.folder), ["hn_one"])
         self.assertEqual(marked(glsl.LIBRARY), [])
-
-    def test_the_bodies_of_the_library_are_closed(self) -> None:
-        for path in glsl_files().values():
-            self.assertTrue(glsl.file_scope(path.read_text() + "// end\nend").endswith("end"), path)

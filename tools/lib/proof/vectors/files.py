@@ -7,7 +7,7 @@ import struct
 import subprocess
 import tempfile
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
@@ -20,6 +20,7 @@ from base.twin import NotBuilt, compile_program
 from catalog import suite
 from catalog.tables.configurations import Configuration, read_configurations
 from catalog.tables.functions import Function, read_functions
+from proof.golden.files import Values
 from proof.vectors.choice import chosen, features
 from translate.pick.program import name_of, names
 
@@ -52,23 +53,8 @@ def unit_of(values: Iterable[float]) -> int:
     return -max((Fraction(value).denominator.bit_length() - 1 for value in values), default=0)
 
 
-@dataclass(frozen=True)
-class Group:
+class Group(Values):
     """A function with a setting."""
-    function: Function
-    setting: Configuration | None  # none where no knob matters
-
-    @property
-    def name(self) -> str:
-        return self.setting.name if self.setting else "any"
-
-    @property
-    def arithmetic(self) -> str:
-        return "exact" if self.function.exact else self.setting.arithmetic
-
-    @property
-    def configuration(self) -> str:
-        return self.setting.name if self.setting else "lattice"
 
     @cached_property
     def golden(self) -> Golden:
@@ -83,7 +69,7 @@ class Group:
         """A line for each row, for the program that prints bounds."""
         if self.arithmetic in ("exact", "fixed"):
             return []
-        return [f"{self.configuration} {self.function.id} {hexadecimal(words)}" for words in self.golden.inputs]
+        return [f"{self.configuration.name} {self.function.id} {hexadecimal(words)}" for words in self.golden.inputs]
 
     def said(self, bounds: Sequence[Sequence[float]], known: dict[str, tuple[list, set]]) -> str:
         """Its part of the file. `bounds` are for all rows, or none if every bit counts; `known` keeps numbers
@@ -97,8 +83,8 @@ class Group:
                 known[words[i]] = list(row.values()), features(row)
         numbers = [allowed[i] for i in chosen([known[words[i]][1] for i in allowed], [results[i] for i in allowed])]
         head: dict = {"name": self.name, "arithmetic": self.arithmetic}
-        if self.setting:
-            head |= {"hash": self.setting.hash, "gradient": self.setting.gradient}
+        if self.function.family != "independent":
+            head |= {"hash": self.configuration.hash, "gradient": self.configuration.gradient}
         rows: list[dict] = [{"in": known[words[i]][0], "words": words[i], "out": results[i]} for i in numbers]
         if bounds:
             rows = [{**row, "bound": bounds[i]} for i, row in zip(numbers, rows)]
@@ -115,8 +101,6 @@ def hexadecimal(words: Words) -> str:
 
 def groups_of(function: Function, settings: Sequence[Configuration]) -> list[Group]:
     """Words and gradients have values of every hash, noise has only the default's: above the words it is the same."""
-    if function.family == "independent":
-        return [Group(function, None)]
     with_values = [one for one in settings if one.has_golden_values and one.covers(function) and one.hash != "custom"]
     if function.family in ("hash", "gradient"):
         return [Group(function, one) for one in with_values]
