@@ -5,14 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from tomllib import loads
 from typing import Any, Optional
 
 from base.tree import ROOT
-
-try:
-    from tomllib import loads
-except ImportError:  # before Python 3.11
-    from catalog.tables.toml import loads
 
 CATALOG = ROOT / "catalog"
 SHAPES = ("value", "slopes", "two_distances", "three_distances", "distance_with_slopes", "vector", "value_and_quadrature")

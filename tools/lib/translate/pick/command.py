@@ -143,7 +143,7 @@ class Choice:
             raise Unknown(f"--hash-function is of shading languages: {', '.join(LANGUAGES)}")
 
 
-def settings(arithmetic: str, hash_: str, gradient: str = "octahedral") -> dict[str, str]:
+def settings(arithmetic: str, hash_: str = "lattice", gradient: str = "octahedral") -> dict[str, str]:
     return Choice(arithmetic=arithmetic, hash=hash_, gradient=gradient).knobs.macros()
 
 

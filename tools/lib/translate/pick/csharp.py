@@ -34,6 +34,7 @@ class CSharp(Syntax):
         sealed short sizeof stackalloc static string struct switch this throw true try typeof
         uint ulong unchecked unsafe ushort using var virtual void volatile while""".split())
     shifts_by_int = True
+    struct_form, field_form = "public struct {name} {{\n{fields}}}\n", "    public {type} {name};\n"
     vector_of, struct_of, field_of = "({parts})", "new {type} {{ {parts} }}", "{name} = {value}"
     builtins = {**{name: name.capitalize() for name in ("floor", "trunc", "sqrt", "min", "max")},
                 **{f"{name} {type_}": f"System.Math.{name.capitalize()}" for name in ("min", "max") for type_ in ("int", "uint")},
@@ -140,10 +141,6 @@ private struct Bits {
         """Words wrap, also with a compiler option that checks all other integers."""
         wraps, self.wraps = self.wraps, False
         return ["    unchecked {", *(f"    {line}" for line in lines), "    }"] if wraps else lines
-
-    def struct(self, name: str, fields: Sequence[Part]) -> str:
-        inside = "".join(f"    public {self.type(field.type)} {self.field_name(field.name)};\n" for field in fields)
-        return f"public struct {self.type_name(name)} {{\n{inside}}}\n"
 
     def documented(self, name: str, facts: Facts) -> list[str]:
         returns = facts.all_returns[:1].upper() + facts.all_returns[1:]
