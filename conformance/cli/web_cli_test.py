@@ -188,12 +188,9 @@ class Web(ProgramTest):
         self.assertEqual(merged.returncode, 1, merged.stderr + merged.stdout)
         self.assertIn(f"The tested library is the library in {copy} (", merged.stdout)
         lines = merged.stdout.splitlines()
-        said = [line for line in lines if line.startswith(("Begin with ", "Every failing case is "))]
-        groups = [line.removeprefix("FAIL").strip() for line in lines if line.startswith("FAIL") and " cases of " in line]
-        self.assertRegex(said[0], r"^Begin with noise2d\.perlin, the lowest layer that fails: (\d+) of \1 other failures")
-        self.assertIn("Every failing case is in 2D; ", said[1] + said[-1])
+        groups = re.findall(r"^FAIL +(\d+ of \d+ cases of [\w.]+\w)", merged.stdout, re.MULTILINE)
         self.assertGreater(len(groups), 1)
-        for words in (*said, *groups):
+        for words in groups:
             self.assertIn(words, end["found"])
         measures = [line.strip() for line in lines if " values are wrong" in line]
         self.assertIn(f"{measures[0]}.", end["found"])

@@ -134,6 +134,19 @@ TEST(Points, AreOfAllKinds) {
   }
 }
 
+TEST(Points, HaveSoManyMetricsAndRarelyNone) {
+  const Function& function = find_function("noise2d.cellular_full");
+  for (const std::uint32_t metrics : {kMetrics, kMetrics + 1}) {
+    const auto words = random_points(function, 10000, Random(1, "test"), Extremes::none, metrics);
+    std::vector<int> counts(metrics + 1);
+    for (auto i = static_cast<std::size_t>(function.input("metric")); i < words.size(); i += kInputWords) {
+      ++counts[words[i] <= metrics ? words[i] : 0];
+    }
+    EXPECT_LT(counts[0], 1000);
+    EXPECT_GT(std::ranges::min(counts), 100);
+  }
+}
+
 // Counts the points of an octave sum whose lacunarity is huge, and those of them with a subnormal coordinate.
 std::pair<int, int> count_steep(std::string_view id, Extremes extremes) {
   const Function& function = find_function(id);

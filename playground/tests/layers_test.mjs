@@ -78,7 +78,7 @@ test("a layer has colours of its own where it counts", () => {
   assert.notEqual(shaderKey(changed(state, { tint: "none" }, 1)), shaderKey(state));
   assert.match(chosen(state, { tint: "own" }, 1).layers[1].tints, /^0-10140f_20-/);
   const shells = { glsl: ["", ""], go: ["", ""] };
-  const library = { version: "", texts: () => [], pieces: { shading: { shells }, cpu: { shells, texts: () => [] } } };
+  const library = { version: "", texts: () => [], shells };
   // Languages without colours have the parts, and nothing that these do not need.
   const go = scalarCode(library, "go", state).code.join("\n");
   assert.match(go, /^func Mask2\(x float32, y float32\) float32 \{\n\tvar m2 float32 = .*\n\treturn m2$/m);

@@ -321,7 +321,7 @@ test("a changed library is noticed", async () => {
   await broken.evaluate(() => {
     const { library } = window.hashnoise;
     const changed = (text) => text.replaceAll("0x9E3779B9u", "0x9E3779B8u");
-    const { pieces } = library.pieces.shading;
+    const { pieces } = library;
     for (const at of pieces.keys()) pieces[at] = changed(pieces[at]);
   });
   await setState(broken, pictures[0]);

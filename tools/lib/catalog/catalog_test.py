@@ -95,11 +95,16 @@ class Made(unittest.TestCase):
         self.assertTrue(suite.of_bodies([row]).endswith(f'COLUMN("seed", u32)), {body})\n'))
 
     def test_ids_of_what_a_derivative_belongs_to(self):
-        of = {row.id: suite.plain(row) for row in functions.read_functions()}
+        of = {row.id: row.plain for row in functions.read_functions()}
         for id_, plain in (("noise2d.perlin_d_cell", "noise2d.perlin_cell"), ("noise4d.value_d_value", "noise4d.value"),
                            ("noise4d.perlin_d_cell_value", "noise4d.perlin_cell"), ("fbm_d.eroded2_cell", "fbm.fbm2_cell"),
-                           ("noise2d.perlin_d_phase", "noise2d.perlin_phase"), ("noise2d.perlin", "")):
+                           ("noise2d.perlin_d_phase", "noise2d.perlin_phase"), ("noise2d.perlin", ""), ("fbm.fbm2", "")):
             self.assertEqual(of[id_], plain)
+
+    def test_a_sum_by_a_new_step_is_bounded_by_its_mean_alone(self):
+        ridged = dataclasses.replace(next(sum_ for sum_ in read().sums if sum_.name == "ridged"), step="crests")
+        self.assertIn(", true, crests, bounded)", suite.facts_of(ridged))
+        self.assertIn(", false, crests, as_it_is)", suite.facts_of(dataclasses.replace(ridged, mean="")))
 
     def test_files_of_the_suite_are_written_once(self):
         with tempfile.TemporaryDirectory() as name:
@@ -168,6 +173,8 @@ class Wrong(unittest.TestCase):
                 ("noises.toml", rf'{perlin}(dimensions = .*\n)shape = "value"', r'\1shape = "round"',
                  "perlin: shape is 'round', and has to be one of value, slopes, "),
                 ("noises.toml", r"(?<=^\[perlin\.options\]\n)phase", "phrase", "perlin: a noise has no option phrase"),
+                ("noises.toml", r'^plain = "perlin"\n', "", "perlin_d: what has derivatives has a plain, and nothing else"),
+                ("noises.toml", r'^plain = "perlin"$', 'plain = "merlin"', "perlin_d: plain is 'merlin', which is no noise"),
                 ("noises.toml", r"(?<=^\[curl\.ranges\]\n)axis = .*", "axis = [[-1, 1]]",
                  "curl: the ranges of axis have to be one for each dimension"),
                 ("noises.toml", rf"{perlin}dimensions = ", "dimensions = ] ", "catalog/noises.toml: Invalid value"),

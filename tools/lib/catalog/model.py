@@ -5,17 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from tomllib import loads
 from typing import Any, Optional
 
 from base.tree import ROOT
 
-try:
-    from tomllib import loads
-except ImportError:  # before Python 3.11
-    from catalog.tables.toml import loads
-
 CATALOG = ROOT / "catalog"
 SHAPES = ("value", "slopes", "two_distances", "three_distances", "distance_with_slopes", "vector", "value_and_quadrature")
+WITH_DERIVATIVES = "slopes", "distance_with_slopes"
 WITH_VALUE = "value", "slopes", "value_and_quadrature"  # shapes with a component of that name
 AXES = "xyzw"
 OWN = "own"  # the noise of a sum that leaves no choice
@@ -63,6 +60,7 @@ class Function:
     families: Families | None  # None: its rows stand there by hand
     brief: str  # for the README
     use: str  # for the pages
+    plain: str  # the function without derivatives; "" of one without them
 
     def sentence(self) -> str:
         return self.about.format(dimensions=self.dimensions_in_words())
@@ -207,7 +205,8 @@ def _function(entry: Entry, name: str) -> dict[str, Any]:
     return {"name": name, "first": first, "last": last, "shape": entry.one_of("shape", SHAPES), "about": about,
             "more": entry.take("more", str, ""), "returns": entry.take("returns", str),
             "source": entry.take("source", str), "example": entry.take("example", str, ""), "options": options,
-            "families": _families(entry, name), "brief": entry.take("brief", str), "use": entry.take("use", str)}
+            "families": _families(entry, name), "brief": entry.take("brief", str), "use": entry.take("use", str),
+            "plain": entry.take("plain", str, "")}
 
 
 def _families(entry: Entry, name: str) -> Families | None:
@@ -298,4 +297,9 @@ def read(folder: Path = CATALOG) -> Catalog:
     metrics = Entry("settings.toml", "metrics", settings.pop("metrics", None))
     names = tuple(metrics.take("names", list))
     metrics.end()
+    for function in (*noises.values(), *sums):
+        if (function.shape in WITH_DERIVATIVES or getattr(function, "of", "") == "slopes") != bool(function.plain):
+            raise CatalogError(f"catalog: {function.name}: what has derivatives has a plain, and nothing else")
+        if function.plain and function.plain not in (*noises, *(sum_.name for sum_ in sums)):
+            raise CatalogError(f"catalog: {function.name}: plain is {function.plain!r}, which is no noise and no sum")
     return Catalog(tuple(noises.values()), sums, {name: _setting(name, keys) for name, keys in settings.items()}, names)

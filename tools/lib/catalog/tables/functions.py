@@ -133,6 +133,7 @@ class Function:
     bench_seed: str = "0u"
     strength: str = ""  # the usual one
     experimental: bool = False  # not frozen from 1.0 on
+    plain: str = ""  # the id of the row whose derivative, or whose value beside it, this is; of a sum, without slopes
 
     @property
     def file(self) -> str:
@@ -367,11 +368,13 @@ def of_noise(noise: Noise) -> Iterator[Function]:
     for dimensions in range(noise.first, noise.last + 1):
         is_usual = dimensions in (2, 3)
         start = f"noise{dimensions}d.{noise.name}" if noise.shape != "vector" else f"{noise.name}.{noise.name}{dimensions}"
+        plain = f"noise{dimensions}d.{noise.plain}"
         usual = families.usual if is_usual else families.others
         tiles = families.tiles if is_usual else families.others
         for end, result in results(noise, dimensions).items():
             def of_form(form: str, family: str, *takes: str, **more: Any) -> Function:
-                every = {"bound": noise.name, "includes": f"{noise.name}{dimensions}d.glsl", "calls": f"hn_{noise.name}"}
+                every = {"bound": noise.name, "includes": f"{noise.name}{dimensions}d.glsl", "calls": f"hn_{noise.name}",
+                         "plain": f"{plain}{form}" if noise.plain else ""}
                 return Function(f"{start}{form}{end}", family=family, takes=takes, type="f64", dimensions=dimensions,
                                 **{**every, **result, **more})
 
@@ -391,7 +394,7 @@ def of_noise(noise: Noise) -> Iterator[Function]:
             if "phase" in noise.options and is_usual:
                 options = ["phase", *["jitter"] * ("jitter" in noise.options)]
                 phase = {"bound": f"{noise.name}_phase", "calls": noise.called_with_phase,
-                         "includes": f"{noise.name.removesuffix('_d')}_phase{dimensions}d.glsl"}
+                         "includes": f"{noise.plain or noise.name}_phase{dimensions}d.glsl"}
                 family = tiles if "jitter" in options else families.others
                 yield of_form("_phase", family, "position", *options, **phase)
                 if "jitter" not in options:  # a period of 0 is none
@@ -413,6 +416,7 @@ def of_sum(sum_: Sum) -> Iterator[Function]:
         def of_form(form: str, family: str, *takes: str) -> Function:
             return Function(f"{file}.{sum_.name}{dimensions}{form}", family, sum_.name, takes, type="f64",
                             dimensions=dimensions, includes=f"{file}{dimensions}d.glsl", calls=f"hn_{sum_.name}",
+                            plain=f"{sum_.plain}.{sum_.plain}{dimensions}{form}" if sum_.plain else "",
                             strength=repr(float(sum_.strength.default)) if sum_.strength else "", **result)
 
         further = families.tiles if is_usual else families.others
@@ -458,7 +462,7 @@ def _of_row(group: str, name: str, keys: Mapping[str, Any], dimensions: int | No
         members = tuple(f"{one}.{component}" for one in firsts)
     row = Function(id_, entry.one_of("family", families()), text("bound"), takes, gives, type_, dimensions or 1, text("includes"),
                    text("calls"), text("returns", ""), members, sets, entry.take("seeded", bool, False), text("bench", None),
-                   experimental=entry.take("experimental", bool, False))
+                   experimental=entry.take("experimental", bool, False), plain=text("plain", ""))
     entry.end()
     return row
 

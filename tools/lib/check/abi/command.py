@@ -20,7 +20,7 @@ library cannot be built or described; 77 the machine is no x86-64, or there is n
 
 from base import needs
 
-needs.python(3, 11, "test", "abi")
+needs.python("test", "abi")
 
 import os  # noqa: E402
 import platform  # noqa: E402

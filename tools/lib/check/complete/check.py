@@ -200,14 +200,14 @@ def files_without_a_text_to_read(tree: Tree) -> Iterator[str]:
 
 def entries_without_a_noise(tree: Tree) -> Iterator[str]:
     noises = {function.noise for function in tree.noises}
-    # Functions built on noise may have bounds of their own: hn_curl has. Vectors with derivatives have those of their
-    # components, under their name.
-    known = {"oracle": noises, "bounds": noises | {function.bound for function in tree.functions} |
-             {function.calls.removeprefix("hn_") for function in tree.functions if function.component is not None}}
-    for of, place, names in (("oracle", ORACLE, oracle.names()), (
-            "bounds", BOUNDS.relative_to(ROOT), {row.noise: None for row in table.read(tree.at(BOUNDS))})):
+    # Functions built on noise are not of a family of noises: hn_curl is not. Vectors with derivatives have bounds of
+    # their components, under their name.
+    known = noises | {function.bound for function in tree.functions} | {
+        function.calls.removeprefix("hn_") for function in tree.functions if function.component is not None}
+    for place, names in ((ORACLE, oracle.names()), (
+            BOUNDS.relative_to(ROOT), {row.noise: None for row in table.read(tree.at(BOUNDS))})):
         for name in names:
-            if name not in known[of]:
+            if name not in known:
                 yield f"{place}: no function is the noise {name}: give it an entry in catalog/, or delete its own"
 
 

@@ -1,4 +1,4 @@
-"""The folder of drivers: Mesa's and Intel's, of Debian's unstable suite (debian.py), with the LLVM that writes for
+"""The folder of drivers: Mesa's and Intel's, of Debian's unstable suite (debian.py), with the LLVM that optimizes for
 compilers which are no driver; and NVIDIA's assembler, of a package of PyPI."""
 
 from __future__ import annotations

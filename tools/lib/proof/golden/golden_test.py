@@ -189,13 +189,13 @@ class GoldenContents(unittest.TestCase):
         self.assertEqual([file.function for file in golden_files(list(FUNCTIONS.values()), no_curl)], functions)
 
     def test_a_function_that_the_oracle_does_not_have(self) -> None:
-        function = FUNCTIONS["noise2d.perlin"]
-        for change, message in (({"bound": "merlin"},
-                                 r"noise2d\.perlin: the oracle has no merlin: write it in .*/oracle/noises"),
-                                ({"family": "octave_sum"}, r"/oracle/sums\.py, and name it in SUMS"),
-                                ({"family": "independent"}, r"/oracle/functions\.py, in OF_WORDS")):
+        for id, change, message in (
+                ("noise2d.perlin", {"bound": "merlin"},
+                 r"noise2d\.perlin: the oracle has no merlin: write it in .*/oracle/noises"),
+                ("fbm.fbm2", {"bound": "merlin"}, r"/oracle/sums\.py, and name it in SUMS"),
+                ("hash.word", {"calls": "hn_merlin"}, r"/oracle/functions\.py, in OF_ROWS")):
             lattice = [setting for setting in SETTINGS if setting.name == "lattice"]
-            file = GoldenFile(replace(function, **change), lattice)
+            file = GoldenFile(replace(FUNCTIONS[id], **change), lattice)
             with self.assertRaisesRegex(CatalogError, message):
                 file.text()
 
