@@ -16,8 +16,6 @@ from catalog.tables.functions import STRENGTHS
 from catalog.tables.markdown import table
 from catalog.tables.markdown import with_section as with_table
 
-TWIN = "packages/npm/wasm/twin.cpp"
-FIELDS = "packages/npm/src/index.js"
 TYPES = "packages/npm/src/index.d.ts"
 PAGE = "docs/guide/javascript.md"
 PLAYGROUND = ROOT / "playground" / "catalog.js"
@@ -88,7 +86,7 @@ def parts_of(noise: Noise) -> list[str]:
 
 
 def noises_and_sums(twin: Twin) -> str:
-    """The constants of index.js."""
+    """The constants of index.js, which tools/pack npm puts there."""
     def of_noise(noise: Noise) -> dict[str, Any]:
         return {"dimensions": dimensions_of(noise, MOST_DIMENSIONS), "shape": noise.shape, "takes": parts_of(noise)}
 
@@ -151,20 +149,12 @@ def types_of_names(twin: Twin) -> str:
                      for type_, of_type in names.items())
 
 
-def in_this_form(text: str) -> str:
-    return f"// clang-format off\n{text}// clang-format on\n"
-
-
-def kernels(twin: Twin) -> str:
-    """The table of twin.cpp."""
+def tables_of_module(twin: Twin) -> str:
+    """What twin.cpp includes: the kernels of the noises, and the numbers of the sums."""
     calls = (", ".join([noise.name, *(f"settings.{part}" for part in parts_of(noise)), "seed"]) for noise in twin.noises)
-    return in_this_form("".join(["template <int D>\n", "const Kernel<D> kNoises[] = {\n",
-                                 *(f"    TWIN_NOISE({call}),\n" for call in calls), "};\n"]))
-
-
-def sums(twin: Twin) -> str:
-    """The numbers of sums."""
-    return in_this_form("enum Sum {\n" + "".join(f"  k{in_camel_case(sum_.name)},\n" for sum_ in twin.sums) + "};\n")
+    kernels = "".join(f"TWIN_NOISE({call}),\n" for call in calls)
+    names = ", ".join(f"k{in_camel_case(sum_.name)}" for sum_ in twin.sums)
+    return f"template <int D>\nconst Kernel<D> kNoises[] = {{\n{kernels}}};\nenum Sum {{ {names} }};\n"
 
 
 def settings_of_page(twin: Twin) -> str:
@@ -199,10 +189,7 @@ def package(twin: Twin) -> dict[Path, str]:
     absent = code([function.name for function in twin.absent])
     page = with_table(PAGE, page, "tools/make catalog: noises that are not there",
                       f"Noises that did not fit into {MOST_BYTES // 1000} kB: {absent}.\n")
-    with_kernels = with_section(TWIN, "noises", kernels(twin))[1]
-    return dict([with_section(FIELDS, "noises and sums", noises_and_sums(twin)),
-                 with_section(TYPES, "names", types_of_names(twin), with_settings),
-                 with_section(TWIN, "sums", sums(twin), with_kernels), (ROOT / PAGE, page)])
+    return dict([with_section(TYPES, "names", types_of_names(twin), with_settings), (ROOT / PAGE, page)])
 
 
 # ---------------------------------------------------------------------------------------------------------------------
