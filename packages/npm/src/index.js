@@ -13,7 +13,7 @@ const SHAPES = {
 // NOISES, FRACTALS, METRICS, NUMBERS and OWNERS: the functions, in the order of twin.cpp. The noise of a fractal is the one
 // that it takes unless another of its shape is named, and its strength is the name of that number. OWNERS lists which
 // noises or fractals have a setting.
-// tools/pack npm: tables of the catalog
+// tools/pack npm: constants
 const KNOWN = ["noise", "fractal", "seed", "period", "octaves", "lacunarity", "gain", "strength", "amplitude", "jitter", "metric"];
 const OF_FRACTALS = ["octaves", "lacunarity", "gain"];
 // Settings by their names in other libraries and before 1.0, without capitals and underscores; or what takes their place.

@@ -14,8 +14,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from base.tree import GLSL, ROOT, glsl_files
-from catalog.javascript import Twin, noises_and_sums
-from catalog.model import read
+from catalog.javascript import as_packed
 from catalog.tables.glsl import public_files
 from ship.npm.twin import Failed, compiled
 from ship.packing import Files, of_npm, own_files, put
@@ -30,7 +29,6 @@ PACKAGE = ROOT / "packages" / "npm"
 MADE = "// Made by tools/pack npm. Copyright (c) 2026 The hashnoise authors; MIT License.\n"
 # WGSL has no HN_PRECISE. The folder of each, and what users call it.
 ARITHMETICS = {"fast": "HN_FAST", "fixed": "HN_FIXED"}
-TABLES = "// tools/pack npm: tables of the catalog\n"  # which stand behind this line of index.js
 STRING = "declare const text: string;\nexport default text;\n"
 # The types of TSL: those of GLSL, by the names of WGSL. Numbers may also be JavaScript's own.
 SCALARS = {"f32": "float", "i32": "int", "u32": "uint"}
@@ -180,8 +178,7 @@ def package(module: bytes) -> Files:
     settings = {folder: Settings(arithmetic) for folder, arithmetic in ARITHMETICS.items()}
     modules = {folder: Module(GLSL, '#include "hashnoise.glsl"\n', one) for folder, one in settings.items()}
     definitions = {folder: one.definitions() for folder, one in modules.items()}
-    found = own_files(PACKAGE / "src")
-    found["index.js"] = found["index.js"].replace(TABLES, TABLES + noises_and_sums(Twin(read())))
+    found = {name: as_packed(text) for name, text in own_files(PACKAGE / "src").items()}
     found["package.json"] = of_npm((PACKAGE / "package.json").read_text(encoding="utf-8"), "hashnoise")
     found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
     found["README.md"] = of_package(ROOT / "docs" / "guide" / "javascript.md")
