@@ -149,7 +149,7 @@ def types_of_names(twin: Twin) -> str:
 
 
 def tables_of_module(twin: Twin) -> str:
-    """What twin.cpp includes: the kernels of the noises, and the numbers of the sums."""
+    """The file that twin.cpp includes: the kernels of the noises, and the numbers of the sums."""
     calls = (", ".join([noise.name, *(f"settings.{part}" for part in parts_of(noise)), "seed"]) for noise in twin.noises)
     kernels = "".join(f"TWIN_NOISE({call}),\n" for call in calls)
     names = ", ".join(f"k{in_camel_case(sum_.name)}" for sum_ in twin.sums)
