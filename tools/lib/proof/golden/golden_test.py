@@ -25,7 +25,7 @@ from catalog.tables.functions import SPREADS, Column, read_functions
 from proof.golden import cellular_rows, gullies_rows
 from proof.golden import command as golden
 from proof.golden.files import Digest, GoldenFile, Sample, Values, golden_files, line
-from proof.golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of, to_f32
+from proof.golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of
 from proof.golden.rows import CLAMPED
 from proof.oracle import feature_points, gradients, hashes, jacobians
 from proof.oracle.functions import knobs_of
@@ -116,17 +116,6 @@ class GoldenContents(unittest.TestCase):
         digests = self.file("hash.lattice2")[-10:]
         self.assertEqual([line.split()[1] for line in digests[:-1]],
                          [setting.split(":")[0] for setting in exact[5].split()[1:]])
-
-    def test_fixed_arithmetic_by_hand(self) -> None:
-        # Where a float has no fraction there is no noise.
-        perlin, clouds = (values_with(id, "lattice+fixed") for id in ("noise2d.perlin", "fbm.clouds2"))
-        for x in (-0.0, to_f32(3e38)):
-            self.assertIn((x, x, 0), rows_with("noise2d.perlin", "lattice+fixed"))
-            self.assertEqual(perlin.evaluate((x, x, 0)), (0,))
-        no_octaves = [row for row in rows_with("fbm.clouds2", "lattice+fixed") if row[2] in (0, -1)]
-        self.assertGreaterEqual(len(no_octaves), 4)
-        for row in no_octaves:
-            self.assertEqual(clouds.evaluate(row), (Fraction(5, 32),), row)
 
     def test_values_of_fixed_arithmetic_are_floats(self) -> None:
         """The committed files equal the oracle's: golden.regenerated_is_committed."""
