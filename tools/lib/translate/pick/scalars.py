@@ -495,7 +495,8 @@ class Scalars(Writer):
 
     def _piece(self, node: Node) -> Piece:
         if isinstance(node, Operation) and node.kind == "struct" and node not in self.called:
-            return self.language.make_struct(node.type, self.structs[node.type], [self._piece(one) for one in node.arguments])
+            parts = [self._piece(one) for one in node.arguments]
+            return self.language.make_struct(node.type, self.structs[node.type], parts)
         return super()._piece(node)
 
     def _arguments(self, node: Operation) -> Sequence[Node]:
@@ -537,8 +538,9 @@ def text(program: Program, syntax: Syntax, known: Sequence[Facts] = (), heading:
     constants = "".join(f"{syntax.passed.format(syntax.constant_name(name), number)}\n"
                         for name, number in constants_of([root.function for root in program.roots], program.module))
     helpers = [syntax.helpers[name] for name in syntax.helpers if name in syntax.used]
-    functions = [*helpers, *called, *of_roots.values()] if syntax.helpers_first else [*of_roots.values(), *called, *helpers]
-    return syntax.file(heading, [*of_roots], [*filter(None, [constants]), *structs, *functions])
+    functions = [helpers, called, of_roots.values()]
+    in_order = itertools.chain(*(functions if syntax.helpers_first else reversed(functions)))
+    return syntax.file(heading, [*of_roots], [*filter(None, [constants]), *structs, *in_order])
 
 
 def pieces(program: Program, syntax: Syntax) -> Iterator[tuple[str, str]]:
