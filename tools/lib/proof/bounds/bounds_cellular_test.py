@@ -132,6 +132,37 @@ class Ranges(unittest.TestCase):
             self.assertAlmostEqual(longest, moving.LONGEST[dims], delta=1e-15)
 
 
+class Metrics(unittest.TestCase):
+    """The bounds of hn_cellular are the largest of all metrics. Here each metric has its own, and reaches a part of
+    it."""
+    STEP = 2.0**-20  # of a place
+
+    @staticmethod
+    def distances(function, rounding, columns, *macros):
+        return np.array(text(OCTAHEDRAL, *macros)(function.id, rounding, **columns))
+
+    def seen(self, function, columns):
+        """The largest errors in floats and in integers, how fast distances change, and the largest distance."""
+        exact = self.distances(function, EXACT, columns)
+        moved = {name: x + (x < 0.5) * self.STEP for name, x in columns.items() if name[0] == "f"}
+        floats = [abs(self.distances(function, Rounding(mode, 5, 0.5), columns) - exact).max() for mode in ("up", "random")]
+        integers = abs(self.distances(function, NEAREST, columns, FIXED) - exact).max()
+        return (max(floats), integers, abs(self.distances(function, EXACT, columns | moved) - exact).max() / self.STEP,
+                exact.max())
+
+    def test_each(self):
+        parts = 1 / 20, 1 / 20, 1 / 2, 1 / 2
+        for dims, (count, name), (number, metric) in itertools.product(
+                DIMS, ((2, "cellular"), (3, "cellular_three")), enumerate(features.METRICS, 1)):
+            function, largest = rows()[name, dims, "cell", "st"[count - 2]], features.largest_distance(dims, count, metric)
+            bounds = [of(metric, dims, largest) for of in (
+                distances.metric_error, distances.fixed_metric_error, distances.metric_slope)]
+            for part, found, bound in zip(parts, self.seen(function, columns_of(function) | {"metric": number}),
+                                          (*bounds, largest), strict=True):
+                with self.subTest(metric, dims=dims, count=count):
+                    self.assertTrue(part * bound < found < bound * (1 + 1e-9), (found, bound))
+
+
 class Errors(unittest.TestCase):
     def test_near_a_point(self):
         """The rank takes half of the bound of a distance from one that is 2^-14: without jitter, near the middle of a

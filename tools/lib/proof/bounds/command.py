@@ -42,7 +42,6 @@ from proof.bounds.documents import (
     wrong_comments,
 )
 from proof.bounds.features import METRICS
-from proof.bounds.float_sums import octave_tolerance
 from proof.bounds.gradients import SINE
 from proof.bounds.integers import fade_errors, overshoot
 from proof.bounds.noises import ProvenBounds
@@ -107,7 +106,7 @@ def files(derived: Everything, root: Path = ROOT) -> dict[Path, str]:
 
 
 OF_THEIR_OWN = ("gullies", "uniform", "perlin_worley")  # the last has its proof in conformance/expected/tolerance.cpp
-TOLERANCES = dict.fromkeys(sums.KINDS, (octave_tolerance, sums.fixed_octave_tolerance)) | jacobians.TOLERANCES
+TOLERANCES = dict.fromkeys(sums.KINDS, (sums.octave_tolerance, sums.fixed_octave_tolerance)) | jacobians.TOLERANCES
 
 
 def without_proof() -> list[str]:

@@ -1,6 +1,5 @@
 """hn_gullies: proofs for the waves of its octaves, and how far the sum may be off in fixed arithmetic, from
-docs/reference/contract.md, section 24. The suite has the formula of floats, and float_sums.py calls it:
-conformance/sums/gullies.cpp has the proof.
+docs/reference/contract.md, section 24. conformance/sums/gullies.cpp has the proof for floats.
 
 WAVES. A wave is k = 3/2 (-u_y, u_x) with |u| < 1, so it is shorter than 3/2. The bounds of value and derivatives are
 as of phasor noise, for 3/2 waves along each axis. How long the vector g of both derivatives is, and how fast v
@@ -32,17 +31,17 @@ from __future__ import annotations
 
 import functools
 import math
-from dataclasses import dataclass, replace
+from dataclasses import astuple, dataclass, replace
 
 import numpy as np
 
+from proof.bounds.answers import answer
 from proof.bounds.boxes import Boxes, cell, supremum
 from proof.bounds.integers import FADE_ONE, UNIT
 from proof.bounds.kernels import Offsets
 from proof.bounds.noises import phasor, phasor_d
 from proof.bounds.noises.phasor import KERNELS, TURN, Waves, scale_of
-from proof.bounds.steps import WEIGHT_UNIT
-from proof.bounds.sums import Sum, doubled, fixed_fades, fixed_positions, fixed_weights
+from proof.bounds.sums import WEIGHT_UNIT, Sum, doubled, fixed_fades, fixed_positions, fixed_weights, numbers_of
 from proof.bounds.table import GulliesBounds, scientific, shortest
 
 LONGEST = 3 / 2  # wave
@@ -96,6 +95,14 @@ def bounds() -> GulliesBounds:
     value, slope = phasor.derived_value(PLANE), phasor_d.derived_slope(PLANE)
     return GulliesBounds(value.cell_error, value.lipschitz, largest("wave_rate"), slope.cell_error, slope.lipschitz,
                          largest("wave_rate_of_slope"), largest("steep"), value.fixed_error, slope.fixed_error)
+
+
+# --- The sum, in floats ------------------------------------------------------------------------------------------------
+
+def float_tolerance(s: Sum, slope: float, depth: float, bounds: GulliesBounds) -> tuple[float, float]:
+    """The largest error of the height and of a slope, for a slope of that length, in a tile."""
+    height, added, *_ = answer("gullies", s.kind, [*numbers_of(s), slope, depth, *astuple(bounds)])
+    return height, added
 
 
 # --- The sum, fixed ---------------------------------------------------------------------------------------------------

@@ -1,5 +1,5 @@
 """Derives how far octave sums with slopes, and warps, may be off in fixed arithmetic, from the bounds of their noise
-and its derivatives. float_sums.py has the same for floats.
+and its derivatives. conformance/sums has the same for floats.
 
 The Jacobian of an octave is a matrix K. Its columns, which a derivative is a product with, and its rows, which a shift
 is, are lengthened by no more than the rotations stretch lengths. Integers of a Jacobian do not depend on the position,
@@ -11,13 +11,13 @@ them how far noise changes with the length of a step: less than L times the step
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterator
 
 import numpy as np
 
 import catalog.model
-from proof.bounds.float_sums import octave_tolerance, slope_tolerance
 from proof.bounds.integers import FADE_ONE, SLOPE_UNIT, UNIT
 from proof.bounds.sums import (
     LARGEST_STRENGTH,
@@ -32,6 +32,8 @@ from proof.bounds.sums import (
     fixed_weights,
     lengths,
     next_fixed_position,
+    octave_tolerance,
+    tolerance_of,
 )
 from proof.bounds.table import Bounds, slope_bounds_of
 
@@ -265,7 +267,7 @@ def largest_words(dims: int) -> dict[str, float]:
 
 
 TOLERANCES = {  # in floats and fixed, from a sum and the bounds of its noise and of the derivatives of that
-    "fbm_d": (slope_tolerance, fixed_slope_tolerance),  # for a derivative; the value has fbm's
+    "fbm_d": (functools.partial(tolerance_of, "slope"), fixed_slope_tolerance),  # for a derivative; the value has fbm's
     "eroded": (octave_tolerance, fixed_eroded_tolerance),
     "warp": (octave_tolerance, fixed_warp_tolerance),
     "warp_progressive": (octave_tolerance, fixed_warp_tolerance)}

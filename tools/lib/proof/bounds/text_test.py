@@ -11,6 +11,7 @@ import numpy as np
 from base.thorough import THOROUGH, some
 from catalog.tables.functions import read_functions
 from proof.bounds import kernels, moving, noises, suprema
+from proof.bounds.features import METRICS
 from proof.bounds.floats import position_error
 from proof.bounds.gradients import OCTAHEDRAL, ROTATED, SINE
 from proof.bounds.noises import phasor
@@ -75,7 +76,7 @@ ARGUMENTS = {  # by the names of columns
                                      rng.uniform(-16, 16, count)),
     "phase": lambda rng, count: near(rng, count, np.arange(-8, 9) / 8),
     "jitter": lambda rng, count: np.where(rng.random(count) < 0.3, rng.random(count), 1.0),
-    "metric": lambda rng, count: rng.integers(1, 6, count),
+    "metric": lambda rng, count: rng.integers(1, 1 + len(METRICS), count),
     "seed": lambda rng, count: rng.integers(0, 2**32, count)}
 
 
