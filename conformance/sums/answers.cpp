@@ -65,13 +65,13 @@ void answer_terms(const SumRule& rule, Numbers in, double* answers) {
   double strength = 0.0;
   double cut = 0.0;
   in >> is_fixed >> strength >> cut;
-  const Arithmetic arithmetic = is_fixed ? integers(cut) : kFloats;
+  const Roundings roundings = is_fixed ? integers(cut) : kFloats;
   const Errors noise_errors(in.at, in.at + kMostOctaves);
   const Proof proof = proof_of(rule.step);
   *answers++ = proof.is_clamped;
-  answers = std::ranges::copy(proof.terms(noise_errors, strength, 1.0, arithmetic).errors, answers).out;
+  answers = std::ranges::copy(proof.terms(noise_errors, strength, 1.0, roundings).errors, answers).out;
   for (const double error : noise_errors) {
-    *answers++ = proof.factor_error ? proof.factor_error(error, strength, arithmetic) : 0.0;
+    *answers++ = proof.factor_error ? proof.factor_error(error, strength, roundings) : 0.0;
   }
 }
 

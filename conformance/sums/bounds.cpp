@@ -32,22 +32,22 @@ struct Terms {
 };
 
 // By how much an operation is off: in floats, and in integers, where numbers from 0 to 1 are rounded down to 2^-18.
-struct Arithmetic {
+struct Roundings {
   bool is_fixed;
   double number;    // of a number of at most 1, such as 1 - |n|
   double relative;  // of a product
   double lost;      // by a product besides, whatever it is
   double cut;       // of the strength, before the step
 };
-constexpr Arithmetic kFloats = {false, kUnit, kUnit, 2.0 * kTiny, 0.0};
-constexpr Arithmetic integers(double cut) { return {true, 0x1p-18, 0.0, 0x1p-18, cut}; }
+constexpr Roundings kFloats = {false, kUnit, kUnit, 2.0 * kTiny, 0.0};
+constexpr Roundings integers(double cut) { return {true, 0x1p-18, 0.0, 0x1p-18, cut}; }
 
 // The proof of a step, as values and functions.
 struct Proof {
   bool is_clamped;
-  Terms (*terms)(const Errors& noise_errors, double strength, double limit, const Arithmetic&);
-  // Of the factor of the next octaves' weights that follows from the noise of one; none if there is no such factor.
-  double (*factor_error)(double noise_error, double strength, const Arithmetic&);
+  Terms (*terms)(const Errors& noise_errors, double strength, double limit, const Roundings&);
+  // The error of the factor of later weights that follows from an octave's noise; none if there is no such factor.
+  double (*factor_error)(double noise_error, double strength, const Roundings&);
   double (*tolerance)(const SumRule&, const OctaveArguments&, const FloatBounds& noise, const FloatBounds& slope);
 };
 Proof proof_of(SumStep step);
@@ -74,14 +74,14 @@ Errors errors_at(const OctaveArguments& arguments, const FloatBounds& bounds, do
 // --- An octave, before its weight ---
 
 // An absolute value is exact and brings no two values further apart.
-Terms as_they_are(const Errors& noise_errors, double, double limit, const Arithmetic&) { return {noise_errors, limit}; }
+Terms as_they_are(const Errors& noise_errors, double, double limit, const Roundings&) { return {noise_errors, limit}; }
 
 // d = 1 - |n|;  r = d*d*min(2*r, 1)
 //
 // A root g = sqrt(r) follows from d min(sqrt(2) g, 1). So an error of d moves g by as much, what was there before by
 // sqrt(2) times that, and r by twice what g is moved by: it grows as sqrt(2)^i, and not as 2^i. Relative errors of r
-// move g by half of them. What products lose does not depend on r, and is counted with r: it doubles.
-Terms ridges(const Errors& noise_errors, double, double, const Arithmetic& of) {
+// move g by half of them. The loss of products does not depend on r, and is counted with r: it doubles.
+Terms ridges(const Errors& noise_errors, double, double, const Roundings& of) {
   Terms terms{{}, 1.0};
   double root = 0.0;
   double lost = 0.0;
@@ -95,7 +95,7 @@ Terms ridges(const Errors& noise_errors, double, double, const Arithmetic& of) {
 }
 
 // d = (1 + n)/2;  t = d*min(2*t, 1). Both factors are at most 1, so an error of t doubles. The first product is exact.
-Terms heights(const Errors& noise_errors, double, double, const Arithmetic& of) {
+Terms heights(const Errors& noise_errors, double, double, const Roundings& of) {
   Terms terms{{}, 1.0};
   double error = 0.0;
   for (const double noise_error : noise_errors) {
@@ -110,7 +110,7 @@ Terms heights(const Errors& noise_errors, double, double, const Arithmetic& of) 
 // Only n + 1 and the product of t round: 2 - t is exact for t from 1 on. The difference may be fused with the product,
 // so that t is less than 0 or more than 2 by the rounding of the product; this counts twice, then. In integers t is
 // rounded down to 2^-30, and the term to 2^-21.
-Terms waves(const Errors& noise_errors, double strength, double, const Arithmetic& of) {
+Terms waves(const Errors& noise_errors, double strength, double, const Roundings& of) {
   Terms terms{{}, 1.001};
   for (const double noise_error : noise_errors) {
     const double product = strength * (noise_error + of.relative * (2.0 + noise_error));
@@ -122,7 +122,7 @@ Terms waves(const Errors& noise_errors, double strength, double, const Arithmeti
 }
 
 // 1 - strength*(0.5 - 0.5*n)
-double bend_error(double noise_error, double strength, const Arithmetic& of) {
+double bend_error(double noise_error, double strength, const Roundings& of) {
   return std::min(strength * (noise_error / 2.0 + of.number + of.relative) + of.cut + of.number, 1.0);
 }
 
@@ -345,23 +345,19 @@ double value_tolerance(const SumRule& rule, const OctaveArguments& arguments, co
 }
 
 std::string name_of(SumStep step) {
-  switch (step) {
-#define SUM_STEP(name) \
-  case SumStep::name:  \
-    return #name;
+  constexpr const char* kNames[] = {
+#define SUM_STEP(name) #name,
 #include "library/sums.inc"
-  }
-  return "without a name";
+  };
+  return kNames[static_cast<std::size_t>(step)];
 }
 
 std::string name_of(SumMean mean) {
-  switch (mean) {
-#define SUM_MEAN(name) \
-  case SumMean::name:  \
-    return #name;
+  constexpr const char* kNames[] = {
+#define SUM_MEAN(name) #name,
 #include "library/sums.inc"
-  }
-  return "without a name";
+  };
+  return kNames[static_cast<std::size_t>(mean)];
 }
 
 Proof proof_of(SumStep step) {

@@ -159,7 +159,7 @@ def noises_without_entries(tree: Tree) -> Iterator[str]:
 
 
 def of_sum(sum_: catalog.model.Sum) -> Iterator[tuple[str, str, str]]:
-    """What it has in which file, and by which mark."""
+    """The parts of its proof and of the oracle: the file, a mark in it, and the content."""
     module = "sums" if sum_.is_of_values else "jacobians"  # with slopes, or of vectors
     yield (f"tools/lib/proof/oracle/{module}.py", f'"{sum_.name}": ',
            "its exact and its fixed value, from docs/reference/contract.md")

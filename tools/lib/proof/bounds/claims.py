@@ -80,13 +80,13 @@ LARGE = Bounds("any", 1, "none", 2**-8, 2**-8, 0.0, 1.0, 2**-8, 1.0)  # beside w
 
 
 def exact_sum(oracle: Callable[[Terms[Fraction]], Fraction], noises: Sequence[Fraction], strength: Fraction) -> Fraction:
-    """What the oracle makes of these noises, with equal weights."""
+    """The oracle's sum of these noises, with equal weights."""
     ones = [Fraction(1)] * len(noises)
     return oracle(Terms(list(noises), ones, ones, Fraction(1), strength))
 
 
 def range_of_sum(sum_: Sum) -> Range | None:
-    """Of a sum of values: of one octave of any noise, and of two."""
+    """The range of one octave of any noise, and of two, if it is a sum of values."""
     if sum_.name not in SUMS:
         return OTHER_SUMS.get(sum_.name)
     strength = Fraction(sum_.strength.most if sum_.strength else 0)

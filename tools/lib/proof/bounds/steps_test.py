@@ -93,7 +93,7 @@ def near_ends(rng, count):
 
 
 def of_roundings(name, strength, fixed):
-    """The largest errors of the text's roundings alone, for both octaves and the factor, and what is proven of them."""
+    """The largest errors of the text's roundings alone, for both octaves and the factor, and their proven bounds."""
     a, b = near_ends(np.random.default_rng(1), (2, 20_000))
     if fixed:
         a, b = (np.trunc(n * NOISE_UNIT) / NOISE_UNIT for n in (a, b))
