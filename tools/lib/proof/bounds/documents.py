@@ -118,10 +118,9 @@ JACOBIAND = (  # of sums with slopes, and of warps: a title, the sum, and a nois
 
 def noises_of_jacobians(derived: Everything, dims: int, kind: str, other: str = "") -> tuple[Bounds, Bounds]:
     """The bounds of the noise that such a sum is over, its own or another, and of its derivatives."""
-    if other and (other, dims, None) not in derived:
-        return bounds_of(other, dims, "none"), slope_bounds_of(f"{other}_d", dims)
-    own, gradient = ("value", None) if kind in sums.SHIFTS else (NOISE_OF_SUMS, GRADIENTS[0])
-    noise, gradient = (other, None) if other else (own, gradient)
+    noise, gradient = (NOISE_OF_SUMS, GRADIENTS[0]) if not other and kind not in sums.SHIFTS else (other or "value", None)
+    if (noise, dims, gradient) not in derived:
+        return bounds_of(noise, dims, "none"), slope_bounds_of(f"{noise}_d", dims)
     value, slope = derived[noise, dims, gradient], derived[f"{noise}_d", dims, gradient].slope
     return (value.bounds(noise, dims, gradient).rounded(), slope.bounds(f"{noise}_d", dims, gradient).rounded())
 

@@ -40,7 +40,7 @@ from proof.bounds.boxes import Boxes, cell, supremum
 from proof.bounds.integers import FADE_ONE, UNIT
 from proof.bounds.kernels import Offsets
 from proof.bounds.noises import phasor, phasor_d
-from proof.bounds.noises.phasor import KERNELS, TURN, Waves, scale_of
+from proof.bounds.noises.phasor import KERNELS, TURN, scale_of
 from proof.bounds.sums import WEIGHT_UNIT, Sum, doubled, fixed_fades, fixed_positions, fixed_weights, numbers_of
 from proof.bounds.table import GulliesBounds, scientific, shortest
 
@@ -48,46 +48,29 @@ LONGEST = 3 / 2  # wave
 PLANE = replace(KERNELS[2], waves=LONGEST)
 
 
-@dataclass(frozen=True)
-class PointNumbers:
-    """The numbers of a point at a distance, in cells, or in a box at most: the weight, its fall, and both products."""
-    distance: np.ndarray
-    weight: np.ndarray
-    least_weight: np.ndarray
-    fall: np.ndarray  # 2 m w' |d|, per cell
-
-    def steep(self):
-        return np.hypot(self.fall, TURN * LONGEST * self.weight)
-
-    def wave_rate(self):
-        return TURN * self.distance * self.weight
-
-    def wave_rate_of_slope(self):
-        matrix = np.maximum(self.weight, self.fall * self.distance - self.least_weight)
-        return TURN * np.hypot(matrix, TURN * LONGEST * self.distance * self.weight)
-
-
-def at_distance(kernel: Waves, distance, least, largest) -> PointNumbers:
-    """In steps, with the least and the largest t known."""
-    weight, slope = kernel.weight, kernel.weight.size(1, least, largest)
-    return PointNumbers(distance / kernel.steps, weight.derivative(0, largest), weight.derivative(0, least),
-                  2 * kernel.fall * slope * distance * kernel.steps)
+# The numbers of a point, from its distance in cells, its weight and the least of that, and the fall 2 m w' |d| per cell.
+QUANTITIES = {
+    "steep": lambda d, w, least, fall: np.hypot(fall, TURN * LONGEST * w),
+    "wave_rate": lambda d, w, least, fall: TURN * d * w,
+    "wave_rate_of_slope": lambda d, w, least, fall: TURN * np.hypot(np.maximum(w, fall * d - least),
+                                                                    TURN * LONGEST * d * w)}
 
 
 @functools.cache
 def largest(quantity: str) -> float:
     """A proven upper bound of the sum over the points, scaled."""
+    weight = PLANE.weight
+
+    def of_points(size, least, most):
+        """In steps, with the least and the largest t known."""
+        d = np.sqrt((size**2).sum(axis=0))
+        fall = 2 * PLANE.fall * weight.size(1, least, most) * d * PLANE.steps
+        return QUANTITIES[quantity](d / PLANE.steps, weight.derivative(0, most), weight.derivative(0, least), fall)
+
     def bound(boxes: Boxes):
-        upper = lower = 0.0
-        middle = boxes.lo + boxes.side / 2
-        for point in PLANE.points:
-            offsets = Offsets.of(PLANE, boxes, point)
-            near = at_distance(PLANE, np.sqrt((offsets.size**2).sum(axis=0)), offsets.least, offsets.largest)
-            upper = upper + getattr(near, quantity)()
-            square = ((middle - np.array(point)[:, None])**2).sum(axis=0)
-            t = np.maximum(PLANE.radius - PLANE.fall * square, 0.0)
-            lower = lower + getattr(at_distance(PLANE, np.sqrt(square), t, t), quantity)()
-        return upper, lower
+        near = [Offsets.of(PLANE, boxes, point) for point in PLANE.points]
+        return (sum(of_points(offsets.size, offsets.least, offsets.largest) for offsets in near),
+                sum(of_points(offsets.middle, *[PLANE.nearness(offsets.middle)] * 2) for offsets in near))
     return scale_of(PLANE) * supremum(bound, cell(2, half=True), 14, 0.001, None)
 
 

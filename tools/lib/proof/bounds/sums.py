@@ -4,6 +4,7 @@ all of floats, are proven in conformance/sums."""
 from __future__ import annotations
 
 import functools
+import itertools
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -16,6 +17,7 @@ from proof.bounds.answers import MOST_OCTAVES, answer
 from proof.bounds.boxes import SAFE
 from proof.bounds.integers import DOUBLE, FADE_ONE, UNIT, checked, signed, word
 from proof.bounds.table import Bounds
+from proof.oracle import sums as oracle
 
 CATALOG = {sum_.name: sum_ for sum_ in catalog.model.read().sums}
 KINDS = tuple(name for name, sum_ in CATALOG.items() if sum_.is_of_values)
@@ -47,26 +49,25 @@ class Sum:
     def __post_init__(self):
         if self.kind not in KINDS + SLOPED + SHIFTS:
             raise LookupError(f"tools/lib/proof/bounds has no proof of the sum {self.kind}")
+        if not self.rotates and self.lacunarity % 1:
+            raise ValueError(f"with a period a lacunarity is a whole number, and {self.lacunarity} is none")
+
+    @property
+    def options(self) -> oracle.Options:
+        return oracle.Options(self.octaves, self.lacunarity, self.gain, footprint=self.footprint or 0)
 
     @property
     def count(self) -> int:
-        return math.ceil(min(self.octaves, 32)) if self.octaves >= 2**-32 else 0
+        return oracle.count_of(self.options)
 
     @property
     def weights(self) -> list[float]:
-        """gain^i; the last one is smaller with a detail."""
-        powers = [self.gain**i for i in range(self.count)]
-        if self.count > 1:
-            powers[-1] *= min(self.octaves, 32) - (self.count - 1)
-        return powers
+        return list(map(float, oracle.weights(self.options)))
 
     @property
     def fades(self) -> list[float]:
         """The part of each octave that a footprint leaves."""
-        if self.footprint is None:
-            return [1.0] * self.count
-        finer = max(self.lacunarity, 1.0)
-        return [min(max(1.5 - self.footprint * finer**i, 0.0), 1.0) for i in range(self.count)]
+        return [float(oracle.visible(self.options, i)) for i in range(self.count)]
 
 
 def doubled(s: Sum) -> Sum:
@@ -153,31 +154,14 @@ def next_fixed_position(s: Sum, dims: int, position: float, error: float) -> tup
 
 # --- In integers ------------------------------------------------------------------------------------------------------
 
-def product(a: int, b: int) -> int:
-    """The contract's: a b / 2^18 rounded down, since floors of floors are floors."""
-    return ((a >> 9) * b + (((a & 511) * b) >> 9)) >> 9
-
-
 def fixed_weights(s: Sum) -> list[int]:
     """A_i of the contract, in units of 2^-18."""
-    g, weights = math.trunc(s.gain * FADE_ONE), [FADE_ONE]
-    while len(weights) < s.count:
-        weights.append(product(weights[-1], g))
-    if s.count > 1:
-        weights[-1] = product(weights[-1], math.trunc((s.octaves - (s.count - 1)) * FADE_ONE))
-    return weights[:s.count]
+    return oracle.fixed_weights(s.options)
 
 
 def fixed_fades(s: Sum) -> list[int]:
     """The part of each octave that a footprint leaves, in units of 2^-18."""
-    if s.footprint is None:
-        return [FADE_ONE] * s.count
-    finer = max(math.trunc(s.lacunarity * 2**23), 2**23)
-    e, fades = math.trunc(min(max(s.footprint, 0.0), 2.0) * 2**24), []
-    for _ in range(s.count):
-        fades.append(min(max(3 * 2**17 - (e >> 6), 0), FADE_ONE))
-        e = min(e * finer >> 23, 2**25)
-    return fades
+    return list(itertools.islice(oracle.fixed_visible(s.options), s.count))
 
 
 @functools.cache
@@ -215,7 +199,7 @@ def weight_changes(s: Sum) -> list[tuple[float, float]]:
     """The weight of each octave in the mean, and its distance from the exact one."""
     all_of_them, exact = fixed_weights(s), s.weights
     total, exact_total = sum(all_of_them), sum(exact)
-    used = [product(a, fade) for a, fade in zip(all_of_them, fixed_fades(s))]
+    used = [oracle.product(a, fade) for a, fade in zip(all_of_them, fixed_fades(s))]
     exact_used = [a * fade for a, fade in zip(exact, s.fades)]
     return [(a / total, abs(a / total - b / exact_total)) for a, b in zip(used, exact_used)]
 

@@ -15,7 +15,7 @@ from proof.bounds.features import METRICS
 from proof.bounds.floats import position_error
 from proof.bounds.gradients import OCTAHEDRAL, ROTATED, SINE
 from proof.bounds.noises import phasor
-from proof.bounds.noises.perlin.exact import SCALE
+from proof.bounds.noises.perlin import SCALE
 from proof.bounds.rounded import EXACT, FIXED, NEAREST, Rounding, Text, along_axes, roundings
 from proof.bounds.table import bounds_of, slope_bounds_of
 
