@@ -78,7 +78,7 @@ bool selects_code(std::string_view file, const Configuration& configuration) {
 
 // Elsewhere the library must refuse it.
 bool can_compile(const Configuration& configuration, const Profile& profile) {
-  return configuration.arithmetic != Arithmetic::precise || profile.version >= (profile.es ? 320 : 400);
+  return configuration.arithmetic != Arithmetic::precise || profile.has_precise();
 }
 
 std::span<const Stage> stages_of(const Profile& profile) {

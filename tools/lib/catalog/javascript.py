@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -156,37 +156,15 @@ def in_this_form(text: str) -> str:
 
 
 def kernels(twin: Twin) -> str:
-    """The tables of twin.cpp: for each number of dimensions the noises, up to the last that there is."""
-    made = []
-    for dimensions, (table_, macro) in enumerate((("kLine", "TWIN_LINE"), ("kPlane", "TWIN_PLANE"),
-                                                  ("kSpace", "TWIN_SPACE")), 1):
-        found = [", ".join([noise.name, *(f"settings.{part}" for part in parts_of(noise)), "seed"])
-                 if noise.is_in(dimensions) else "" for noise in twin.noises]
-        last = max(i for i, arguments in enumerate(found) if arguments)
-        made += [f"const Kernel{dimensions} {table_}[] = {{\n",
-                 *(f"    {f'{macro}({arguments})' if arguments else 'nullptr'},\n" for arguments in found[:last + 1]),
-                 "};\n"]
-    return in_this_form("".join(made))
+    """The table of twin.cpp."""
+    calls = (", ".join([noise.name, *(f"settings.{part}" for part in parts_of(noise)), "seed"]) for noise in twin.noises)
+    return in_this_form("".join(["template <int D>\n", "const Kernel<D> kNoises[] = {\n",
+                                 *(f"    TWIN_NOISE({call}),\n" for call in calls), "};\n"]))
 
 
 def sums(twin: Twin) -> str:
-    """The numbers of sums, and what they do."""
-    def lines(before: str, text: Callable[[Sum], str], after: str) -> str:
-        return "".join([before, *map(text, twin.sums), after])
-
-    def case(sum_: Sum, value: str) -> str:
-        return f"    case k{in_camel_case(sum_.name)}: return {value};\n"
-
-    def added(sum_: Sum) -> str:
-        return case(sum_, sum_.adds("s", "n", "settings.strength") if sum_.is_of_values else "s")
-
-    return in_this_form("\n".join([
-        lines("enum Sum {\n", lambda sum_: f"  k{in_camel_case(sum_.name)},\n", "};\n"),
-        lines("// Once for all dimensions: what adds to octaves would be there for each.\n"
-              "[[gnu::noinline]] hn_i_octave_sum with_value(hn_i_octave_sum s, Float n) {\n"
-              "  switch (static_cast<Sum>(settings.sum)) {\n", added, "  }\n}\n"),
-        lines("Int finished(Int mean) {\n  switch (static_cast<Sum>(settings.sum)) {\n",
-              lambda sum_: case(sum_, sum_.makes("mean")), "  }\n}\n")]))
+    """The numbers of sums."""
+    return in_this_form("enum Sum {\n" + "".join(f"  k{in_camel_case(sum_.name)},\n" for sum_ in twin.sums) + "};\n")
 
 
 def settings_of_page(twin: Twin) -> str:
@@ -251,11 +229,11 @@ def may_draw(noise: Noise, option: str) -> bool:
 
 
 def playground(catalog: Catalog) -> str:
-    slopes = {noise.name for noise in catalog.noises if noise.shape == "slopes"}
+    steep = {noise.plain for noise in catalog.noises if noise.shape == "slopes"}
 
     def of_noise(noise: Noise) -> dict[str, Any]:
         return {"dimensions": dimensions_of(noise, 4), **{option: True for option in noise.options if may_draw(noise, option)},
-                **({"steep": True} if f"{noise.name}_d" in slopes else {}),
+                **({"steep": True} if noise.name in steep else {}),
                 **({"range": noise.ranges["value"][0]} if "value" in noise.ranges else {}), "about": shown(noise)}
 
     def of_sum(sum_: Sum) -> dict[str, Any]:

@@ -147,7 +147,7 @@ def noises_without_entries(tree: Tree) -> Iterator[str]:
     bounds = {(row.noise, row.dimensions) for row in table.read(tree.at(BOUNDS))}
     contract = tree.text("docs/reference/contract.md")
     for function in tree.noises:
-        noise = function.noise
+        noise = function.bound
         if noise not in oracle.names():
             yield lacks(function, f"write in {ORACLE} its exact and its fixed value, from docs/reference/contract.md")
         if (noise, function.axes) not in bounds:
@@ -176,7 +176,7 @@ def sums_without_entries(tree: Tree) -> Iterator[str]:
 
 
 def noises_without_comments(tree: Tree) -> Iterator[str]:
-    noises = {function.calls: function.noise for function in tree.noises}
+    noises = {function.calls: function.bound for function in tree.noises}
     headings: dict[Path, set[str]] = {}
     for declared in tree.declarations:
         if declared.name in noises and declared.comment:
@@ -201,15 +201,15 @@ def files_without_a_text_to_read(tree: Tree) -> Iterator[str]:
 
 
 def entries_without_a_noise(tree: Tree) -> Iterator[str]:
-    noises = {function.noise for function in tree.noises}
-    # Functions built on noise may have bounds of their own: hn_curl has. Vectors with derivatives have those of their
-    # components, under their name.
-    known = {"oracle": noises, "bounds": noises | {function.bound for function in tree.functions} |
-             {function.calls.removeprefix("hn_") for function in tree.functions if function.component is not None}}
-    for of, place, names in (("oracle", ORACLE, oracle.names()), (
-            "bounds", BOUNDS.relative_to(ROOT), {row.noise: None for row in table.read(tree.at(BOUNDS))})):
+    noises = {function.bound for function in tree.noises}
+    # Functions built on noise are not of a family of noises: hn_curl is not. Vectors with derivatives have bounds of
+    # their components, under their name.
+    known = noises | {function.bound for function in tree.functions} | {
+        function.calls.removeprefix("hn_") for function in tree.functions if function.component is not None}
+    for place, names in ((ORACLE, oracle.names()), (
+            BOUNDS.relative_to(ROOT), {row.noise: None for row in table.read(tree.at(BOUNDS))})):
         for name in names:
-            if name not in known[of]:
+            if name not in known:
                 yield f"{place}: no function is the noise {name}: give it an entry in catalog/, or delete its own"
 
 

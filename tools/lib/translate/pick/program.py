@@ -438,7 +438,7 @@ class Program:
         of a function that is wanted is the one of its form."""
         names = self._names(language)
         for name in self.structs() if language.structs else []:
-            yield name, language.struct(name, [(field, type_) for field, type_, _ in self.module.structs[name].fields])
+            yield name, language.struct(name, self.module.structs[name].fields)
         for special, evaluated in self.called.items():
             yield f"{special.name} {' '.join(special.types)}", self._function(evaluated, names[special], language, names, precise)
         for root in self.roots:
