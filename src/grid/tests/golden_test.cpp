@@ -12,6 +12,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -128,7 +129,7 @@ bool set(Settings& settings, const Golden& golden, const Row& row) {
   }
   if (has("jitter")) settings.jitter = number("jitter");
   if (has("metric")) {
-    if (word("metric") < 1 || word("metric") > 5) return false;
+    if (word("metric") < 1 || word("metric") > std::size(grid::kMetricNames)) return false;
     settings.metric = static_cast<Metric>(word("metric"));
   }
   if (has("octaves")) settings.octaves = static_cast<std::int32_t>(word("octaves"));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "grid/functions.hpp"
@@ -65,7 +66,9 @@ void draw_settings(Settings& s, int dimensions, bool tiled, Draw draw, Chance& c
   if (s.phase) s.phase = chance.of({0.0f, 0.25f, 1.0f / 3.0f, -0.7f, 12345.625f, chance.between(-2.0f, 2.0f)});
   if (s.fractal.empty()) {
     if (has_jitter(s.noise)) s.jitter = chance.of({1.0f, 1.0f, 0.0f, 0.5f, chance.between(0.0f, 1.0f)});
-    if (has_metric(s.noise) && !s.phase) s.metric = static_cast<Metric>(chance.whole(1, 5));
+    if (has_metric(s.noise) && !s.phase) {
+      s.metric = static_cast<Metric>(chance.whole(1, static_cast<int>(std::size(grid::kMetricNames))));
+    }
     s.wave.clear();
     if (has_wave(s.noise) && !chance.one_in(5)) {
       for (int axis = 0; axis < dimensions; ++axis) {

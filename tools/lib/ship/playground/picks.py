@@ -184,7 +184,8 @@ def data(modules_: dict[str, list[Piece]]) -> dict:
     languages = {piece: order[key.split()[0]] for key, pieces in modules_.items() for piece in pieces}
 
     def place(piece: Piece) -> tuple:
-        return re.sub(r"\d", "", piece.name), piece.name, languages[piece], piece.text
+        of_cpu = languages[piece] >= len(SHADING)
+        return of_cpu, re.sub(r"\d", "", piece.name), piece.name, languages[piece], piece.text
 
     numbers = {piece: at for at, piece in enumerate(sorted(every, key=place))}
     return {"pieces": [part for piece in numbers for part in piece], "shells": shells(),
@@ -200,19 +201,14 @@ def compressed(text: str) -> str:
 
 
 def texts(tell: Callable[[str], None] = lambda _: None) -> dict[str, str]:
-    """The texts of the languages of shaders and of the CPU: JSON, compressed."""
+    """JSON, compressed."""
     tell(f"Picking what pictures call, in {len(SHADING) + len(CPU)} languages: about 20 seconds of a processor core ...")
     # Nodes of expressions are in no cycles: looking for some takes a quarter of the time, and frees nothing.
     with ProcessPoolExecutor(initializer=gc.disable) as pool:
         every = every_module(pool.map(pieces_of, settings()))
-    found = {}
-    for name, languages in (("shading", SHADING), ("cpu", CPU)):
-        part = data({key: every[key] for key in sorted(every) if key.split()[0] in languages})
-        found[name] = compressed(json.dumps(part, separators=(",", ":")))
-    return found
+    return {"pieces": compressed(json.dumps(data({key: every[key] for key in sorted(every)}), separators=(",", ":")))}
 
 
-def kept_texts(tell: Callable[[str], None] = lambda _: None) -> dict[str, str]:
+def kept_text(tell: Callable[[str], None] = lambda _: None) -> str:
     sources = [*glsl_files().values(), *(ROOT / "catalog").glob("*.toml"), *modules.files_of([Path(__file__)])]
-    folder = cached(FOLDER, sources, partial(texts, tell))
-    return {name: (folder / name).read_text(encoding="ascii") for name in ("shading", "cpu")}
+    return (cached(FOLDER, sources, partial(texts, tell)) / "pieces").read_text(encoding="ascii")
