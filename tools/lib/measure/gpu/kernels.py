@@ -37,6 +37,8 @@ EXACT_PRODUCT = "spvFMul("
 BATCH = 24  # shaders that a compiler gets at once
 LIMIT = 300.0  # seconds for them
 PASSES = ("-O3", "-vectorize-slp=false", "-vectorize-loops=false")  # of LLVM; a compiler of shaders makes no vectors
+# Options of llc: products and sums are contracted, divisions are the GPU's own, and small numbers become 0.
+APPROXIMATE = ("-fp-contract=fast", "-nvptx-prec-divf32=0", "-denormal-fp-math-f32=preserve-sign")
 
 
 class Failed(Exception):
@@ -115,7 +117,7 @@ class Compiler:
 class Ptxas(Compiler):
     def compiled(self, shaders: Mapping[str, str], folder: Path) -> dict[str, dict[str, float]]:
         architecture, ptx, binary = self.chip.variable, folder / "shaders.ptx", folder / "shaders.cubin"
-        self.call([*self.found.program("llc"), "-O3", f"-mcpu={architecture}", "-fp-contract=fast",
+        self.call([*self.found.program("llc"), "-O3", f"-mcpu={architecture}", *APPROXIMATE,
                    self.optimized(shaders, folder), "-o", ptx], folder)
         said = self.call([self.found.nvidia(self.assembler()), f"-arch={architecture}", "-O3", "-v", "-o", binary, ptx],
                          folder)

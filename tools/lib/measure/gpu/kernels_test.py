@@ -356,6 +356,12 @@ class Real(Case):
             self.assertEqual(done.returncode, 0, done.stdout)
         self.assertEqual(self.wrong(files, EXPRESSIONS), set())
 
+    def test_a_division_is_the_gpus_own(self):
+        texts = metal(self.folder, plain=EXPRESSION.format("p.x"), divided=EXPRESSION.format("p.x / p.y"))
+        for chip, cost, most in (("sm90", "Issue slots", 4), ("acm", "Passes", 12)):
+            plain, divided = kernels.compile_all(self.found, chip_named(chip), texts)[1]
+            self.assertLess(divided.statistics[cost] - plain.statistics[cost], most, chip)
+
     def test_units_sum_up_to_what_is_counted(self):
         files = self.calls()
         for chip in (chip for chip in CHIPS if chip.vendor.target):
