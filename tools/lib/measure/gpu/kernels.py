@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 import os
 import re
+import shutil
 import subprocess
 import tempfile
 from collections import Counter
@@ -287,7 +288,7 @@ def module(shaders: Mapping[str, str]) -> str:
 
 
 def translated(files: Mapping[str, Path]) -> dict[str, str | Failed]:
-    """The shaders of SPIR-V files in Metal's language. Missing without the program that prints them."""
+    """The shaders of SPIR-V files in Metal's language. Missing without the programs that translate them."""
     def one(file: Path) -> str | Failed:
         done = subprocess.run(["spirv-cross", "--msl", "--msl-force-native-arrays", file], capture_output=True, text=True,
                               check=False)
@@ -296,7 +297,6 @@ def translated(files: Mapping[str, Path]) -> dict[str, str | Failed]:
         text = EXACT.sub("", done.stdout.partition("using namespace metal;")[2])
         return CONSTRUCTOR.sub(r"made<\g<0>>", text)
 
-    try:
-        return {id: one(file) for id, file in files.items()}
-    except FileNotFoundError:
-        raise Missing("there is no spirv-cross, which prints the shaders: install spirv-cross") from None
+    if missing := [program for program in ("clang", "spirv-cross") if not shutil.which(program)]:
+        raise Missing(f"there is no {' and no '.join(missing)}, by which shaders are translated")
+    return {id: one(file) for id, file in files.items()}

@@ -223,8 +223,7 @@ class Compilers(Case):
                            ("acm", "has no program ocloc")):
             with self.subTest(chip=chip), self.assertRaisesRegex(Missing, part):
                 kernels.compile_all(found, chip_named(chip), {"s": METAL})
-        with mock.patch("subprocess.run", side_effect=FileNotFoundError), \
-                self.assertRaisesRegex(Missing, "spirv-cross"):
+        with mock.patch("shutil.which", return_value=None), self.assertRaisesRegex(Missing, "no clang and no spirv-cross"):
             kernels.translated({"s": self.folder})
 
 
