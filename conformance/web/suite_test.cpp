@@ -80,21 +80,9 @@ TEST(Suite, OfAllDefaultCasesSaysOfWhichGoldenFilesItIs) {
   EXPECT_FALSE(suite(false).contains("golden"));
 }
 
-// The program of the only case, which is in WGSL.
-std::string wgsl_of(const Json& suite) {
-  return text_of(suite, suite["programs"][suite["cases"][0]["program"].get<std::size_t>()]["wgsl"]);
-}
-
 Json wgsl_suite(const SourceSet& sources) {
   const Case test = case_named("noise2d.perlin.lattice.fixed.compute.wgsl.golden");
   return Json::parse(make_suite(sources, HN_GOLDEN_DIRECTORY, std::span(&test, 1)).json);
-}
-
-TEST(Suite, AShaderInWgslIsMadeOfTheLibrary) {
-  const std::string text = wgsl_of(wgsl_suite(SourceSet::embedded()));
-  EXPECT_NE(text.find("fn hn_perlin2("), std::string::npos);
-  EXPECT_NE(text.find("0x85EBCA77u"), std::string::npos);
-  EXPECT_EQ(text.find("hn_perlin3"), std::string::npos);
 }
 
 TEST(Suite, AnotherCopyOfTheLibraryHasNoWgsl) {

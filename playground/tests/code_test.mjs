@@ -9,7 +9,7 @@ import { linkOf, stateOf } from "../links.js";
 import { changed, mapsOf, usualState } from "../model.js";
 import { hasCompiler, kCompiled, wordsOf, wordsOfJavaScript } from "./languages.mjs";
 import { anyStates, simpleStates } from "./states.mjs";
-import { compiled, copiedCode, floatOf, inFolder, kRoot, launched, opened, pixels, run, setState } from "./support.mjs";
+import { copiedCode, floatOf, inFolder, kRoot, launched, opened, pixels, run, setState } from "./support.mjs";
 
 const kThorough = Boolean(process.env.HN_THOROUGH);
 // Eighths of a cell from 0 on, so that both pattern(cell, f) and pattern(p) are exact.
@@ -376,17 +376,6 @@ test("copied code of other languages computes the picture", async () => {
   const code = await copiedCode(page, "javascript", true);
   const words = (text) => wordsOfJavaScript(text, whole[0], kWidth, kHeight);
   assert.notDeepEqual(await words(code.replace(", 7)", ", 8)")), await words(code));
-});
-
-test("copied C++ has pattern(p), too", async () => {
-  await setState(page, states[1]);
-  const printed = await compiled(
-    await copiedCode(page, "cpp", false),
-    `#include <cstdio>
-int main() { std::printf("%d", hashnoise::pattern(hashnoise::vec2(2.5f, 1.25f)) == hashnoise::pattern(hashnoise::ivec2(2, 1), hashnoise::vec2(0.5f, 0.25f))); }
-`,
-  );
-  assert.equal(printed, "1");
 });
 
 test("code that is wrong is noticed", async () => {

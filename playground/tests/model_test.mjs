@@ -113,10 +113,11 @@ test("a wrong link states what is ignored", () => {
       "y=-Infinity became -2147483648.",
   );
   assert.equal(ignoredIn("#x=2147483647.99999994&y=-2147483648"), "");
-  for (const name of Object.keys(kLooks)) {
-    const link = linkOf(stateOfLook(name, usualState()));
-    assert.equal(ignoredIn(link), "", link);
-  }
+  const looks = Object.keys(kLooks).map((name) => linkOf(stateOfLook(name, usualState())));
+  const tutorial = readFileSync(join(root, "docs", "guide", "tutorial.md"), "utf8");
+  const links = Array.from(tutorial.matchAll(/\*\*Playground\*\*: `(#[^`]+)`/g), ([, link]) => link);
+  assert.ok(links.length > 3);
+  for (const link of [...looks, ...links]) assert.equal(ignoredIn(link), "", link);
 });
 
 test("a view in a link brings what it needs, as a button does", () => {

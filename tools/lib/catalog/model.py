@@ -177,8 +177,8 @@ class Entry:
             raise CatalogError(f"{self.where}: {key} is {value!r}, which is of the wrong type")
         return value
 
-    def one_of(self, key: str, names: tuple[str, ...]) -> str:
-        value: str = self.take(key, str)
+    def one_of(self, key: str, names: tuple[str, ...], *default: str) -> str:
+        value: str = self.take(key, str, *default)
         if value not in names:
             raise CatalogError(f"{self.where}: {key} is {value!r}, and has to be one of {', '.join(names)}")
         return value
@@ -202,7 +202,7 @@ def _function(entry: Entry, name: str) -> dict[str, Any]:
     if "{dimensions}" not in about:
         raise CatalogError(f"{entry.where}: about needs {{dimensions}}, which becomes \"in 2D and 3D\" and so on")
     options = entry.take("options", dict, {})
-    return {"name": name, "first": first, "last": last, "shape": entry.one_of("shape", SHAPES), "about": about,
+    return {"name": name, "first": first, "last": last, "shape": entry.one_of("shape", SHAPES, "value"), "about": about,
             "more": entry.take("more", str, ""), "returns": entry.take("returns", str),
             "source": entry.take("source", str), "example": entry.take("example", str, ""), "options": options,
             "families": _families(entry, name), "brief": entry.take("brief", str), "use": entry.take("use", str),
@@ -256,10 +256,10 @@ def _sum(name: str, keys: Any, noises: Mapping[str, Noise]) -> Sum:
     named = ("noise", strength.name) if strength else ("noise",)
     if isinstance(value, str) and value not in named:
         raise CatalogError(f"{entry.where}: range is {value!r}, and has to be two numbers or {' or '.join(named)}")
-    of = entry.one_of("of", (*SHAPES, OWN))
-    made = Sum(**common, of=of, noise=entry.one_of("noise", tuple(noises)) if of != OWN else "",
+    of = entry.one_of("of", (*SHAPES, OWN), "value")
+    made = Sum(**common, of=of, noise=entry.one_of("noise", tuple(noises), "perlin") if of != OWN else "",
                range=entry.pair("range", value) if isinstance(value, list) else value, strength=strength,
-               step=entry.take("step", str, ""), mean=entry.one_of("mean", MEANS) if "mean" in entry.keys else "",
+               step=entry.take("step", str, ""), mean=entry.one_of("mean", MEANS, ""),
                adds_words=entry.take("adds", str, ""), error=entry.take("error", str, ""))
     if bool(made.step) != (made.shape == "value" and made.takes_noise):
         raise CatalogError(f"{entry.where}: a sum that is a value has a step, and no other has one")
@@ -272,7 +272,7 @@ def _sum(name: str, keys: Any, noises: Mapping[str, Noise]) -> Sum:
 def _setting(name: str, keys: Any) -> Setting:
     entry = Entry("settings.toml", name, keys)
     number = (int, float)
-    is_whole = entry.one_of("kind", ("whole", "real")) == "whole"
+    is_whole = bool(entry.one_of("kind", ("whole", ""), ""))
     least, most = entry.take("least", number, None), entry.take("most", number, None)
     fixed = entry.take("fixed", list, [least, most])
     if len(fixed) != 2:

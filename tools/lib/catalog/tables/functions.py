@@ -19,7 +19,6 @@ from catalog.tables.configurations import families
 FILE = "functions.toml"
 NOISES = ("gradient_noise", "lattice_noise", "extended_gradient_noise", "octahedral_noise", "extended_lattice_noise",
           "simplex_noise", "cellular", "extended_cellular")
-OCTAVE_SUMS = ("octave_sum", "extended_octave_sum", "octahedral_octave_sum")
 TYPES = ("u32", "i32", "f32", "f64")
 STRENGTHS = ("strength", "amplitude")
 SPREADS = ("spread", "spread_value", "spread_sum")  # forms without a seed
@@ -118,7 +117,7 @@ def of_words(type_: str, words: list[str]) -> str:
 class Function:
     id: str
     family: str  # functions whose values depend on the same knobs
-    bound: str  # "exact", "sine", a noise or a sum
+    bound: str  # "exact", "sine", or the noise or sum that it is: perlin_d of noise2d.perlin_d_cell
     takes: tuple[str, ...]
     gives: tuple[str, ...]
     type: str  # of its results
@@ -212,22 +211,6 @@ class Function:
         return "phase" in self.takes
 
     @property
-    def has_wave(self) -> bool:
-        return "wave" in self.takes
-
-    @property
-    def has_jitter(self) -> bool:
-        return "jitter" in self.takes
-
-    @property
-    def has_radius(self) -> bool:
-        return "radius" in self.takes
-
-    @property
-    def has_metric(self) -> bool:
-        return "metric" in self.takes
-
-    @property
     def has_seed(self) -> bool:
         """Whether a seed is behind all that it takes."""
         return self.form not in ("words", "items", "zero", "place", *SPREADS)
@@ -242,15 +225,10 @@ class Function:
         return self.bound == "exact"
 
     @property
-    def noise(self) -> str:
-        """The noise that it is, as perlin for noise2d.perlin_cell, and perlin_d for one with derivatives."""
-        return self.bound
-
-    @property
     def component(self) -> int | None:
         """Which component of a vector it has with its derivatives: as 1 for noise2d.value_vector_d_y. The noise of such
         a function is a component's."""
-        of_a_vector = self.returns.startswith("hn_derivatives") and self.calls != f"hn_{self.noise}"
+        of_a_vector = self.returns.startswith("hn_derivatives") and self.calls != f"hn_{self.bound}"
         return "xyz".index(self.members[0][-1]) if of_a_vector else None
 
     # --- The function of the library ---
@@ -452,9 +430,9 @@ def _of_row(group: str, name: str, keys: Mapping[str, Any], dimensions: int | No
     id_, takes = text("id", "{group}.{name}{n}"), texts("takes")
     if unknown := {*takes} - PARTS.keys():
         raise CatalogError(f"{entry.where}: nothing is known of {min(unknown)}, which it takes")
-    sets = entry.one_of("sets", ("nearest", "offset")) if "sets" in entry.keys else ""
+    sets = entry.one_of("sets", ("nearest", "offset", ""), "")
     gives = (f"{sets[0]}*",) if sets else texts("gives")
-    type_ = {"nearest": "i32", "offset": "f64"}[sets] if sets else entry.one_of("type", TYPES)
+    type_ = {"nearest": "i32", "offset": "f64"}[sets] if sets else entry.one_of("type", TYPES, "f64")
     member, component = entry.take("member", str, ""), entry.take("component", str, "")
     members = tuple(f"{member}.{axis}" for axis in AXES[:len(gives)]) if member else ()
     if component:

@@ -9,7 +9,6 @@ import unittest
 from collections.abc import Callable
 from pathlib import Path
 
-from base.tree import glsl_files
 from catalog.model import CATALOG, CatalogError
 from catalog.tables import glsl
 from catalog.tables.configurations import families, read_configurations
@@ -60,14 +59,14 @@ class Tables(unittest.TestCase):
             function = functions[id]
             self.assertEqual((function.form, function.axes, function.family), (form, axes, family), id)
         cell, word = functions["noise3d.perlin_cell"], functions["hash.word"]
-        self.assertEqual((cell.noise, cell.calls), ("perlin", "hn_perlin"))
+        self.assertEqual((cell.bound, cell.calls), ("perlin", "hn_perlin"))
         self.assertEqual(cell.overloads, (("place3", "uint"),))
         self.assertEqual((word.calls, word.overloads), ("hn_hash", (("uint",),)))
         self.assertEqual(functions["numbers.shuffle"].overloads, (("uint", "uint", "uint"),))
         self.assertEqual(functions["hash.pcg3d"].overloads, (("uvec3",),))
         self.assertEqual(functions["noise2d.perlin_cell_period"].overloads, (("place2", "uint"),))
         self.assertEqual(functions["noise4d.value_d"].overloads, (("vec4",), ("vec4", "uint")))
-        self.assertEqual(functions["noise4d.value_d_value"].noise, "value_d")
+        self.assertEqual(functions["noise4d.value_d_value"].bound, "value_d")
         self.assertEqual((functions["position.perlin2"].calls, functions["position.perlin2"].types),
                          ("hn_perlin", ("place2",)))
         self.assertEqual(functions["noise2d.cellular_full"].overloads, (("vec2", "float", "int", "uint"),))
@@ -75,7 +74,7 @@ class Tables(unittest.TestCase):
                          (("place3", "float", "uint", "out ivec3", "out vec3"),))
         self.assertEqual(functions["noise2d.phasor"].overloads, (("vec2", "vec2", "float", "uint"),))
         self.assertEqual(functions["noise3d.phasor_cell"].overloads, (("place3", "vec3", "float", "uint"),))
-        self.assertEqual([functions[id].has_wave for id in ("noise3d.phasor", "noise3d.simplex_phase")], [True, False])
+        self.assertEqual(["wave" in functions[id].takes for id in ("noise3d.phasor", "noise3d.simplex_phase")], [True, False])
         self.assertEqual([functions[f"noise2d.cellular_{form}"].sets for form in ("full", "nearest", "cell_offset")],
                          ["", "nearest", "offset"])
         self.assertEqual(functions["fbm.fbm2"].types, ("vec2", "int", "float", "float"))
@@ -116,7 +115,7 @@ class Tables(unittest.TestCase):
                 ("scatter.scattered2", "candidate", 2, (("place2", "float", "uint"), ("ivec2", "float", "uint")))):
             function = functions[id_]
             self.assertEqual((function.form, function.axes, function.overloads), (form, axes, overloads))
-            self.assertEqual((function.sets, function.has_radius), ("", "scattered" in id_))
+            self.assertEqual((function.sets, "radius" in function.takes), ("", "scattered" in id_))
 
     def test_hex_tiling_has_a_seed_at_a_position(self) -> None:
         functions = {function.id: function for function in read_functions()}
@@ -245,7 +244,3 @@ HN_FN hn_float hn_one(hn_vec2 p) { return 0.0f; }
 
         self.assertEqual(marked(self.folder), ["hn_one"])
         self.assertEqual(marked(glsl.LIBRARY), [])
-
-    def test_the_bodies_of_the_library_are_closed(self) -> None:
-        for path in glsl_files().values():
-            self.assertTrue(glsl.file_scope(path.read_text() + "// end\nend").endswith("end"), path)

@@ -14,7 +14,7 @@ from pathlib import Path
 from base.pieces import was_deleted
 from base.tree import TOOLS
 
-# What begins as Python, and what the shell starts by any.
+# They begin as Python, or the shell starts them by any Python.
 STARTED = [*(path for path in sorted(TOOLS.iterdir())
              if path.is_file() and path.read_text(encoding="utf-8").startswith("#!/usr/bin/env python3")),
            *(path for path in (TOOLS / "lib/measure/command.py",) if not was_deleted("tools/lib/measure/command.py"))]

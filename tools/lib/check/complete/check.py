@@ -147,7 +147,7 @@ def noises_without_entries(tree: Tree) -> Iterator[str]:
     bounds = {(row.noise, row.dimensions) for row in table.read(tree.at(BOUNDS))}
     contract = tree.text("docs/reference/contract.md")
     for function in tree.noises:
-        noise = function.noise
+        noise = function.bound
         if noise not in oracle.names():
             yield lacks(function, f"write in {ORACLE} its exact and its fixed value, from docs/reference/contract.md")
         if (noise, function.axes) not in bounds:
@@ -174,7 +174,7 @@ def sums_without_entries(tree: Tree) -> Iterator[str]:
 
 
 def noises_without_comments(tree: Tree) -> Iterator[str]:
-    noises = {function.calls: function.noise for function in tree.noises}
+    noises = {function.calls: function.bound for function in tree.noises}
     headings: dict[Path, set[str]] = {}
     for declared in tree.declarations:
         if declared.name in noises and declared.comment:
@@ -199,7 +199,7 @@ def files_without_a_text_to_read(tree: Tree) -> Iterator[str]:
 
 
 def entries_without_a_noise(tree: Tree) -> Iterator[str]:
-    noises = {function.noise for function in tree.noises}
+    noises = {function.bound for function in tree.noises}
     # Functions built on noise are not of a family of noises: hn_curl is not. Vectors with derivatives have bounds of
     # their components, under their name.
     known = noises | {function.bound for function in tree.functions} | {

@@ -79,8 +79,6 @@ CHIPS = (
 )
 # One of each compiler, for tables.
 SHOWN = ("ampere", "sm90", "navi31", "adreno740", "m1", "acm")
-# In the package, and of no use here: its GPUs are older than Vulkan.
-UNUSED_SHIMS = frozenset({"radeon"})
 
 
 def chip_named(name: str) -> Chip:

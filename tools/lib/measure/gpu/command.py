@@ -35,13 +35,13 @@ from base.tree import GLSL, ROOT, hn_conform
 from base.usage import Parser
 from measure import record as records
 from measure import stamps
-from measure.gpu import drivers, record, stripes
+from measure.gpu import drivers, record
 from measure.gpu.chips import CHIPS, Chip
 from measure.gpu.compiling import Compiled, Device, compile_all
 from measure.gpu.drivers import Drivers
 from measure.gpu.kernels import compile_all as compile_kernels
 from measure.gpu.kernels import translated
-from measure.peers import PEERS, add_options, against, given
+from measure.peers import add_options, against, given
 
 ARITHMETICS = ("*.lattice", "*.lattice+precise", "*.lattice+fixed", "*.any")
 DRIVERS = ROOT / "build" / "gpu-drivers"
@@ -130,9 +130,8 @@ def run(options: argparse.Namespace) -> int:
     options.out.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
         arguments = [word for glob in options.filter or ARITHMETICS for word in ("--filter", glob)]
-        foreign = (*options.against, *against(given(options, PEERS)),
-                   *stripes.against(given(options, stripes.PEERS), Path(scratch)))
-        arguments += [word for one in foreign for word in ("--against", one)]
+        for one in (*options.against, *against(given(options))):
+            arguments += ["--against", one]
         arguments += ["--glsl", str(options.glsl)]  # the program may be older than the text here
         dimensions = compile_spirv(hn_conform, Path(scratch), arguments)
         files = {id: Path(scratch) / "spirv" / f"{id}.spv" for id in dimensions}
@@ -164,8 +163,7 @@ def list_chips(folder: Path) -> int:
     for chip in CHIPS:
         print(f"{chip.name:11} {chip.title}")
     try:
-        for shim in drivers.find(folder).unused_shims():
-            print(f"{shim} is in {folder}, and no chip here is of it: tools/lib/measure/gpu/chips.py wants a row")
+        drivers.find(folder)
     except Missing as why:
         print(f"None can be measured yet: {why}")
     return 0
@@ -181,7 +179,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                         help="another copy of the library: of glsl/hashnoise/")
     parser.add_argument("--against", action="append", metavar="NAME=FILE:EXPRESSION", default=[],
                         help="also another shader file, as of bench; may be repeated")
-    add_options(parser, (*PEERS, *stripes.PEERS))
+    add_options(parser)
     parser.add_argument("--out", type=Path, metavar="DIR", default=Path("out"))
     parser.add_argument("--baseline", type=Path, metavar="FILE", help="an earlier costs.csv, to compare with")
     parser.add_argument("--drivers", type=Path, metavar="DIR", default=DRIVERS,

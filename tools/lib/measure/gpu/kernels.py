@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from measure.gpu.drivers import Drivers
 
 HEADER = Path(__file__).with_name("metal.hpp")
-# Of Clang; what may be contracted says so, and LLVM optimizes later.
+# Clang's options. Operations that may be contracted are marked, and LLVM optimizes later.
 OPTIONS = ("-x", "cl", "-cl-std=clc++", "-cl-no-stdinc", "-cl-single-precision-constant", "-cl-denorms-are-zero",
            "-ffp-contract=fast", "-freciprocal-math", "-w", "-I", HEADER.parent)
 # Functions that SPIRV-Cross defines for what must not be contracted; the header has them.
@@ -232,12 +232,14 @@ JUMPS = re.compile(r"(?:goto|jmpi|brd|brc)\b")
 
 def counts_of_asm(text: str, lanes: int) -> dict[str, dict[str, float]]:
     """By kernel: what IGC prints. An instruction passes once for each `lanes` lanes that it has, at least once; a
-    message to memory and a branch once. Waits (sync, nop) are not counted."""
+    message to memory and a branch once. Waits (sync, nop) are not counted. IGC compiles a kernel that spills once more,
+    and prints it again: the last one counts."""
     kernels: dict[str, Counter[str]] = {}
     found, labels = Counter(), set()
     for line in text.splitlines():
         if head := ASM_KERNEL.match(line):
-            found, labels = kernels.setdefault(head[1], Counter()), set()
+            found, labels = Counter(), set()
+            kernels[head[1]] = found
         elif registers := ASM_REGISTERS.match(line):
             found["Registers"] = int(registers[1])
         elif spills := ASM_SPILLS.match(line):

@@ -1,5 +1,5 @@
-// What a shader in Metal's language, as SPIRV-Cross prints it, needs to be C++ for OpenCL. An operation becomes one of
-// LLVM, so that a minimum stays a minimum, and what is `precise` is contracted by no compiler.
+// Stands before a shader in Metal's language, as SPIRV-Cross prints it, to make it C++ for OpenCL. An operation becomes
+// one of LLVM, so that a minimum stays a minimum, and no compiler contracts what is `precise`.
 #define fragment static
 #define thread
 #define constant __constant
@@ -25,7 +25,7 @@ typedef matrix<2, 2> float2x2;
 typedef matrix<3, 3> float3x3;
 typedef matrix<4, 4> float4x4;
 
-// Constructors: what was float3(a, b), float3(1.0), uint2(int2(a)).
+// Constructors, for float3(a, b), float3(1.0) and uint2(int2(a)).
 template <class T, class A>
 struct Made {
   static T of(A a) { return (T)(a); }

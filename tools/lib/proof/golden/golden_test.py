@@ -21,7 +21,7 @@ from base.golden_values import Golden, ids
 from base.thorough import THOROUGH, in_thorough_runs
 from catalog.model import AXES, CatalogError
 from catalog.tables.configurations import read_configurations
-from catalog.tables.functions import NOISES, OCTAVE_SUMS, SPREADS, Column, read_functions
+from catalog.tables.functions import SPREADS, Column, read_functions
 from proof.golden import cellular_rows, gullies_rows
 from proof.golden import command as golden
 from proof.golden.files import Digest, GoldenFile, Sample, Values, golden_files, line
@@ -36,7 +36,7 @@ from proof.vectors.files import meaning
 
 FUNCTIONS = {function.id: function for function in read_functions()}
 SUMS = [function for function in FUNCTIONS.values()
-        if function.family in OCTAVE_SUMS and function.bound != gullies_rows.BOUND]
+        if function.form == "sum" and function.bound != gullies_rows.BOUND]
 CELLULAR = [function for function in FUNCTIONS.values() if function.family in cellular_rows.FAMILIES]
 SETTINGS = read_configurations()
 FILES = {file.function.id: file for file in golden_files(list(FUNCTIONS.values()), SETTINGS)}
@@ -179,11 +179,11 @@ class GoldenContents(unittest.TestCase):
             self.assertNotIn(name, there)
 
     def test_a_setting_that_is_left_out_takes_its_values_with_it(self) -> None:
-        others = [setting for setting in SETTINGS if setting.name != "lattice+fixed"]
+        fixed, = (setting for setting in SETTINGS if setting.name == "lattice+fixed")
+        others = [setting for setting in SETTINGS if setting != fixed]
         files = {file.function.id: file for file in golden_files(list(FUNCTIONS.values()), others)}
         self.assertEqual({id for id in FILES if len(FILES[id].values) != len(files[id].values)},
-                         {function.id for function in FUNCTIONS.values()
-                          if function.family in (*NOISES, *OCTAVE_SUMS, "curl", "utility", "distribution")})
+                         {function.id for function in FUNCTIONS.values() if function.family in fixed.families})
         functions = [function for function in FUNCTIONS.values() if function.family != "curl"]
         no_curl = [replace(setting, families=tuple({*setting.families} - {"curl"})) for setting in SETTINGS]
         self.assertEqual([file.function for file in golden_files(list(FUNCTIONS.values()), no_curl)], functions)
@@ -212,7 +212,7 @@ class GoldenContents(unittest.TestCase):
             self.assertEqual(max(map(abs, beside)), 2, cell)
         self.assertEqual(steps, {(n, axis, after) for n in (2, 3) for axis in range(n) for after in (False, True)})
         for function in CELLULAR:
-            if function.noise == "cell_border" and not function.sets:
+            if function.bound == "cell_border" and not function.sets:
                 self.assertGreater(len(cellular_rows.far_borders(function)), 1)
 
     def test_a_place_that_no_seed_makes_clear(self) -> None:

@@ -101,7 +101,7 @@ def plain(function: Function, generator: Generator) -> list[Row]:
     return rows
 
 
-def for_fixed(function: Function, generator: Generator) -> list[Row]:
+def fixed(function: Function, generator: Generator) -> list[Row]:
     """Inputs that are cut off, and positions of any size."""
     if function.form == "cell":
         rows = []

@@ -53,7 +53,7 @@ def scattered(knobs: Knobs, *row: Real) -> Values:
     return (scatter.scattered(Lattice(knobs, seed, tuple(place[n:])), place[:n], radius),)
 
 
-# The functions that are neither noises nor sums, by their names in the library. They take a row, whatever the knobs; ...
+# The functions that are neither noises nor sums, by their names. They take a row, whatever the knobs; ...
 OF_ROWS: dict[str, Callable[..., Values]] = {
     "hn_unorm": lambda h: (gradients.unorm(h),), "hn_snorm": lambda h: (gradients.snorm(h),),
     "hn_gradient1": gradients.gradient1, "hn_gradient2": gradients.gradient2,
@@ -138,12 +138,12 @@ SETS = {"nearest": NEAREST, "offset": OFFSET}
 def chosen(noise: Noise, function: Function, numbers: list[Real]) -> Noise:
     """The noise with the wave, the phase, the jitter and the metric that it takes from the end of the numbers."""
     choice = Choice()
-    if function.has_metric:
+    if "metric" in function.takes:
         choice = replace(choice, metric=numbers.pop())
-    if function.has_jitter:
+    if "jitter" in function.takes:
         choice = replace(choice, jitter=numbers.pop())
     of = noise.rotated(numbers.pop()) if function.has_phase else noise
-    if function.has_wave:
+    if "wave" in function.takes:
         choice = replace(choice, wave=tuple(numbers[-function.axes:]))
         del numbers[-function.axes:]
     return of.chosen(choice)

@@ -16,7 +16,7 @@ from unittest import mock
 import ship.playground.command as command
 import ship.playground.page as page
 from base.thorough import THOROUGH, in_thorough_runs
-from base.tree import ROOT, TOOLS, version
+from base.tree import TOOLS, version
 from ship.playground import picks
 from translate.pick.command import Choice, picked
 
@@ -160,14 +160,3 @@ class Command(unittest.TestCase):
         for arguments in (["--out"], ["more"], ["--out", "/dev/null/page.html"], ["--picks"]):
             done = subprocess.run([sys.executable, TOOLS / "playground", *arguments], capture_output=True, text=True, check=False)
             self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
-
-
-class Tutorial(unittest.TestCase):
-    def test_its_links_are_what_the_page_knows(self):
-        links = re.findall(r"\*\*Playground\*\*: `#([^`]+)`", (ROOT / "docs" / "guide" / "tutorial.md").read_text())
-        self.assertGreater(len(links), 3)
-        settings, tables = ((ROOT / "playground" / name).read_text() for name in ("model.js", "tables.js"))
-        for name, value in (part.split("=") for link in links for part in link.split("&")):
-            self.assertRegex(settings, rf"(?m)^  {name}: ", name)
-            if name in ("sum", "noise") and value != "none":
-                self.assertRegex(tables, rf"(?m)^  {value}: \{{", value)

@@ -534,24 +534,6 @@ class Comments(unittest.TestCase):
         self.assertRegex(shown, r"/// Only functions that return one make a valid one:.*\n#\[derive.*\n"
                                 r"pub struct Place2 \{\n    pub cell_x: i32,")
 
-    def test_they_compile_in_c_and_in_hlsl(self) -> None:
-        cases = {"c": ("float x = 1.0f, y = 1.0f;\nhn_ivec2 nearest;\nhn_vec2 offset;", "gcc", "-x", "c",
-                       "-fsyntax-only", "-Wall", "-Werror", "-Wno-unused-function", "-include", "text", "call"),
-                 "hlsl": ("float2 uv = 1.0;\nint2 nearest;\nfloat2 offset;", "glslangValidator", "-D", "-V", "-S",
-                          "frag", "-e", "main", "-o", "out", "whole")}
-        for language, (variables, *compiler) in cases.items():
-            shown = self.pick(["hn_cellular2_nearest"], command.Choice(language))
-            comment = self.comment(shown)
-            call = re.search(r"(?:example |Example: `)(hn_\w+\(.*?\))(?:`| returns )", comment)[1]
-            for made, status in ((call, 0), (call.replace(", 7u", ""), 1)):
-                with self.subTest(language, call=made), tempfile.TemporaryDirectory() as folder:
-                    main = f"float made() {{\n{variables}\nreturn {made}.x + offset.x + nearest.x;\n}}\n"
-                    entry = "float4 main() : SV_Target { return made(); }\n"
-                    for name, text_ in (("text", shown), ("call", main), ("whole", shown + main + entry)):
-                        (Path(folder) / name).write_text(text_, encoding="ascii")
-                    done = subprocess.run(compiler, cwd=folder, capture_output=True, text=True, check=False)
-                    self.assertEqual(bool(done.returncode), bool(status), done.stdout + done.stderr)
-
     def test_two_texts_are_an_error_in_c(self) -> None:
         """The guard of one must not leave out another one, whose bits are others. The same text may come twice."""
         one = self.pick(["hn_fbm2"], command.Choice("c"))

@@ -38,7 +38,7 @@ RESERVED = frozenset("""abs floor trunc sqrt min max float int uint bool vec2 ve
     """.split())
 # How strongly operators bind.
 STRENGTH = {**STRENGTHS}
-CHOICE, UNARY, PRIMARY = 0, 12, 13
+CHOICE, UNARY, PRIMARY = 0, 11, 12
 BITS = ("|", "^", "&", "<<", ">>")  # readers want parentheses around and in these
 TRUTH = ("&&", "||")
 EXAMPLES = {"metric": "HN_METRIC_EUCLIDEAN", "kind": "HN_DISTRIBUTION_PERLIN2"}  # of what users pass

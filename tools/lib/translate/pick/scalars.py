@@ -19,6 +19,7 @@ from translate.names import PASSED, wgsl_name
 from translate.parsing.lines import wrapped
 from translate.parsing.syntax import Function, Parameter
 from translate.pick import comments
+from translate.pick.comments import Facts
 from translate.pick.evaluate import Module, Specialization, dotted
 from translate.pick.printer import (
     EXAMPLES,
@@ -60,22 +61,6 @@ class Part(NamedTuple):
     function: Function | None = None
 
 
-class Facts(NamedTuple):
-    """The library's comment on a function: paragraphs."""
-    what: str
-    returns: str
-    error: str
-    parameters: Mapping[str, str] = {}  # by their names in the language, a position's together
-    call: str = ""
-    sets: Sequence[str] = ()  # its results beside the first: the outputs' names in GLSL
-
-    @property
-    def all_returns(self) -> str:
-        """With the other results behind it."""
-        described = (f"{one}, {self.parameters.get(one, '').removeprefix('set to ')}".rstrip(", ") for one in self.sets)
-        return "; then ".join(filter(None, [self.returns, *described]))
-
-
 def paragraph_lines(text: str, width: int = 96, begin: str = "", indent: str = "") -> list[str]:
     """A paragraph in lines, with intervals in one of them."""
     kept = re.sub(r"\[[^\]]*\]", lambda found: found[0].replace(" ", "~"), text.replace("..", "."))
@@ -108,7 +93,7 @@ def block_comment(facts: Facts, tag: str, begin: str = "", types: Mapping[str, s
     return ["/**", *(f" * {line}".rstrip() for line in lines), " */"] if lines else []
 
 
-def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: comments.Facts) -> Facts:
+def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: Facts) -> Facts:
     function, module = evaluated.function, evaluated.evaluation.library
     names = iter(syntax.variable(one.at.text) for one in evaluated.parameters)
     taken = {one.at.text: [next(names) for _ in module.passed(one)] for one in function.parameters}
@@ -146,7 +131,7 @@ def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: comments.Fa
     shown = {", ".join(taken[one]) or syntax.variable(one): of_language(_of_numbers(text, one, syntax))
              for one, text in known.parameters.items()}
     call = f"{syntax.example_of.format(syntax.name)}{name}({passed})" if known.what else ""
-    return Facts(of_language(known.what), of_language(known.returns), of_language(known.error), shown, call,
+    return Facts(of_language(known.what), shown, of_language(known.returns), of_language(known.error), call,
                  () if syntax.sets_parameters else sets)
 
 
@@ -201,6 +186,7 @@ class Syntax(Notation):
     sets_parameters = False          # whether other results are set by parameters of that name
     set_to = "{}"                    # such a parameter, where it is set
     shifts_by_int = False            # whether the right operand of a shift has to be an int
+    names_components = False         # whether those of a result that is no vector have the catalog's names
     counts_a_range = False           # whether loops that count go through a range
     branches_are_values = False      # whether an if has a value
     # The name of a component, and the line that the components of a vector share, if they do.
@@ -249,7 +235,7 @@ class Syntax(Notation):
 
     def axes(self, result: Part) -> Sequence[str]:
         """The names that users read the components of a result by."""
-        return AXES
+        return components(result.function) if self.names_components and result.function else AXES
 
     def helper(self, name: str) -> str:
         """The name of a function that the language lacks, which is then written behind the functions."""
@@ -332,7 +318,7 @@ class Syntax(Notation):
     def struct_comment(self, name: str) -> str:
         """The lines above a struct."""
         text = comments.of_struct(name, lambda function: self.function_name(function, is_public=True))
-        lines = self.documented(self.type_name(name), Facts(text, "", "")) if text else []
+        lines = self.documented(self.type_name(name), Facts(text)) if text else []
         return "".join(f"{line}\n" for line in lines)
 
     def documented(self, name: str, facts: Facts) -> list[str]:
@@ -536,9 +522,9 @@ def _only_sets(branches: If, variables: Sequence[Variable]) -> bool:
     return True
 
 
-def text(program: Program, syntax: Syntax, known: Sequence[comments.Facts] = (), heading: Sequence[str] = ()) -> str:
+def text(program: Program, syntax: Syntax, known: Sequence[Facts] = (), heading: Sequence[str] = ()) -> str:
     """The functions of a program. Facts about them are in their order."""
-    facts = itertools.chain(known, itertools.repeat(comments.Facts()))
+    facts = itertools.chain(known, itertools.repeat(Facts()))
     called: list[str] = []
     of_roots: dict[str, str] = {}
     for name, evaluated, is_public, written in _functions(program, syntax):

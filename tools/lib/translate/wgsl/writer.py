@@ -75,7 +75,7 @@ class Expressions(WgslExpressions):
 
 class FunctionWriter(Typer):
     make = UNCHANGED
-    chosen = tuple(name for name, size in SIZES.items() if size == 1)  # hn_i_select chooses other values
+    chosen = tuple(name for name, size in SIZES.items() if size == 1)  # the library has a function for others
 
     def __init__(self, library: Library, function: Function | None = None):
         super().__init__(library)
