@@ -211,7 +211,7 @@ std::string with_constant_noise(const Function& function, const Constant& consta
 // and with a period the library rounds the lacunarity.
 ConstantSum settings_of(const Function& function, std::span<const std::uint32_t> inputs, const Constant& constant) {
   const auto word = [&](std::string_view name) { return inputs[static_cast<std::size_t>(function.input(name))]; };
-  const auto number = [&](std::string_view name) { return static_cast<double>(std::bit_cast<float>(word(name))); };
+  const auto number = [&](std::string_view name) { return number_of(word(name)); };
   const auto octaves_of = [](double detail) { return detail < 0x1p-32 ? 0 : static_cast<int>(std::ceil(detail)); };
   const int octaves =
       function.takes_detail() ? octaves_of(number("detail")) : static_cast<std::int32_t>(word("octaves"));
@@ -263,7 +263,7 @@ bool cuts_noise_off(const Function& function, Arithmetic arithmetic) {
 }
 
 // The sums of the library, over constant noises.
-Outcome check_other_noise(Session& session, const Evaluation& evaluation) {
+Judged check_other_noise(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   Words inputs = random_points(function, property_points(session, function), Random(session.seed, "other noise"));
   if (function.takes_footprint()) {  // that no octave fades
@@ -274,10 +274,9 @@ Outcome check_other_noise(Session& session, const Evaluation& evaluation) {
   for (const Constant& constant : constants_of(function, configuration.arithmetic)) {
     if (constant.slopes == kCutSlopes) flatten(function, inputs);
     const std::string knobs = with_constant_noise(function, constant);
-    const auto outputs = evaluate(session, {function, configuration, profile, {.knobs = knobs}}, inputs);
-    if (!outputs) return outputs.error();
+    HN_TRY(const auto outputs, evaluate(session, {function, configuration, profile, {.knobs = knobs}}, inputs));
     for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
-      compare(comparison, evaluation, constant, point(inputs, i), result(*outputs, i));
+      compare(comparison, evaluation, constant, point(inputs, i), result(outputs, i));
     }
   }
   return comparison.finish();

@@ -42,8 +42,9 @@ def of_wgsl(names: Sequence[str], settings: Settings, given: argparse.Namespace)
 
 
 def main(arguments: Sequence[str]) -> int:
-    parser = argparse.ArgumentParser(prog="tools/pick whole", description="Make one file of the library, or of parts of it.",
-                                     epilog=EPILOG, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        prog="tools/pick whole", description="Make one file of the library, or of parts of it.", epilog=EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--language", choices=(*PLACES, "wgsl"), default="glsl",
                         help="the language of the file (default: %(default)s)")
     parser.add_argument("--strip", action="store_true", help="leave out comments, empty lines and indentation")

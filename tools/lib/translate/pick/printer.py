@@ -266,7 +266,8 @@ class Language(Notation):
 
     def constants(self, functions: Sequence[Function], module: Module) -> str:
         """The constants that users pass to the functions, where no library beside the text has them."""
-        return "".join(self.passed_constant.format(*one) for one in constants_of(functions, module)) if self.structs else ""
+        known = constants_of(functions, module) if self.structs else []
+        return "".join(self.passed_constant.format(*one) for one in known)
 
     def pair(self, name: str, type_: str) -> str:
         """A name with its type, as in parameters and fields."""

@@ -495,7 +495,8 @@ class Scalars(Writer):
 
     def _piece(self, node: Node) -> Piece:
         if isinstance(node, Operation) and node.kind == "struct" and node not in self.called:
-            return self.language.make_struct(node.type, self.structs[node.type], [self._piece(one) for one in node.arguments])
+            parts = [self._piece(one) for one in node.arguments]
+            return self.language.make_struct(node.type, self.structs[node.type], parts)
         return super()._piece(node)
 
     def _arguments(self, node: Operation) -> Sequence[Node]:
@@ -537,8 +538,9 @@ def text(program: Program, syntax: Syntax, known: Sequence[Facts] = (), heading:
     constants = "".join(f"{syntax.passed.format(syntax.constant_name(name), number)}\n"
                         for name, number in constants_of([root.function for root in program.roots], program.module))
     helpers = [syntax.helpers[name] for name in syntax.helpers if name in syntax.used]
-    functions = [*helpers, *called, *of_roots.values()] if syntax.helpers_first else [*of_roots.values(), *called, *helpers]
-    return syntax.file(heading, [*of_roots], [*filter(None, [constants]), *structs, *functions])
+    functions = [helpers, called, of_roots.values()]
+    in_order = itertools.chain(*(functions if syntax.helpers_first else reversed(functions)))
+    return syntax.file(heading, [*of_roots], [*filter(None, [constants]), *structs, *in_order])
 
 
 def pieces(program: Program, syntax: Syntax) -> Iterator[tuple[str, str]]:
@@ -552,7 +554,12 @@ def pieces(program: Program, syntax: Syntax) -> Iterator[tuple[str, str]]:
 def _functions(program: Program, syntax: Syntax) -> Iterator[tuple[str, Evaluated, bool, str]]:
     """Names, whether users call them, and texts: first those that others call."""
     public = [syntax.function_name(wgsl_name(root.function), is_public=True) for root in program.roots]
-    names, structs = _names(program, syntax, public), _structs(program)
+    parameters = (one.at.text for evaluated in (*program.roots, *program.called.values())
+                  for one in evaluated.parameters)
+    # There are no overloads, and no function is called like a variable.
+    names = program.names({*public, *syntax.helpers, *syntax.reserved, *map(syntax.variable, parameters)},
+                          lambda name: syntax.function_name(name, is_public=False))
+    structs = _structs(program)
     for name, evaluated, is_public in (
             *((names[special], evaluated, False) for special, evaluated in program.called.items()),
             *((name, root, True) for name, root in zip(public, program.roots))):
@@ -588,19 +595,6 @@ def components(function: Function) -> Sequence[str]:
     is_mean_with_slopes = function.name == "hn_mean" and function.types[1:] and "slopes" in function.types[1]
     given = _results().get("hn_fbm_d" if is_mean_with_slopes else function.name, AXES)
     return expanded(given, SIZES[function.type] - 1) if len(given) > 1 and function.type in SIZES else AXES
-
-
-def _names(program: Program, syntax: Syntax, public: Sequence[str]) -> dict[Specialization, str]:
-    """The names of the functions that are called. There are no overloads: the later has a number."""
-    parameters = (one.at.text for evaluated in (*program.roots, *program.called.values())
-                  for one in evaluated.parameters)
-    taken = {*public, *syntax.helpers, *syntax.reserved, *map(syntax.variable, parameters)}
-    names: dict[Specialization, str] = {}
-    for special in program.called:
-        bases = (special.name, *(f"{special.name}_{i}" for i in range(2, 100)))
-        names[special] = next(name for base in bases if (name := syntax.function_name(base, False)) not in taken)
-        taken.add(names[special])
-    return names
 
 
 def _function(evaluated: Evaluated, name: str, is_public: bool, syntax: Syntax,

@@ -11,9 +11,7 @@ from translate.pick.evaluate import Specialization
 from translate.pick.printer import BITS, TRUTH, UNARY, Expressions, Language, Piece, Writer
 from translate.pick.statements import Set, Statement, walk
 from translate.pick.typer import CASTS
-from translate.pick.values import SIZES, Node, Operation, Variable, construct, converted, scalar_of, vector_of
-
-SHIFTS = ("<<", ">>")
+from translate.pick.values import SHIFTS, SIZES, Node, Operation, Variable, construct, converted, scalar_of, vector_of
 
 
 @dataclass(frozen=True)
