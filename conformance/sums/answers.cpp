@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <exception>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -35,63 +36,42 @@ constexpr Sum kSums[] = {
 };
 constexpr int kMostOctaves = 32;
 
-struct Numbers {
-  const double* at;
+constexpr int kArguments = 11;  // numbers of OctaveArguments
+constexpr int kBounds = 5;      // and of FloatBounds
 
-  template <typename Number>
-  Numbers& operator>>(Number& x) {
-    x = static_cast<Number>(*at++);
-    return *this;
-  }
-  Numbers& operator>>(FloatBounds& bounds) {
-    return *this >> bounds.axes >> bounds.cell_error >> bounds.error >> bounds.lipschitz >> bounds.limit;
-  }
-  Numbers& operator>>(OctaveArguments& arguments) {
-    double footprint = 0.0;
-    *this >> arguments.largest_coordinate >> arguments.octaves >> arguments.lacunarity >> arguments.gain >>
-        arguments.exact_positions >> arguments.strength >> footprint >> arguments.rotates >> arguments.from_cell >>
-        arguments.is_detail >> arguments.amplitude;
-    if (footprint >= 0.0) arguments.footprint = footprint;
-    return *this;
-  }
-  Numbers& operator>>(GulliesBounds& bounds) {
-    return *this >> bounds.value >> bounds.lipschitz >> bounds.wave_rate >> bounds.slope >> bounds.slope_lipschitz >>
-           bounds.slope_wave_rate >> bounds.steepest >> bounds.fixed_value >> bounds.fixed_slope;
-  }
-};
+OctaveArguments arguments_of(const double* n) {
+  const std::optional<double> footprint = n[6] >= 0.0 ? std::optional(n[6]) : std::nullopt;
+  return {n[0], n[1], n[2], n[3], n[4] != 0.0, n[5], footprint, n[7] != 0.0, n[8] != 0.0, n[9] != 0.0, n[10]};
+}
 
-void answer_terms(const SumRule& rule, Numbers in, double* answers) {
-  bool is_fixed = false;
-  double strength = 0.0;
-  double cut = 0.0;
-  in >> is_fixed >> strength >> cut;
-  const Roundings roundings = is_fixed ? integers(cut) : kFloats;
-  const Errors noise_errors(in.at, in.at + kMostOctaves);
+FloatBounds bounds_of(const double* n) { return {static_cast<int>(n[0]), n[1], n[2], n[3], n[4]}; }
+
+void answer_terms(const SumRule& rule, const double* n, double* answers) {
+  const double strength = n[1];
+  const Roundings roundings = n[0] != 0.0 ? integers(n[2]) : kFloats;
+  const Errors noise_errors(n + 3, n + 3 + kMostOctaves);
   const Proof proof = proof_of(rule.step);
   *answers++ = proof.is_clamped;
   answers = std::ranges::copy(proof.terms(noise_errors, strength, 1.0, roundings).errors, answers).out;
   for (const double error : noise_errors) {
-    *answers++ = proof.factor_error ? proof.factor_error(error, strength, roundings) : 0.0;
+    *answers++ = proof.factor_error != nullptr ? proof.factor_error(error, strength, roundings) : 0.0;
   }
 }
 
-void answer_of(std::string_view what, const SumRule& rule, Numbers in, double* answers) {
-  if (what == "terms") return answer_terms(rule, in, answers);
-  OctaveArguments arguments{};
-  in >> arguments;
-  if (what == "gullies") {
-    GulliesArguments of{arguments, 0.0, 0.0};
-    GulliesBounds bounds{};
-    in >> of.slope >> of.depth >> bounds;
-    const GulliesTolerance tolerance = gullies_tolerance(of, bounds);
-    answers[0] = tolerance.height;
-    answers[1] = tolerance.slope;
-    return;
-  }
-  FloatBounds noise{};
-  FloatBounds slope{};
-  in >> noise >> slope;
-  answers[0] = (what == "slope" ? octave_slope_tolerance : octave_tolerance)(rule, arguments, noise, slope);
+void answer_gullies(const double* n, double* answers) {
+  const double* const rest = n + kArguments;
+  const double* const b = rest + 2;
+  const GulliesTolerance tolerance =
+      gullies_tolerance({arguments_of(n), rest[0], rest[1]}, {b[0], b[1], b[2], b[3], b[4], b[5], b[6], b[7], b[8]});
+  answers[0] = tolerance.height;
+  answers[1] = tolerance.slope;
+}
+
+void answer_of(std::string_view what, const SumRule& rule, const double* n, double* answers) {
+  if (what == "terms") return answer_terms(rule, n, answers);
+  if (what == "gullies") return answer_gullies(n, answers);
+  answers[0] = (what == "slope" ? octave_slope_tolerance : octave_tolerance)(
+      rule, arguments_of(n), bounds_of(n + kArguments), bounds_of(n + kArguments + kBounds));
 }
 
 }  // namespace
@@ -102,7 +82,7 @@ extern "C" const char* answer(const char* what, const char* name, const double* 
   try {
     const auto* const sum = std::ranges::find(hn::kSums, name, &hn::Sum::name);
     if (sum == std::end(hn::kSums)) throw std::logic_error("the suite has no sum " + std::string(name));
-    hn::answer_of(what, sum->rule, {numbers}, answers);
+    hn::answer_of(what, sum->rule, numbers, answers);
     return "";
   } catch (const std::exception& error) {
     problem = error.what();

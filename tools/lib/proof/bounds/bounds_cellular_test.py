@@ -78,8 +78,7 @@ class Blocks(unittest.TestCase):
     @in_thorough_runs
     def test_borders_are_searched(self):
         """In space only this proves that the block is large enough. It finds the faults of the 3^n cells, and of blocks
-        without
-        one of the slabs."""
+        without one of the slabs."""
         for dims, count, steps in ((2, 1200, 8), (3, 300, 3)):
             block = borders.block(dims)
             self.assertLess(borders.search(block, dims, 12, count, steps), 1e-9)
@@ -207,15 +206,6 @@ def phases(rng, count):
     return np.clip(np.where(rng.random(count) < 0.5, near, rng.uniform(-1, 1, count)), -1, 1)
 
 
-def backwards(dims, cosine, sine, product):
-    """The rows of B of the contract."""
-    if dims == 2:
-        return np.array([[cosine, sine], [-sine, cosine]])
-    both = product(sine, cosine)
-    return np.array([[cosine, sine, 0 * sine], [-both, product(cosine, cosine), sine],
-                     [product(sine, sine), -both, cosine]])
-
-
 class MovingPoints(unittest.TestCase):
     """Points that go round with a phase."""
 
@@ -237,7 +227,7 @@ class MovingPoints(unittest.TestCase):
     def farthest(f, phase):
         """The largest distances to the points of all cells, smallest first: of any words."""
         dims, angle = len(f), 2 * np.pi * phase
-        u = backwards(dims, np.cos(angle), np.sin(angle), np.multiply).T @ directions(dims)
+        u = np.array(moving.rows(dims, np.cos(angle), np.sin(angle), np.multiply)).T @ directions(dims)
         return sorted(np.linalg.norm(np.array(f)[:, None] - np.array(cell)[:, None] - 0.5 - moving.JITTER[dims] / 2 * u,
                                      axis=0).max() for cell in features.neighbours(dims))
 
@@ -263,8 +253,8 @@ class MovingPoints(unittest.TestCase):
             return np.where(angle >> 31 & 1, -g, g)
 
         for dims in DIMS:
-            off = (backwards(dims, sine(angle + 2**30), sine(angle), moving.fixed_product) / 2**16
-                   - backwards(dims, np.cos(a), np.sin(a), np.multiply))
+            off = (np.array(moving.rows(dims, sine(angle + 2**30), sine(angle), moving.fixed_product)) / 2**16
+                   - moving.rows(dims, np.cos(a), np.sin(a), np.multiply))
             seen = np.linalg.norm(off.transpose(2, 0, 1), 2, axis=(1, 2)).max()
             self.assertTrue(0.9 * moving.fixed_rotation_error(dims) < seen < moving.fixed_rotation_error(dims),
                             (dims, seen))

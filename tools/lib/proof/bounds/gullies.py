@@ -1,5 +1,6 @@
 """hn_gullies: proofs for the waves of its octaves, and how far the sum may be off in fixed arithmetic, from
-docs/reference/contract.md, section 24. conformance/sums/gullies.cpp has the proof for floats.
+docs/reference/contract.md, section 24. conformance/sums/gullies.cpp has the proof for floats,
+and how far a slope e that is off moves the step of an octave.
 
 WAVES. A wave is k = 3/2 (-u_y, u_x) with |u| < 1, so it is shorter than 3/2. The bounds of value and derivatives are
 as of phasor noise, for 3/2 waves along each axis. How long the vector g of both derivatives is, and how fast v
@@ -11,13 +12,6 @@ and g change with k, is bounded by a sum over the points of
 
 with d in cells. The last is the largest length of what k changes of (dw/dx_j + 2 pi i k_j w) e(a): w along the axes,
 and 2 pi i d times the bracket. The matrix w - 2 m w' d d^T has the eigenvalues w and w - 2 m w' |d|^2.
-
-STEP. An octave takes the slope e to e + A |u| g(k), A = depth (gain L)^i f. With r = |e| a step of the length s moves
-|u| = r / (r + 1/8) by s / 8 / (r + 1/8)^2 at most, and u by s / (r + 1/8). So |u| g moves by
-
-    (G / 8 + 3/2 G' r) / (r + 1/8)^2 s
-
-with G' for g, and |u| v likewise. A clamp brings no two slopes further apart.
 
 FIXED. The square of r rounds down by less than 2^-20. This moves r by less than 2^-20 / r, and by 2^-10 at most; the
 root rounds down by less than 2^-14. So r times the first is below 2^-20, and u is off by both over (r + 1/8)^2, but for

@@ -1,13 +1,6 @@
 """Derives how far octave sums with slopes, and warps, may be off in fixed arithmetic, from the bounds of their noise
-and its derivatives. conformance/sums has the same for floats.
-
-The Jacobian of an octave is a matrix K. Its columns, which a derivative is a product with, and its rows, which a shift
-is, are lengthened by no more than the rotations stretch lengths. Integers of a Jacobian do not depend on the position,
-and so they are compared with the exact numbers as they are.
-
-Lengths are bounded, as for positions; with a period nothing rotates, and each coordinate is bounded on its
-own. L of a noise is the largest sum of the magnitudes of its derivatives. It bounds the lengths of gradients, and with
-them how far noise changes with the length of a step: less than L times the step."""
+and its derivatives. conformance/sums/bounds.cpp has the same for floats, and how lengths grow. Integers of a Jacobian
+do not depend on the position, and so they are compared with the exact numbers as they are."""
 
 from __future__ import annotations
 
@@ -62,8 +55,7 @@ def fitting_slopes() -> list[Bounds]:
 
 
 def longest_gradient(noise: Bounds, slope: Bounds) -> float:
-    """Components of at most m whose magnitudes have a sum of at most L have the largest length where as many as can be
-    are m, and one is the rest."""
+    """As in conformance/sums/bounds.cpp."""
     full, rest = divmod(noise.lipschitz, slope.limit)
     return min(math.sqrt(full * slope.limit**2 + rest**2), math.sqrt(noise.dimensions) * slope.limit)
 
@@ -83,7 +75,7 @@ def clamped_amplitude(s: Sum) -> float:
 
 
 def steepest_fall(strength: float, reach: float) -> float:
-    """The largest slope of 1 / (1 + strength r^2) for r up to `reach`: it is steepest where strength r^2 = 1/3."""
+    """The largest slope of 1 / (1 + strength r^2) for r up to `reach`, as in conformance/sums/bounds.cpp."""
     r = min(reach, 1 / math.sqrt(3 * strength)) if strength > 0 else reach
     return 2 * strength * r / (1 + strength * r**2)**2
 
@@ -223,14 +215,16 @@ def largest_intermediates(dims: int) -> dict[str, float]:
     stretched = stretch(Sum("fbm_d", 0.0, 32, 1.0, 1.0), dims)**31
     jacobian = stretched * ((LARGEST_GROWTH - 1) * FADE_ONE + 5 * LARGEST_GROWTH)
     slope, vector = math.sqrt(dims) * SLOPE_LIMIT, math.sqrt(dims) / UNIT
-    moved = jacobian / FADE_ONE * vector + dims
-    lost = 32 * dims
-    return {"Jacobian": jacobian, "rotation of a Jacobian": 32 * ROTATIONS[0] * jacobian,
-            "sum of slopes": stretched * (LARGEST_RISE + 5 * 32 * LARGEST_GROWTH / FADE_ONE * slope) / SLOPE_UNIT +
-            lost, "step": moved, "rotation of a fall": (25 + 20) * FALL_LIMIT / FALL_UNIT, "sum of falls": ((25 + 20) /
-            32) ** (dims - 1) * FALL_LIMIT / FALL_UNIT + SLOPE_LIMIT / FALL_UNIT, "step of a position": LARGEST_SHIFT *
-            stretched * (1 + 5 * LARGEST_GROWTH / FADE_ONE) * vector + LARGEST_AMPLITUDE * dims + 1, "shift":
-            LARGEST_AMPLITUDE / UNIT}
+    falls = ((25 + 20) / 32) ** (dims - 1) * FALL_LIMIT
+    return {
+        "Jacobian": jacobian, "rotation of a Jacobian": 32 * ROTATIONS[0] * jacobian,
+        "sum of slopes": (stretched * (LARGEST_RISE + 5 * 32 * LARGEST_GROWTH / FADE_ONE * slope) / SLOPE_UNIT
+                          + 32 * dims),
+        "step": jacobian / FADE_ONE * vector + dims,
+        "rotation of a fall": (25 + 20) * FALL_LIMIT / FALL_UNIT, "sum of falls": (falls + SLOPE_LIMIT) / FALL_UNIT,
+        "step of a position": (LARGEST_SHIFT * stretched * (1 + 5 * LARGEST_GROWTH / FADE_ONE) * vector
+                               + LARGEST_AMPLITUDE * dims + 1),
+        "shift": LARGEST_AMPLITUDE / UNIT}
 
 
 def largest_words(dims: int) -> dict[str, float]:

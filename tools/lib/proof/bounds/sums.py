@@ -22,10 +22,9 @@ from proof.oracle import sums as oracle
 CATALOG = {sum_.name: sum_ for sum_ in catalog.model.read().sums}
 KINDS = tuple(name for name, sum_ in CATALOG.items() if sum_.is_of_values)
 SLOPED, SHIFTS = ("fbm_d", "eroded"), ("warp", "warp_progressive")  # sums with slopes, and of vectors: jacobians.py
-SHIFT_MAX = {1: 11 / 32, 2: 19 / 32, 3: 23 / 32, 4: 27 / 32}  # the largest component of the shift between octaves
-# By how much the rotations of a position make a length larger at most: in the plane of x and y, then of y and
-# z, then of z and w. The second makes lengths in its plane smaller, but not along x.
-ROTATIONS = (math.hypot(25, 20) / 32, max(math.hypot(29, 13) / 32, 1.0), math.hypot(25, 20) / 32)
+SHIFT_MAX = {dims: float(max(oracle.SHIFT[:dims])) for dims in (1, 2, 3, 4)}
+# By how much each rotation of a position makes a length larger at most, which stays along other axes.
+ROTATIONS = tuple(max(math.hypot(*rotation) / 32, 1.0) for rotation in oracle.ROTATIONS)
 WHOLE = 2.0**-24  # the unit of fixed-point positions
 WEIGHT_UNIT = 1 / FADE_ONE
 
