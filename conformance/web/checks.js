@@ -224,7 +224,9 @@ async function checkSame(renderer, suite, test) {
   return comparison.finish();
 }
 
-const kChecks = { compiles: checkCompiles, refused: checkRefused, values: checkValues, same: checkSame, bug: checkValues };
+const kChecks = {
+  compiles: checkCompiles, refused: checkRefused, values: checkValues, same: checkSame, bug: checkValues,
+};
 
 // The outcome of a case; whatever happens in it becomes one.
 export async function runCase(renderer, suite, test) {

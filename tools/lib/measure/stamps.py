@@ -252,8 +252,8 @@ def of_library() -> str:
 
 
 def stamp(path: Path, by: str = "", library: Path = GLSL, kind: str = "") -> None:
-    """Adds the texts of rows that were measured just now, the day, the version and what measured them, and leaves out what
-    is of this machine alone. The kind is the usual name of the file, if it has another."""
+    """Adds the texts of rows that were measured just now, the day, the version and what measured them, and leaves out
+    what is of this machine alone. The kind is the usual name of the file, if it has another."""
     found = record.read(path)
     by = by or ", ".join(filter(None, (found.facts.get(name, "") for name in ("renderer", "OpenGL"))))
     facts = {"date": time.strftime("%Y-%m-%d", time.gmtime()), "by": by,

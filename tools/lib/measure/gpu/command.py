@@ -6,11 +6,11 @@
     tools/measure gpu --list-chips
 
 Mesa's drivers for NVIDIA, AMD, Adreno and Apple compile shaders without a GPU, for a stand-in of the kernel. NVIDIA's
-ptxas and Intel's IGC need none; they get the same shaders by way of SPIRV-Cross, Clang and LLVM. Of each shader, which is one call in a
-fragment shader, less the empty shader, the record has cycles or instructions, registers and spills. The default is
-every function with each arithmetic, on every chip. It needs hn-conform on the PATH or built (tools/measure clock builds
-it), clang and spirv-cross. DIR gets costs.csv and chips.csv; docs/measured/results/gpu has such files, and tools/make pages
-makes tables of them. docs/measured/measuring.md explains them.
+ptxas and Intel's IGC need none; they get the same shaders by way of SPIRV-Cross, Clang and LLVM. Of each shader, which
+is one call in a fragment shader, less the empty shader, the record has cycles or instructions, registers and spills.
+The default is every function with each arithmetic, on every chip. It needs hn-conform on the PATH or built
+(tools/measure clock builds it), clang and spirv-cross. DIR gets costs.csv and chips.csv; docs/measured/results/gpu has
+such files, and tools/make pages makes tables of them. docs/measured/measuring.md explains them.
 
 Exit status: 0 done, 1 something costs more than in the baseline, 2 bad usage, 3 there are no drivers for a chip, and
 why; 4 the drivers could not be had; 130 it was interrupted.

@@ -102,8 +102,9 @@ class Compiler:
     def optimized(self, shaders: Mapping[str, str], folder: Path) -> Path:
         text, plain, made = (folder / name for name in ("shaders.cl", "shaders.bc", "optimized.bc"))
         text.write_text(module(shaders), encoding="ascii")
-        self.call(["clang", *OPTIONS, f"--target={self.chip.vendor.target}", "-O3", "-Xclang", "-disable-llvm-passes", "-Xclang", "-disable-lifetime-markers", "-Xclang", "-opaque-pointers",
-                   "-emit-llvm", "-c", text, "-o", plain], folder)
+        self.call(["clang", *OPTIONS, f"--target={self.chip.vendor.target}", "-O3", "-Xclang", "-disable-llvm-passes",
+                   "-Xclang", "-disable-lifetime-markers", "-Xclang", "-opaque-pointers", "-emit-llvm", "-c", text,
+                   "-o", plain], folder)
         self.call([*self.found.program("opt"), *PASSES, plain, "-o", made], folder)
         return made
 
