@@ -65,12 +65,13 @@ function wrongCase(result) {
   return element("article", {}, ...parts);
 }
 
+const hasValues = ({ status, mismatches }) => status === "fail" && mismatches !== 0;
+
 // The wrong cases in groups: wrong values of a function, or cases with one message.
 function groupsOf(results) {
   const groups = new Map();
   for (const result of bad(results)) {
-    const hasValues = result.status === "fail" && result.mismatches !== 0;
-    const key = hasValues ? functionOf(result.id) : `${result.status}\n${result.message}`;
+    const key = hasValues(result) ? functionOf(result.id) : `${result.status}\n${result.message}`;
     groups.set(key, [...(groups.get(key) ?? []), result]);
   }
   return [...groups.values()];
@@ -78,8 +79,8 @@ function groupsOf(results) {
 
 // A group in the words of FailureGroup (run/failures.hpp). Equal texts are shown once.
 function wrongGroup(group, ran, open) {
-  const [{ id, status, message, mismatches }] = group;
-  const ofFunction = status === "fail" && mismatches !== 0;
+  const [{ id, status, message }] = group;
+  const ofFunction = hasValues(group[0]);
   const all = ofFunction ? ran.filter((result) => functionOf(result.id) === functionOf(id)).length : group.length;
   const cases = `${all} ${all === 1 ? "case" : "cases"}`;
   const text = ofFunction ? `${group.length} of ${cases} of ${functionOf(id)}` : `${cases}: ${message.split("\n")[0]}`;

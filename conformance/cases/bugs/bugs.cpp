@@ -69,8 +69,7 @@ Outcome judge_bug(const Bug& bug, std::span<const std::uint32_t> outputs) {
       const std::uint32_t got = outputs[i * kOutputWords + column];
       const std::uint32_t expected = bug.points[i].expected[column];
       if (bug.function.outputs[column].type == WordType::f32) {
-        comparison.number(inputs, std::bit_cast<float>(got), static_cast<double>(std::bit_cast<float>(expected)),
-                          bug.allowed, column);
+        comparison.number(inputs, std::bit_cast<float>(got), number_of(expected), bug.allowed, column);
       } else {
         comparison.bits(inputs, got, expected, column);
       }

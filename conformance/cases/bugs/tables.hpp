@@ -19,7 +19,7 @@ std::vector<Bug> float_bugs();
 std::vector<Bug> flow_bugs();
 std::vector<Bug> position_bugs();
 
-// What the specification has on a bug, and how far a float may be off by it.
+// The rule of the specification on a bug, and how far a float may be off by it.
 struct Rule {
   std::string_view text;
   bool defined;

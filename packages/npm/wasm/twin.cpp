@@ -80,50 +80,12 @@ constexpr Kernel<D> kernel(Noise noise) {
   kernel<D>([](auto cell, auto fraction, auto period, Uint seed, \
                Numbers& n) -> decltype(TWIN_CALL(name, __VA_ARGS__)) { TWIN_CALL(name, __VA_ARGS__); })
 
-// By their numbers in index.js.
-// tools/make catalog: noises
-// clang-format off
-template <int D>
-const Kernel<D> kNoises[] = {
-    TWIN_NOISE(perlin, seed),
-    TWIN_NOISE(perlin_d, seed),
-    TWIN_NOISE(value, seed),
-    TWIN_NOISE(value_d, seed),
-    TWIN_NOISE(value_cubic, seed),
-    TWIN_NOISE(simplex, seed),
-    TWIN_NOISE(simplex_d, seed),
-    TWIN_NOISE(simplex_smooth, seed),
-    TWIN_NOISE(cellular, settings.jitter, settings.metric, seed),
-    TWIN_NOISE(curl, seed),
-    TWIN_NOISE(value_vector, seed),
-    TWIN_NOISE(random, seed),
-};
-// clang-format on
-// tools/make catalog: end
+// By their numbers in index.js: kNoises<D> has the kernels of noises, and Sum the names of sums. twin.py makes it.
+#include "tables.inc"
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Sums, in one loop. A noise without a period is one whose period is 0, so only the way to the next octave differs in a
 // tile.
-
-// By their numbers in index.js.
-// tools/make catalog: sums
-// clang-format off
-enum Sum {
-  kFbm,
-  kTurbulence,
-  kClouds,
-  kBillow,
-  kRidged,
-  kHybrid,
-  kPingPong,
-  kWeighted,
-  kFbmD,
-  kEroded,
-  kWarp,
-  kWarpProgressive,
-};
-// clang-format on
-// tools/make catalog: end
 
 // Once for all dimensions: what adds to octaves would be there for each.
 [[gnu::noinline]] hn_i_octave_sum with_value(hn_i_octave_sum s, Float n) {

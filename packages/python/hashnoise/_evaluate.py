@@ -18,6 +18,7 @@ METRICS = {"euclidean": 1, "squared": 2, "manhattan": 3, "chebyshev": 4, "hybrid
 AXES = "xyzw"
 
 _FLOAT32 = np.dtype(np.float32)
+_INT32 = np.dtype(np.int32)
 _UINT16 = np.dtype(np.uint16)
 _BUFFER = 1 << 18  # points of arrays that do not lie in a row, which NumPy copies together
 _MOST_SINGLE = 2.0**128 - 2.0**103  # from here on a number is infinite as a float32
@@ -67,14 +68,17 @@ def fill(field, coordinates, cells, planes, threads):
     if not planes.size:
         return
     planes = [planes[number, ...] for number in range(len(planes))]  # arrays, also of one point
-    kinds = [("readonly", _FLOAT32)] * len(coordinates) + [("readonly", np.dtype(np.int32))] * len(cells)
-    access, dtypes = zip(*kinds, *[("writeonly", _FLOAT32)] * len(planes))
-    flags = ("external_loop", "buffered", "growinner", "copy_if_overlap")
-    with np.errstate(over="ignore"), np.nditer(
-            [*coordinates, *cells, *planes], flags, [(kind, "contig", "aligned", "nbo") for kind in access], dtypes,
-            casting="unsafe", buffersize=_BUFFER) as walk:
-        for rows in walk:
-            field.points(rows[:len(coordinates)], rows[len(coordinates):-len(planes)], rows[-len(planes):], threads)
+    inputs = [*((array, _FLOAT32) for array in coordinates), *((array, _INT32) for array in cells)]
+    dtypes = [*(dtype for _, dtype in inputs), *[_FLOAT32] * len(planes)]
+    access = ["readonly"] * len(inputs) + ["writeonly"] * len(planes)
+    with np.errstate(over="ignore"):
+        # NumPy 1.23 reads a wrong number of an array that has no axes and another type.
+        arrays = [array if array.ndim else array.astype(dtype) for array, dtype in inputs]
+        with np.nditer([*arrays, *planes], ("external_loop", "buffered", "growinner", "copy_if_overlap"),
+                       [(kind, "contig", "aligned", "nbo") for kind in access], dtypes, casting="unsafe",
+                       buffersize=_BUFFER) as walk:
+            for rows in walk:
+                field.points(rows[:len(coordinates)], rows[len(coordinates):-len(planes)], rows[-len(planes):], threads)
 
 
 def functions_of(module, kind):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -10,15 +11,11 @@ from typing import Any
 from base.pieces import is_deleted
 from base.tree import ROOT
 from catalog.grid import in_camel_case
-from catalog.model import Catalog, Function, Noise, Sum
-from catalog.sections import with_section
+from catalog.model import Catalog, Function, Noise, Sum, read
 from catalog.tables.functions import STRENGTHS
 from catalog.tables.markdown import table
 from catalog.tables.markdown import with_section as with_table
 
-TWIN = "packages/npm/wasm/twin.cpp"
-FIELDS = "packages/npm/src/index.js"
-TYPES = "packages/npm/src/index.d.ts"
 PAGE = "docs/guide/javascript.md"
 PLAYGROUND = ROOT / "playground" / "catalog.js"
 MOST_DIMENSIONS = 3  # of the twin
@@ -87,7 +84,7 @@ def parts_of(noise: Noise) -> list[str]:
     return [part for part in PARTS if part in noise.options]
 
 
-def noises_and_sums(twin: Twin) -> str:
+def constants(twin: Twin) -> str:
     """The constants of index.js."""
     def of_noise(noise: Noise) -> dict[str, Any]:
         return {"dimensions": dimensions_of(noise, MOST_DIMENSIONS), "shape": noise.shape, "takes": parts_of(noise)}
@@ -151,20 +148,12 @@ def types_of_names(twin: Twin) -> str:
                      for type_, of_type in names.items())
 
 
-def in_this_form(text: str) -> str:
-    return f"// clang-format off\n{text}// clang-format on\n"
-
-
-def kernels(twin: Twin) -> str:
-    """The table of twin.cpp."""
+def tables_of_module(twin: Twin) -> str:
+    """The file that twin.cpp includes: the kernels of the noises, and the numbers of the sums."""
     calls = (", ".join([noise.name, *(f"settings.{part}" for part in parts_of(noise)), "seed"]) for noise in twin.noises)
-    return in_this_form("".join(["template <int D>\n", "const Kernel<D> kNoises[] = {\n",
-                                 *(f"    TWIN_NOISE({call}),\n" for call in calls), "};\n"]))
-
-
-def sums(twin: Twin) -> str:
-    """The numbers of sums."""
-    return in_this_form("enum Sum {\n" + "".join(f"  k{in_camel_case(sum_.name)},\n" for sum_ in twin.sums) + "};\n")
+    kernels = "".join(f"TWIN_NOISE({call}),\n" for call in calls)
+    names = ", ".join(f"k{in_camel_case(sum_.name)}" for sum_ in twin.sums)
+    return f"template <int D>\nconst Kernel<D> kNoises[] = {{\n{kernels}}};\nenum Sum {{ {names} }};\n"
 
 
 def settings_of_page(twin: Twin) -> str:
@@ -192,17 +181,19 @@ def settings_of_page(twin: Twin) -> str:
          f'`"{twin.metrics[0]}"`')])
 
 
-def package(twin: Twin) -> dict[Path, str]:
-    with_settings = with_section(TYPES, "settings", types_of_settings(twin))[1]
-    page = (ROOT / PAGE).read_text(encoding="utf-8")
-    page = with_table(PAGE, page, "tools/make catalog: settings", settings_of_page(twin))
+def page(twin: Twin) -> str:
+    text = (ROOT / PAGE).read_text(encoding="utf-8")
+    text = with_table(PAGE, text, "tools/make catalog: settings", settings_of_page(twin))
     absent = code([function.name for function in twin.absent])
-    page = with_table(PAGE, page, "tools/make catalog: noises that are not there",
+    return with_table(PAGE, text, "tools/make catalog: noises that are not there",
                       f"Noises that did not fit into {MOST_BYTES // 1000} kB: {absent}.\n")
-    with_kernels = with_section(TWIN, "noises", kernels(twin))[1]
-    return dict([with_section(FIELDS, "noises and sums", noises_and_sums(twin)),
-                 with_section(TYPES, "names", types_of_names(twin), with_settings),
-                 with_section(TWIN, "sums", sums(twin), with_kernels), (ROOT / PAGE, page)])
+
+
+def as_packed(text: str) -> str:
+    """A file of packages/npm/src as the package has it: with what stands behind lines such as `// tools/pack npm: names`."""
+    twin = Twin(read())
+    parts = {"constants": constants, "settings": types_of_settings, "names": types_of_names}
+    return re.sub(r"^ *// tools/pack npm: (\w+)\n", lambda line: line[0] + parts[line[1]](twin), text, flags=re.MULTILINE)
 
 
 # ---------------------------------------------------------------------------------------------------------------------
@@ -253,5 +244,5 @@ def playground(catalog: Catalog) -> str:
 
 
 def files(catalog: Catalog) -> dict[Path, str]:
-    of_package = {} if is_deleted("npm") else package(Twin(catalog))
+    of_package = {} if is_deleted("npm") else {ROOT / PAGE: page(Twin(catalog))}
     return of_package if is_deleted("playground") else {**of_package, PLAYGROUND: playground(catalog)}

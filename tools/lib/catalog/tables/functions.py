@@ -427,7 +427,7 @@ def _of_row(group: str, name: str, keys: Mapping[str, Any], dimensions: int | No
     def texts(key: str) -> tuple[str, ...]:
         return tuple(entry.take(key, list))
 
-    id_, takes = text("id", "{group}.{name}{n}"), texts("takes")
+    id_, takes, calls = text("id", "{group}.{name}{n}"), texts("takes"), text("calls")
     if unknown := {*takes} - PARTS.keys():
         raise CatalogError(f"{entry.where}: nothing is known of {min(unknown)}, which it takes")
     sets = entry.one_of("sets", ("nearest", "offset", ""), "")
@@ -438,8 +438,10 @@ def _of_row(group: str, name: str, keys: Mapping[str, Any], dimensions: int | No
     if component:
         firsts = ["value", *expanded(gives, dimensions or 1)[1:]]
         members = tuple(f"{one}.{component}" for one in firsts)
-    row = Function(id_, entry.one_of("family", families()), text("bound"), takes, gives, type_, dimensions or 1, text("includes"),
-                   text("calls"), text("returns", ""), members, sets, entry.take("seeded", bool, False), text("bench", None),
+    own = calls.removeprefix("hn_")
+    row = Function(id_, entry.one_of("family", families()), text("bound", own), takes, gives, type_, dimensions or 1,
+                   text("includes", f"{own}{n}d.glsl"), calls, text("returns", ""), members, sets,
+                   entry.take("seeded", bool, False), text("bench", None),
                    experimental=entry.take("experimental", bool, False), plain=text("plain", ""))
     entry.end()
     return row

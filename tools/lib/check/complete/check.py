@@ -158,18 +158,20 @@ def noises_without_entries(tree: Tree) -> Iterator[str]:
                         f"{function.axes} dimensions, and what its value is")
 
 
-OF_SUMS = (  # of a sum of values what it has in which file, and by which mark
-    ("tools/lib/proof/oracle/sums.py", '"{name}": ', "its exact and its fixed value, from docs/reference/contract.md"),
-    ("tools/lib/proof/bounds/steps.py", '"{step}": ', "its computation and its errors in integers"),
-    ("conformance/sums/bounds.cpp", "case SumStep::{step}:", "its errors in floats, proven"))
+def of_sum(sum_: catalog.model.Sum) -> Iterator[tuple[str, str, str]]:
+    """The parts of its proof and of the oracle: the file, a mark in it, and the content."""
+    module = "sums" if sum_.is_of_values else "jacobians"  # with slopes, or of vectors
+    yield (f"tools/lib/proof/oracle/{module}.py", f'"{sum_.name}": ',
+           "its exact and its fixed value, from docs/reference/contract.md")
+    yield "conformance/sums/bounds.cpp", f"case SumStep::{sum_.step or sum_.name}:", "its errors, proven"
+    if not sum_.is_of_values:
+        yield "tools/lib/proof/bounds/jacobians.py", f'"{sum_.name}": ', "its errors in integers"
 
 
 def sums_without_entries(tree: Tree) -> Iterator[str]:
     for sum_ in catalog.model.read(tree.root / "catalog").sums:
-        for file, mark, what in OF_SUMS if sum_.takes_noise else ():
-            if not sum_.is_of_values:  # with slopes, or of vectors
-                file, mark = re.sub(r"\w+\.py", "jacobians.py", file), mark.replace("step}\"", "name}\"")
-            if mark.format(name=sum_.name, step=sum_.step or sum_.name) not in tree.text(file):
+        for file, mark, what in of_sum(sum_) if sum_.takes_noise else ():
+            if mark not in tree.text(file):
                 yield f"catalog/sums.toml: {sum_.name}: write in {file} {what}"
 
 

@@ -213,7 +213,7 @@ def graph(parts: Sequence[Part]) -> str:
 
     text = GRAPH.format(lib=word(modules.LIB), python=word(sys.executable))
     needed, by_program = needs(parts), {part.name for part in parts if part.program}
-    # What needs a build comes last: ninja begins with what stands first.
+    # Parts that need a build come last: ninja begins with the first of the file.
     for name, others in sorted(needed.items(), key=lambda item: item[0] in by_program):
         before = " ".join(f"{other.name}.made" for other in others)
         text += (f"build {name}.look: look always{' || ' + before if before else ''}\n  part = {name}\n"

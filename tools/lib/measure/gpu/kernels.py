@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 import os
 import re
+import shutil
 import subprocess
 import tempfile
 from collections import Counter
@@ -37,6 +38,8 @@ EXACT_PRODUCT = "spvFMul("
 BATCH = 24  # shaders that a compiler gets at once
 LIMIT = 300.0  # seconds for them
 PASSES = ("-O3", "-vectorize-slp=false", "-vectorize-loops=false")  # of LLVM; a compiler of shaders makes no vectors
+# Options of llc: products and sums are contracted, divisions are the GPU's own, and small numbers become 0.
+APPROXIMATE = ("-fp-contract=fast", "-nvptx-prec-divf32=0", "-denormal-fp-math-f32=preserve-sign")
 
 
 class Failed(Exception):
@@ -115,7 +118,7 @@ class Compiler:
 class Ptxas(Compiler):
     def compiled(self, shaders: Mapping[str, str], folder: Path) -> dict[str, dict[str, float]]:
         architecture, ptx, binary = self.chip.variable, folder / "shaders.ptx", folder / "shaders.cubin"
-        self.call([*self.found.program("llc"), "-O3", f"-mcpu={architecture}", "-fp-contract=fast",
+        self.call([*self.found.program("llc"), "-O3", f"-mcpu={architecture}", *APPROXIMATE,
                    self.optimized(shaders, folder), "-o", ptx], folder)
         said = self.call([self.found.nvidia(self.assembler()), f"-arch={architecture}", "-O3", "-v", "-o", binary, ptx],
                          folder)
@@ -285,7 +288,7 @@ def module(shaders: Mapping[str, str]) -> str:
 
 
 def translated(files: Mapping[str, Path]) -> dict[str, str | Failed]:
-    """The shaders of SPIR-V files in Metal's language. Missing without the program that prints them."""
+    """The shaders of SPIR-V files in Metal's language. Missing without the programs that translate them."""
     def one(file: Path) -> str | Failed:
         done = subprocess.run(["spirv-cross", "--msl", "--msl-force-native-arrays", file], capture_output=True, text=True,
                               check=False)
@@ -294,7 +297,6 @@ def translated(files: Mapping[str, Path]) -> dict[str, str | Failed]:
         text = EXACT.sub("", done.stdout.partition("using namespace metal;")[2])
         return CONSTRUCTOR.sub(r"made<\g<0>>", text)
 
-    try:
-        return {id: one(file) for id, file in files.items()}
-    except FileNotFoundError:
-        raise Missing("there is no spirv-cross, which prints the shaders: install spirv-cross") from None
+    if missing := [program for program in ("clang", "spirv-cross") if not shutil.which(program)]:
+        raise Missing(f"there is no {' and no '.join(missing)}, by which shaders are translated")
+    return {id: one(file) for id, file in files.items()}

@@ -223,8 +223,7 @@ class Compilers(Case):
                            ("acm", "has no program ocloc")):
             with self.subTest(chip=chip), self.assertRaisesRegex(Missing, part):
                 kernels.compile_all(found, chip_named(chip), {"s": METAL})
-        with mock.patch("subprocess.run", side_effect=FileNotFoundError), \
-                self.assertRaisesRegex(Missing, "spirv-cross"):
+        with mock.patch("shutil.which", return_value=None), self.assertRaisesRegex(Missing, "no clang and no spirv-cross"):
             kernels.translated({"s": self.folder})
 
 
@@ -355,6 +354,12 @@ class Real(Case):
             done = glslang.compiled(EXPRESSION.format(glsl), "-V", "-o", str(files[glsl]))
             self.assertEqual(done.returncode, 0, done.stdout)
         self.assertEqual(self.wrong(files, EXPRESSIONS), set())
+
+    def test_a_division_is_the_gpus_own(self):
+        texts = metal(self.folder, plain=EXPRESSION.format("p.x"), divided=EXPRESSION.format("p.x / p.y"))
+        for chip, cost, most in (("sm90", "Issue slots", 4), ("acm", "Passes", 12)):
+            plain, divided = kernels.compile_all(self.found, chip_named(chip), texts)[1]
+            self.assertLess(divided.statistics[cost] - plain.statistics[cost], most, chip)
 
     def test_units_sum_up_to_what_is_counted(self):
         files = self.calls()

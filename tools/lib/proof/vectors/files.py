@@ -30,7 +30,7 @@ LARGEST_BOUND = 2.0**-6  # of a row. Octave sums of floats far out have larger o
 DEFAULTS = {"lattice", "lattice+sine"}  # the settings of noise that are written out, without their arithmetic
 PROGRAM = Path(__file__).with_name("tolerances.cpp")
 OPTIONS = ("-O0", f"-I{CONFORMANCE}", f"-I{ROOT / 'src'}", "-lfmt")
-KINDS = {"i32": (4, struct.Struct(">i")), "f32": (4, struct.Struct(">f")), "f64": (8, struct.Struct(">d"))}
+KINDS = {name: struct.Struct(form) for name, form in (("u32", ">I"), ("i32", ">i"), ("f32", ">f"), ("f64", ">d"))}
 
 Words = Sequence[int]
 
@@ -41,10 +41,7 @@ class NoVectors(NotBuilt):
 
 def meaning(kind: str, word: int) -> int | float:
     """The number that a word of a golden file stands for."""
-    if kind == "u32":
-        return word
-    size, form = KINDS[kind]
-    value, = form.unpack(word.to_bytes(size, "big"))
+    value, = KINDS[kind].unpack(word.to_bytes(KINDS[kind].size, "big"))
     return value
 
 

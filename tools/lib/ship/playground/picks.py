@@ -40,7 +40,6 @@ DIMENSIONS = (1, 2, 3, 4)
 # The page has the other hashes for shading languages. They differ in one function, which is the same in a small program
 # of any dimension and arithmetic.
 OTHER_HASHES = ("fnv1", "partial_fnv1", "jenkins", "partial_jenkins", "murmur", "pcg", "xxhash32")
-WORD = "hn_i_point_hash uint uint"  # the function in which hashes differ, and its helpers
 COMMENT = re.compile(r"^\s*//.*\n", re.MULTILINE)
 BLOCK = re.compile(r"^/\*\*\n(?: \*.*\n)+", re.MULTILINE)
 
@@ -134,17 +133,17 @@ def pieces_of(setting: Setting) -> tuple[Setting, dict[str, list[Piece]]]:
 
 
 def own_pieces(small: Sequence[list[Piece]]) -> list[list[Piece]]:
-    """The pieces that not all programs with different hashes have: WORD, and before it its helpers."""
+    """The pieces that not all programs with different hashes have: a function, and before it its helpers."""
     common = set.intersection(*map(set, small))
     own = [[piece for piece in pieces if piece not in common] for pieces in small]
-    if set.intersection(*({piece.name for piece in pieces} for pieces in own)) != {WORD}:
-        raise ValueError(f"hashes differ in more than {WORD}")
+    if set.intersection(*({piece.name for piece in pieces} for pieces in own)) != {own[0][-1].name}:
+        raise ValueError("hashes differ in more than one function")
     return own
 
 
 def with_hash(base: list[Piece], own: list[Piece]) -> list[Piece]:
     """The pieces of a program with one hash, with the pieces of another in their place."""
-    at, = (i for i, piece in enumerate(base) if piece.name == WORD)
+    at, = (i for i, piece in enumerate(base) if piece.name == own[-1].name)
     return [*base[:at], *own, *base[at + 1:]]
 
 
