@@ -1,41 +1,34 @@
-"""Runs modules beside the library in C++ or rows of vectors: Verilator simulates them, and as a second front end Icarus.
+"""Runs modules beside the library in C++ or rows of vectors: Icarus simulates them, or Verilator, which is faster.
 
-A bench draws the arguments of a module, the ends of the ranges among it, and counts the values that differ.
+A program draws the arguments of a module, the ends of the ranges among it, and prints the library's values.
 """
 
 from __future__ import annotations
 
 import json
 import re
-import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from base.tree import ROOT
-from base.twin import COMPILER, SOON
+from base.twin import compile_program
 from translate.pick.runners import ran
 from translate.pick.values import SIZES
-from translate.pick.verilog import FRACTION, REST, FunctionCircuit, Port
+from translate.pick.verilog import FRACTION, REST, FunctionCircuit
 
 SUM = "octaves=4,lacunarity=2,gain=0.5"  # the constants of a sum of octaves
 LINT = ("verilator", "--lint-only", "-Wall", "--language", "1364-2005")
-BENCH = """#include <cmath>
+LIBRARY = """#include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <deque>
 #include <random>
-#include <vector>
 
-#include "V{module}.h"
 #include "hashnoise/hashnoise.hpp"
 using namespace hashnoise;
 
-// Reads {inputs} numbers a point of a file, or draws points; prints how many of the values differ.
-int main(int count, char** arguments) {{
-  std::FILE* file = count > 2 ? std::fopen(arguments[2], "r") : nullptr;
-  const long points = std::atol(arguments[1]);
-  std::mt19937 g({seed}u);
+int main() {{
+  std::FILE* file = std::fopen("points", "w");
+  std::mt19937 g(7u);
   auto draw = [&g](long low, long high) {{
     const std::uint32_t kind = g() % 16u;
     if (kind < 2u) return kind == 0u ? low : high;
@@ -43,37 +36,16 @@ int main(int count, char** arguments) {{
     const long drawn = long(low + std::int64_t(g()) % (std::int64_t(high) - low + 1));
     return kind == 4u ? drawn & ~0xFFFFL : drawn;
   }};
-  V{module} top;
-  std::deque<std::vector<long>> expected;
-  long differing = 0;
-  for (long i = 0; i < points + {latency}; ++i) {{
-    if (i < points) {{
-      long v[{inputs}];
-      for (int j = 0; j < {inputs}; ++j) {{
-        static const long low[] = {{{lows}}}, high[] = {{{highs}}};
-        if (!file) v[j] = draw(low[j], high[j]);
-        else if (std::fscanf(file, "%ld", &v[j]) != 1) return 2;
-      }}
-{sets}
-      const auto value = {call};
-      expected.push_back({{{parts}}});
-    }}
-    top.clock = 0;
-    top.eval();
-    top.clock = 1;
-    top.eval();
-    if (i + 1 >= {latency} && !expected.empty()) {{
-      const std::vector<long> found = {{{found}}};
-      if (found != expected.front() && differing++ == 0) {{
-        std::fprintf(stderr, "point %ld: %ld where the library has %ld\\n", i + 1 - {latency}, found[0], expected.front()[0]);
-      }}
-      expected.pop_front();
-    }}
+  for (long i = 0; i < {points}; ++i) {{
+    const long v[] = {{{drawn}}};
+    std::fprintf(file, "{format}\\n", {read});
+    const auto value = {call};
+    std::printf("{shown}\\n", {values});
   }}
-  std::printf("%ld\\n", differing);
+  return std::fclose(file);
 }}
 """
-ICARUS = """`default_nettype none
+BENCH = """`default_nettype none
 module bench;
   integer file, count, at;
   reg clock;
@@ -84,6 +56,7 @@ module bench;
     clock = 0;
     for (at = 0; at < {points} + {latency}; at = at + 1) begin
       if (at < {points}) count = $fscanf(file, "{format}", {inputs});
+      {sets}
       #1 clock = 1;
       #1 clock = 0;
       if (at + 1 >= {latency} && at + 1 < {points} + {latency}) $display("{shown}", {outputs});
@@ -93,26 +66,31 @@ endmodule
 """
 
 
-def written(points: Sequence[Sequence[int]], folder: Path) -> Path:
-    file = folder / "points"
-    file.write_text("".join(f"{' '.join(map(str, point))}\n" for point in points), encoding="ascii")
-    return file
-
-
-def icarus(made: FunctionCircuit, text: str, points: Sequence[Sequence[int]], folder: Path) -> list[list[int]]:
-    """The results of a module at points, which have a number for each port that is read."""
+def simulated(made: FunctionCircuit, text: str, points: int, folder: Path, by_verilator: bool = False) -> list[str]:
+    """The results of a module at the points of the file `points`, which has a number for each port that is read."""
     outputs = [port.name for port in made.outputs]
     inputs = [port.name for port in made.read]
-    declared = [f"  {kind} {port.declared};" for kind, ports in (("reg", made.read), ("wire", made.outputs)) for port in ports]
-    source = ICARUS.format(
-        declared="\n".join(declared), module=made.name, latency=made.pipeline.latency, points=len(points),
+    # Verilator 5.006 does not see that $fscanf changes an input.
+    of_file = [port._replace(name=f"next_{port.name}") for port in made.read]
+    declared = [f"  {kind} {port.declared};" for kind, ports in (("reg", (*of_file, *made.read)), ("wire", made.outputs))
+                for port in ports]
+    source = BENCH.format(
+        declared="\n".join(declared), module=made.name, latency=made.pipeline.latency, points=points,
         connected=", ".join(f".{name}({name})" for name in (*inputs, *outputs)), format=" ".join(["%d"] * len(inputs)),
-        inputs=", ".join(inputs), shown=" ".join(["%0d"] * len(outputs)), outputs=", ".join(outputs))
-    written(points, folder)
+        inputs=", ".join(port.name for port in of_file), sets=" ".join(f"{name} = next_{name};" for name in inputs), shown=" ".join(["%0d"] * len(outputs)), outputs=", ".join(outputs))
     (folder / "bench.v").write_text(source, encoding="ascii")
     (folder / f"{made.name}.v").write_text(text, encoding="ascii")
-    ran(folder, "iverilog", "-g2005", "-Wall", "-Wno-timescale", "-s", "bench", "-o", "bench.vvp", "bench.v", f"{made.name}.v")
-    return [[int(word) for word in line.split()] for line in ran(folder, "vvp", "-n", "bench.vvp").splitlines()]
+    sources = ("bench.v", f"{made.name}.v")
+    if by_verilator:
+        ran(folder, "verilator", "--binary", "-O3", "-Wno-fatal", "--top-module", "bench", *sources, "--Mdir", "made")
+        return ran(folder, folder / "made" / "Vbench").splitlines()
+    ran(folder, "iverilog", "-g2005", "-Wall", "-Wno-timescale", "-s", "bench", "-o", "bench.vvp", *sources)
+    return ran(folder, "vvp", "-n", "bench.vvp").splitlines()
+
+
+def at_points(made: FunctionCircuit, text: str, points: Sequence[Sequence[int]], folder: Path, by_verilator: bool) -> list[str]:
+    (folder / "points").write_text("".join(f"{' '.join(map(str, point))}\n" for point in points), encoding="ascii")
+    return simulated(made, text, len(points), folder, by_verilator)
 
 
 class Vectors(NamedTuple):
@@ -184,36 +162,21 @@ def call(made: FunctionCircuit) -> str:
     return f"{made.function.name}({', '.join(passed)})"
 
 
-def _expected(made: FunctionCircuit) -> list[str]:
-    if len(made.outputs) == 1:
-        parts = ["value"]
-    else:
-        parts = [f"value.{axis}" for axis in "xyzw"[:len(made.outputs)]]
+def _values(made: FunctionCircuit) -> list[str]:
+    """The library's `value` in the units of the outputs."""
+    parts = ["value"] if len(made.outputs) == 1 else [f"value.{axis}" for axis in "xyzw"[:len(made.outputs)]]
     return [f"std::lround(std::ldexp(double({part}), {value.places}))" for part, value in zip(parts, made.values)]
 
 
-def _found(port: Port) -> str:
-    width = port.width
-    shown = f"long(top.{port.name})"
-    return f"{shown} - ((top.{port.name} >> {width - 1}) ? {1 << width}L : 0L)" if port.low < 0 else shown
-
-
-def build(made: FunctionCircuit, text: str, folder: Path) -> Path:
-    """A program that compares a module with the library."""
-    read = [port.name for port in made.read]
-    source = BENCH.format(
-        module=made.name, seed=7, latency=made.pipeline.latency, inputs=len(made.ports),
-        lows=", ".join(f"{port.low}L" for port in made.ports), highs=", ".join(f"{port.high}L" for port in made.ports),
-        sets="".join(f"      top.{port.name} = v[{i}];\n" for i, port in enumerate(made.ports) if port.name in read),
-        call=call(made), parts=", ".join(_expected(made)), found=", ".join(map(_found, made.outputs)))
-    (folder / "bench.cpp").write_text(source, encoding="ascii")
-    (folder / f"{made.name}.v").write_text(text, encoding="ascii")
-    flags = " ".join([*COMPILER[1:], SOON, "-w", f"-I{ROOT / 'include'}", "-DHN_ARITHMETIC=HN_FIXED"])
-    ran(folder, "verilator", "--cc", "--exe", "--build", "-O3", "--top-module", made.name, "-CFLAGS", flags, "-Wno-fatal",
-        f"{made.name}.v", "bench.cpp", "--Mdir", "made")
-    return folder / "made" / f"V{made.name}"
-
-
-def differing(program: Path, points: int, file: Path | None = None) -> int:
-    done = subprocess.run([program, str(points), *([file] if file else [])], capture_output=True, text=True, check=True)
-    return int(done.stdout)
+def differing(made: FunctionCircuit, text: str, points: int, folder: Path) -> int:
+    """At how many points that are drawn a module differs from the library."""
+    read = [f"v[{i}]" for i, port in enumerate(made.ports) if port in made.read]
+    source = folder / "library.cpp"
+    source.write_text(LIBRARY.format(
+        points=points, drawn=", ".join(f"draw({port.low}L, {port.high}L)" for port in made.ports),
+        format=" ".join(["%ld"] * len(read)), read=", ".join(read), call=call(made),
+        shown=" ".join(["%ld"] * len(made.outputs)), values=", ".join(_values(made))), encoding="ascii")
+    compile_program("the program that draws points", source, folder / "library", "-O2", macros=["HN_ARITHMETIC=HN_FIXED"])
+    expected = ran(folder, folder / "library").splitlines()
+    found = simulated(made, text, points, folder, by_verilator=True)
+    return sum(a != b for a, b in zip(expected, found, strict=True))

@@ -90,13 +90,13 @@ class Texts(unittest.TestCase):
 class Simulated(unittest.TestCase):
     folder: Path
 
-    def differing(self, of: FunctionCircuit, shown: str, name: str) -> tuple[int, int]:
+    def differing(self, of: FunctionCircuit, shown: str, name: str, by_verilator: bool = False) -> tuple[int, int]:
         """In how many rows they differ."""
         found = verilog_bench.vectors(of, self.folder / f"{name}.json")
         with tempfile.TemporaryDirectory() as folder:
-            values = verilog_bench.icarus(of, shown, verilog_bench.of_read(of, found.points), Path(folder))
-        self.assertEqual(len(values), len(found.values))
-        return sum(a != b for a, b in zip(values, found.values)), len(values)
+            values = verilog_bench.at_points(of, shown, verilog_bench.of_read(of, found.points), Path(folder), by_verilator)
+        expected = [" ".join(map(str, row)) for row in found.values]
+        return sum(a != b for a, b in zip(values, expected, strict=True)), len(values)
 
     def compare(self, functions: Sequence[tuple[str, str, str, str]]) -> None:
         for name, file, constants, noise in functions:
@@ -132,12 +132,9 @@ class Whole(Simulated):
                     shown = text(of)
                     (Path(folder) / f"{name}.v").write_text(shown, encoding="ascii")
                     self.assertEqual(ran(Path(folder), *LINT, f"{name}.v"), "")
-                    program = verilog_bench.build(of, shown, Path(folder))
-                    self.assertEqual(verilog_bench.differing(program, POINTS), 0)
+                    self.assertEqual(verilog_bench.differing(of, shown, POINTS, Path(folder)), 0)
                     if file:
-                        points = verilog_bench.vectors(of, self.folder / f"{file}.json").points
-                        of_vectors = verilog_bench.written(points, Path(folder))
-                        self.assertEqual(verilog_bench.differing(program, len(points), of_vectors), 0)
+                        self.assertEqual(self.differing(of, shown, file, by_verilator=True)[0], 0)
 
     def test_the_frame_of_the_example_is_that_of_its_shader(self) -> None:
         with tempfile.TemporaryDirectory() as name:
@@ -162,7 +159,7 @@ class Whole(Simulated):
         with tempfile.TemporaryDirectory() as folder:
             of = made("hn_value2")
             shown = re.sub(r"([a-z_0-9]+) \+ ", r"\1 - ", text(of), count=1)
-            self.assertGreater(verilog_bench.differing(verilog_bench.build(of, shown, Path(folder)), 1000), 100)
+            self.assertGreater(verilog_bench.differing(of, shown, 1000, Path(folder)), 100)
 
 
 if __name__ == "__main__":
