@@ -2,6 +2,7 @@
 """hn-conform that is ended, stopped, started twice, or has no room for its results."""
 
 import contextlib
+import json
 import os
 import pathlib
 import pty
@@ -141,6 +142,27 @@ class Ending(ProgramTest):
                 run, = self.results()["runs"]
                 self.assertEqual([case["id"] for case in run["cases"]], listed)
                 self.assertFalse(self.journal.exists())
+
+    def test_a_run_that_is_killed_leaves_no_process_and_is_resumed(self):
+        command = ("run", "--out", self.out, "--jobs", 1, *MANY)
+        process = self.start(*command)
+        self.wait_for_cases(20)
+        process.kill()
+        process.communicate()
+        wait_until(lambda: not processes_in(process.pid), "all of its processes are gone")
+        lines = self.journal.read_text().splitlines()
+        done = self.call(*command, "--seed", 2, "--resume")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("other settings: \"suite\"", done.err)
+        self.assertEqual(self.call(*command, "--resume").returncode, 0)
+        run, = self.results()["runs"]
+        self.assertEqual([case["id"] for case in run["cases"]], self.listed(*MANY))
+        # Earlier results stay as they were, to the time that each took.
+        before = [json.loads(line)["report"]["result"] for line in lines if '"result"' in line and line.endswith("}")]
+        after = {case["id"]: case for case in run["cases"]}
+        self.assertGreaterEqual(len(before), 20)
+        for case in before:
+            self.assertEqual(after[case["id"]]["seconds"], case["seconds"])
 
     def test_ctrl_c_on_a_terminal(self):
         pid, terminal = pty.fork()

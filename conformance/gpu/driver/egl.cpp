@@ -16,10 +16,10 @@ class EglContext final : public Context {
   ~EglContext() override {
     if (display_ == EGL_NO_DISPLAY) return;
     if (context_ != EGL_NO_CONTEXT) {
-      call<decltype(eglMakeCurrent)>("eglMakeCurrent")(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-      call<decltype(eglDestroyContext)>("eglDestroyContext")(display_, context_);
+      HN_FUNCTION(library_, eglMakeCurrent)(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+      HN_FUNCTION(library_, eglDestroyContext)(display_, context_);
     }
-    call<decltype(eglTerminate)>("eglTerminate")(display_);
+    HN_FUNCTION(library_, eglTerminate)(display_);
   }
 
   Result<void> start_surfaceless() { return start_on(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY); }
@@ -46,13 +46,9 @@ class EglContext final : public Context {
   }
 
  private:
-  template <typename Function>
-  Function* call(const char* name) const {
-    return library_.function<Function>(name);
-  }
   template <typename Pointer>
   Pointer extension(const char* name) const {
-    return reinterpret_cast<Pointer>(call<decltype(eglGetProcAddress)>("eglGetProcAddress")(name));
+    return reinterpret_cast<Pointer>(HN_FUNCTION(library_, eglGetProcAddress)(name));
   }
 
   Result<void> start_on(EGLenum platform, void* native) {
@@ -62,12 +58,12 @@ class EglContext final : public Context {
     if (display_ == EGL_NO_DISPLAY) return fail("EGL has no display on this platform");
     EGLint major = 0;
     EGLint minor = 0;
-    if (!call<decltype(eglInitialize)>("eglInitialize")(display_, &major, &minor)) {
+    if (!HN_FUNCTION(library_, eglInitialize)(display_, &major, &minor)) {
       display_ = EGL_NO_DISPLAY;
       return fail("EGL does not initialise on this platform");
     }
     const bool es = wanted_ == Api::gles;
-    if (!call<decltype(eglBindAPI)>("eglBindAPI")(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) {
+    if (!HN_FUNCTION(library_, eglBindAPI)(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) {
       return fail(fmt::format("EGL has no {} here", es ? "OpenGL ES" : "desktop OpenGL"));
     }
     // A context that reports when it is lost, where the driver has it.
@@ -78,10 +74,10 @@ class EglContext final : public Context {
       return fail(fmt::format("EGL does not create a {}",
                               es ? "context of OpenGL ES 3.0 or later" : "core context of OpenGL 3.1 or later"));
     }
-    if (!call<decltype(eglMakeCurrent)>("eglMakeCurrent")(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
+    if (!HN_FUNCTION(library_, eglMakeCurrent)(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_)) {
       return fail("EGL does not make a context current without a surface");
     }
-    return load_functions(call<decltype(eglGetProcAddress)>("eglGetProcAddress"), wanted_);
+    return load_functions(HN_FUNCTION(library_, eglGetProcAddress), wanted_);
   }
 
   // No configuration and no surface: we draw into framebuffer objects only. A driver may give exactly the version that
@@ -98,8 +94,8 @@ class EglContext final : public Context {
                           {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET});
       }
       attributes.push_back(EGL_NONE);
-      context_ = call<decltype(eglCreateContext)>("eglCreateContext")(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT,
-                                                                      attributes.data());
+      context_ =
+          HN_FUNCTION(library_, eglCreateContext)(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
       if (context_ != EGL_NO_CONTEXT) return;
     }
   }

@@ -13,18 +13,18 @@ class GlfwWindowContext final : public Context {
  public:
   explicit GlfwWindowContext(Library library) : library_(library) {}
   ~GlfwWindowContext() override {
-    if (window_) call<decltype(glfwDestroyWindow)>("glfwDestroyWindow")(window_);
-    if (initialised_) call<decltype(glfwTerminate)>("glfwTerminate")();
+    if (window_) HN_FUNCTION(library_, glfwDestroyWindow)(window_);
+    if (initialised_) HN_FUNCTION(library_, glfwTerminate)();
   }
 
   Result<void> start(GlfwContext kind, Api api) {
     HN_TRY(auto display, Xvfb::where_no_display());
     display_ = std::move(display);
-    if (!call<decltype(glfwInit)>("glfwInit")()) return fail(fmt::format("GLFW does not start: {}", last_error()));
+    if (!HN_FUNCTION(library_, glfwInit)()) return fail(fmt::format("GLFW does not start: {}", last_error()));
     initialised_ = true;
-    const auto hint = call<decltype(glfwWindowHint)>("glfwWindowHint");
+    const auto hint = HN_FUNCTION(library_, glfwWindowHint);
     for (const auto& [major, minor] : versions_of(api)) {
-      call<decltype(glfwDefaultWindowHints)>("glfwDefaultWindowHints")();
+      HN_FUNCTION(library_, glfwDefaultWindowHints)();
       hint(GLFW_VISIBLE, GLFW_FALSE);
       hint(GLFW_CONTEXT_CREATION_API, creation_api(kind));
       hint(GLFW_CLIENT_API, api == Api::gles ? GLFW_OPENGL_ES_API : GLFW_OPENGL_API);
@@ -34,21 +34,16 @@ class GlfwWindowContext final : public Context {
       const bool has_profiles = api == Api::gl && (major > 3 || minor >= 2);
       if (has_profiles) hint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
       if (has_profiles) hint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS gives no other
-      window_ = call<decltype(glfwCreateWindow)>("glfwCreateWindow")(kSize, kSize, "hn-conform", nullptr, nullptr);
+      window_ = HN_FUNCTION(library_, glfwCreateWindow)(kSize, kSize, "hn-conform", nullptr, nullptr);
       if (window_) break;
     }
     if (!window_) return fail(fmt::format("GLFW does not create a context: {}", last_error()));
-    call<decltype(glfwMakeContextCurrent)>("glfwMakeContextCurrent")(window_);
-    return load_functions(call<decltype(glfwGetProcAddress)>("glfwGetProcAddress"), api);
+    HN_FUNCTION(library_, glfwMakeContextCurrent)(window_);
+    return load_functions(HN_FUNCTION(library_, glfwGetProcAddress), api);
   }
 
  private:
   static constexpr int kSize = 16;  // we draw into framebuffer objects
-
-  template <typename Function>
-  Function* call(const char* name) const {
-    return library_.function<Function>(name);
-  }
 
   static int creation_api(GlfwContext kind) {
     if (kind == GlfwContext::egl) return GLFW_EGL_CONTEXT_API;
@@ -57,7 +52,7 @@ class GlfwWindowContext final : public Context {
 
   std::string last_error() const {
     const char* text = nullptr;
-    call<decltype(glfwGetError)>("glfwGetError")(&text);
+    HN_FUNCTION(library_, glfwGetError)(&text);
     return text ? text : "it gives no reason";
   }
 

@@ -36,3 +36,6 @@ class Library {
 };
 
 }  // namespace hn
+
+// The function of a library that a header declares.
+#define HN_FUNCTION(library, name) (library).function<decltype(name)>(#name)

@@ -200,8 +200,9 @@ class Example(unittest.TestCase):
         self.assertEqual(part.values.tobytes(), expected.tobytes())
 
     def test_memory_does_not_grow_with_the_terrain(self):
-        printed = [subprocess.run([sys.executable, "-B", EXAMPLE, "--size", str(size), "--out", self.scratch / "of.zarr"],
-                                  check=True, capture_output=True, text=True).stdout for size in (4096, 8192)]
+        call = [sys.executable, "-B", EXAMPLE, "--out", self.scratch / "of.zarr", "--size"]
+        printed = [subprocess.run([*call, str(size)], check=True, capture_output=True, text=True).stdout
+                   for size in (4096, 8192)]
         small, large = (float(re.search(r"(\d+) MB of memory$", text.rstrip())[1]) for text in printed)
         self.assertGreater(small, 50)
         self.assertLess(large, 1.25 * small + 50)

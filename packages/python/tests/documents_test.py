@@ -25,17 +25,12 @@ def functions():
 
 class Docstrings(unittest.TestCase):
     def test_examples(self):
+        self.assertEqual([one.__name__ for one in functions() if f"hashnoise.{one.__name__}(" not in one.__doc__], [])
         names = {"hashnoise": hashnoise, "numpy": numpy}
         for module in (hashnoise, _grids, _noises, _sums):
             results = doctest.testmod(module, extraglobs=names)
             self.assertGreater(results.attempted, 3, module.__name__)
             self.assertEqual(results.failed, 0, module.__name__)
-
-    def test_each_function_has_an_example(self):
-        for function in functions():
-            with self.subTest(function.__name__):
-                self.assertIn(">>> ", function.__doc__)
-                self.assertIn(f"hashnoise.{function.__name__}(", function.__doc__)
 
     def test_each_function_says_what_it_returns_and_whence_it_comes(self):
         for function in (*_noises.NOISES.values(), *_sums.SUMS.values()):

@@ -13,6 +13,8 @@ from unittest import mock
 
 import environment
 
+from base.testing import called
+
 
 class Environment(unittest.TestCase):
     @classmethod
@@ -29,11 +31,6 @@ class Environment(unittest.TestCase):
         self.folder = self.scratch / "environment"
         self.requirements = self.scratch / "requirements.txt"
 
-    def call(self, arguments: list[str]) -> tuple[int, str]:
-        printed = io.StringIO()
-        with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
-            return environment.main(arguments), printed.getvalue()
-
     def make(self, requirements: str) -> tuple[int, str]:
         self.requirements.write_text(requirements, encoding="utf-8")
         printed = io.StringIO()
@@ -49,7 +46,7 @@ class Environment(unittest.TestCase):
             status, printed = self.make("numpy==2.4.6\n")
         self.assertEqual(status, environment.SKIPPED, printed)
         self.assertIn("PyPI cannot be reached", printed)
-        status, printed = self.call(["run", str(self.folder), "golden_test"])
+        status, printed = called(environment.main, "run", self.folder, "golden_test")
         self.assertEqual(status, environment.SKIPPED)
         self.assertIn("python.wheel was skipped", printed)
 
@@ -81,10 +78,10 @@ class Environment(unittest.TestCase):
             for arguments, program in (
                     (["run", str(self.folder), "a_test", "b_test"], ["unittest", "-v", "a_test", "b_test"]),
                     (["call", str(self.folder), "notebook", "-x"], ["notebook", "-x"])):
-                self.assertEqual(self.call(arguments)[0], 3)
+                self.assertEqual(called(environment.main, *arguments)[0], 3)
                 self.assertEqual(started.call_args.args[0][1:], ["-B", "-m", *program])
 
     def test_bad_usage(self):
         for arguments in ([], ["make"], ["run", "x"], ["call", "x"], ["call", "--with", "x", "y"],
                           ["run", "--with", "x", "y"], ["no_such", "x", "y"]):
-            self.assertEqual(self.call(arguments)[0], 2, arguments)
+            self.assertEqual(called(environment.main, *arguments)[0], 2, arguments)
