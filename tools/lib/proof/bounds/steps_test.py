@@ -107,6 +107,18 @@ def of_roundings(name, strength, fixed):
     return seen, [*proven.errors, proven.factor_errors[0]]
 
 
+def of_noises_that_are_off(name, strength, size=2.0**-8):
+    """The largest errors by noises that are off, where nothing rounds, and their proven bounds."""
+    rng = np.random.default_rng(2)
+    a, b = rng.uniform(-1, 1, 20_000), near_ends(rng, 20_000)
+    exact, seen = np.array(text()(name, EXACT, a=a, b=b, strength=strength)), np.zeros(3)
+    for first, second in itertools.product((-size, size), repeat=2):
+        off = text()(name, EXACT, a=a + first, b=b + second, strength=strength)
+        seen = np.maximum(seen, abs(off - exact).max(axis=1))
+    proven = steps_of(Sum(name, 0.0, 2, 1.0, 1.0, strength), [size, size], False)
+    return seen, [*proven.errors, proven.factor_errors[0]]
+
+
 class Steps(unittest.TestCase):
     def test_each_proof_holds(self):
         """And is not much more than what is seen, but for ridges on ridges."""
@@ -124,6 +136,14 @@ class Steps(unittest.TestCase):
             with self.subTest(name, fixed=fixed):
                 self.assertTrue((seen <= proven).all(), (seen, proven))
                 self.assertTrue((seen >= proven / 5).any(axis=0).all(), (seen, proven))
+
+    def test_each_octave_that_is_off_is_counted(self):
+        """As far as the octave before it moves it, too: a ridge by sqrt(2)."""
+        for name in KINDS:
+            for strength in map(float, strengths(name)):
+                seen, proven = map(np.array, of_noises_that_are_off(name, strength))
+                with self.subTest(name, strength=strength):
+                    self.assertTrue((seen <= proven).all() and (seen >= 0.9 * proven).all(), (seen, proven))
 
     def test_a_copied_proof_fails(self):
         for name, oracle, wrong in (
