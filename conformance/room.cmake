@@ -93,7 +93,7 @@ function(room_tests name)
   set(others)
   if(room_TIMED_TESTS)
     gtest_discover_tests(hn-${name}-test TEST_PREFIX unit. TEST_FILTER "${room_TIMED_TESTS}" TEST_LIST timed_tests
-                         PROPERTIES RUN_SERIAL ON)
+                         NO_PRETTY_VALUES PROPERTIES RUN_SERIAL ON)
     set(others "-${room_TIMED_TESTS}")
   endif()
   if(room_TOGETHER)  # in one process, where a context of its own would be most of what each test costs
@@ -104,7 +104,8 @@ function(room_tests name)
     # A filter that no test matches would pass.
     set_tests_properties(unit.${name} ${quickly_compiled} FAIL_REGULAR_EXPRESSION "Running 0 tests")
   else()
-    gtest_discover_tests(hn-${name}-test TEST_PREFIX unit. TEST_FILTER "${others}" ${quickly_compiled})
+    # A test has the name of its parameter, and not the bytes, which may be addresses.
+    gtest_discover_tests(hn-${name}-test TEST_PREFIX unit. TEST_FILTER "${others}" NO_PRETTY_VALUES ${quickly_compiled})
   endif()
 endfunction()
 

@@ -1,6 +1,7 @@
 // Two settings side by side: the left half of the picture is of the setting that was kept, at the place and the scale of the
 // other one.
 import { byId } from "./elements.js";
+import { turned } from "./files.js";
 import { isTurned } from "./model.js";
 import { frameOf, kColours } from "./shaders.js";
 
@@ -47,9 +48,7 @@ export class Comparison {
     const frame = frameOf(state, width, height, kColours);
     const bytes = await page.gpu.read(program, frame, width, height);
     if (this.kept !== kept) return;
-    const image = new ImageData(width, height);
-    for (let row = 0; row < height; ++row)
-      image.data.set(bytes.subarray(row * width * 4, (row + 1) * width * 4), (height - 1 - row) * width * 4);
+    const image = new ImageData(new Uint8ClampedArray(turned(bytes, width)), width, height);
     Object.assign(canvas, { width, height, hidden: false });
     canvas.getContext("2d").putImageData(image, 0, 0);
   }

@@ -250,9 +250,7 @@ export class Controls {
 
   showCode() {
     if (!this.state) return;
-    const { head, library, code, waits } = exported(...this.copying);
-    byId("copy").disabled = Boolean(waits);
-    const inside = library();
+    const { head, library: inside, code } = exported(...this.copying);
     const kilobytes = Math.ceil((inside.join("\n").length + 1) / 1000);
     const hint = inside.length ? [`// ${inside.length} lines of the library, ${kilobytes} kB`, ""] : [];
     const lines = [...head, ...hint, ...code];

@@ -237,18 +237,15 @@ const withHighp = (line) =>
 const textLines = (library, language, names, state) =>
   library.texts(names, language, state).flatMap((text) => text.trimEnd().split("\n"));
 
-// {head, library, code, waits}: lines, and whether the page still waits for the pieces that they are made of; of the library a
-// function that makes them: what tools/pick writes of what is called. Without it the head includes it, if the language can.
-// Whole shaders and other languages always have it.
+// {head, library, code}: lines; of the library what tools/pick writes of what is called. Without it the head includes it, if
+// the language can. Whole shaders and other languages always have it.
 export function exported(library, language, state, kind = "function", withLibrary = true) {
   const note = state.dimensions === 1 ? "p counts cells" : "p is a position in cells: uv * 8.0 has 8 of them on a side";
   const first = `Made by hashnoise's playground, version ${library.version}. ${kKinds[language][kind].use ?? kPlaces[language]}`;
-  const waits = isScalar(language) ? !library.pieces.cpu : !["cpp", "python", "bake"].includes(language) && !library.pieces.shading;
-  if (waits) return { head: [], library: () => [], code: ["…"], waits };
-  if (language === "python") return { head: [`# ${first}`], library: () => [], code: pythonLines(state) };
+  if (language === "python") return { head: [`# ${first}`], library: [], code: pythonLines(state) };
   if (language === "bake") {
     const hash = state.hash === "lattice" ? [] : ["# tools/bake has the default hash."];
-    return { head: [`# ${first}`, ...hash], library: () => [], code: bakeLines(state) };
+    return { head: [`# ${first}`, ...hash], library: [], code: bakeLines(state) };
   }
   if (isScalar(language)) {
     const { head, ...rest } = scalarCode(library, language, state);
@@ -277,7 +274,7 @@ export function exported(library, language, state, kind = "function", withLibrar
     ...(shell.main ? ["", ...shell.declared, ...mainOf(language, state, shell)] : []),
   ];
   const code = language === "glsl" && !shell.main ? written.map(withHighp) : written;
-  const [opening] = inside ? library.pieces.shading.shells[language] : [""];
+  const [opening] = inside ? library.shells[language] : [""];
   return {
     head: [
       ...(shell.first ?? []),
@@ -289,7 +286,7 @@ export function exported(library, language, state, kind = "function", withLibrar
       ...(opening ? opening.trimEnd().split("\n") : []),
       "",
     ],
-    library: () => (inside ? textLines(library, language, called, state) : []),
+    library: inside ? textLines(library, language, called, state) : [],
     code: cpp ? ["namespace hashnoise {", ...code, "}  // namespace hashnoise"] : code,
   };
 }
@@ -302,13 +299,13 @@ function tslText(library, state, first) {
     const text = [...textLines(library, language, shown.public, state), "", ...(language === "glsl" ? code.map(withHighp) : code)];
     return text.join("\n").replaceAll("\\", "\\\\").replaceAll("`", "\\`").replaceAll("${", "\\${").split("\n");
   };
-  const [begin] = library.pieces.shading.shells.tsl;
+  const [begin] = library.shells.tsl;
   const p = `${state.dimensions === 1 ? "float" : `vec${state.dimensions}`} p`;
   const node = (name, type, declared) =>
     `export const ${name} = nodesOf("${name}", "${type}", "${declared}", "${name}", () => textOfWgsl, () => textOfGlsl);`;
   return {
     head: [`// ${first}`, kLicense, "", ...begin.trimEnd().split("\n"), ""],
-    library: () => [],
+    library: [],
     code: [
       "const textOfGlsl = glsl(`", ...textOf("glsl"), "`);", "const textOfWgsl = wgsl(`", ...textOf("wgsl"), "`);",
       "// p is a position in cells: pattern(uv().mul(8)).", node("pattern", "float", p),
@@ -329,7 +326,6 @@ function pickCommand(language, { arithmetic, hash }, names) {
 }
 
 export function exportedText(library, language, state, kind, withLibrary) {
-  const { head, library: text, code } = exported(library, language, state, kind, withLibrary);
-  const inside = text();
+  const { head, library: inside, code } = exported(library, language, state, kind, withLibrary);
   return [...head, ...inside, ...(inside.length ? [""] : []), ...code, ""].join("\n");
 }

@@ -82,7 +82,7 @@ export function tiffHead(width, height) {
 }
 
 // Rows from the lower left corner on, turned, so that the upper row comes first.
-function turned(bytes, width) {
+export function turned(bytes, width) {
   const rows = bytes.length / (4 * width);
   const made = new Uint8Array(bytes.length);
   for (let row = 0; row < rows; ++row)

@@ -5,7 +5,6 @@ const kDepth = 8; // bits of a pixel
 const kClearCode = 1 << kDepth;
 const kEndCode = kClearCode + 1;
 const kMostCodes = 4096;
-const kSlots = 8192; // of the table of strings
 const kBlock = 255; // bytes
 
 const little = (...words) => words.flatMap((word) => [word & 255, word >> 8]);
@@ -27,32 +26,29 @@ class Codes {
 // The pixels compressed by LZW. A string is the code of all but its last pixel, and that pixel.
 function compressed(pixels) {
   const codes = new Codes();
-  const strings = new Int32Array(kSlots);
-  const codeOf = new Uint16Array(kSlots);
-  let [next, length] = [0, 0];
+  const strings = new Map(); // their codes
+  let [next, length] = [0, kDepth + 1];
   const clear = () => {
-    codes.add(kClearCode, length || kDepth + 1);
-    strings.fill(-1);
+    codes.add(kClearCode, length);
+    strings.clear();
     [next, length] = [kEndCode + 1, kDepth + 1];
   };
   clear();
   let prefix = pixels[0];
-  for (let at = 1; at < pixels.length; ++at) {
-    const string = (prefix << 8) | pixels[at];
-    let slot = (Math.imul(string, 0x9e3779b1) >>> 19) % kSlots;
-    while (strings[slot] !== string && strings[slot] >= 0) slot = (slot + 1) % kSlots;
-    if (strings[slot] === string) {
-      prefix = codeOf[slot];
+  for (const pixel of pixels.subarray(1)) {
+    const string = (prefix << 8) | pixel;
+    const code = strings.get(string);
+    if (code !== undefined) {
+      prefix = code;
       continue;
     }
     codes.add(prefix, length);
-    prefix = pixels[at];
+    prefix = pixel;
     if (next === kMostCodes) {
       clear();
       continue;
     }
-    strings[slot] = string;
-    codeOf[slot] = next;
+    strings.set(string, next);
     if (next++ === 1 << length) ++length;
   }
   codes.add(prefix, length);

@@ -1,6 +1,8 @@
 // Links, which carry the whole state, and the looks to begin with.
 
-import { changed, goingWith, kMostLayers, kSettings, possible, usualLayer, usualOf, usualState, uses } from "./model.js";
+import {
+  changed, goingWith, kMostLayers, kSettings, possible, settingsOf, usualLayer, usualOf, usualState, uses,
+} from "./model.js";
 import { isLastPosition, parsedNumber, parsedPosition, positionText } from "./numbers.js";
 import { kSums } from "./tables.js";
 
@@ -52,20 +54,13 @@ export function stateOf(link) {
 // others. Nothing for a link that is right.
 export function ignoredIn(link) {
   const state = stateOf(link);
-  const known = new Map(
-    state.layers.flatMap((layer, at) =>
-      Object.entries(kSettings).flatMap(([name, { layer: ofLayer }]) =>
-        (at > 0 && !ofLayer) || (at === 0 && name === "blend")
-          ? []
-          : [[nameIn(name, at), [name, ofLayer ? layer[name] : state[name]]]],
-      ),
-    ),
-  );
   const absent = [];
   const others = [];
   for (const [key, text] of new URLSearchParams(link.replace(/^#/, ""))) {
-    const [name, value] = known.get(key) ?? [];
-    const given = name && parsed(name, text);
+    const [, name, number] = /^([a-z]+)([2-9]?)$/.exec(key) ?? [];
+    const at = number ? number - 1 : 0;
+    const isKnown = Object.hasOwn(kSettings, name) && at < state.layers.length && (at ? kSettings[name].layer : name !== "blend");
+    const [given, value] = isKnown ? [parsed(name, text), settingsOf(state, at)[name]] : [];
     const shown = typeof value === "bigint" ? positionText(value) : String(value);
     if (given === undefined || (typeof given === "string" && given.toLowerCase() !== value)) absent.push(`${key}=${text}`);
     else if (isLastPosition(value) && text !== shown)

@@ -6,13 +6,12 @@ import { costOf } from "./cost.js";
 import { byId } from "./elements.js";
 import { linkInFile, planeOf } from "./files.js";
 import { anywhere, listen, listKeys, undoing } from "./input.js";
-import { Library } from "./library.js";
 import { ignoredIn, linkOf, stateOf, stateOfLook } from "./links.js";
 import { changed, chosen, isTurned, kSettings, rangeOf, titlesOf, uses } from "./model.js";
 import { positionText } from "./numbers.js";
 import { gradientOf } from "./palette.js";
 import { kCanvases, Picture } from "./picture.js";
-import { Pieces, unpacked } from "./pieces.js";
+import { Library, unpacked } from "./pieces.js";
 import { kBits } from "./shaders.js";
 import { kViews } from "./tables.js";
 import { randomized } from "./randomize.js";
@@ -445,15 +444,10 @@ class Playground extends Picture {
 }
 
 // For the tests, and for people who open the console: hashnoise.pixels(64, 64), hashnoise.state, ...
-const piecesOf = async (name) => new Pieces(await unpacked(byId(name).textContent));
-piecesOf("shading")
-  .then(async (shading) => {
-    const library = new Library(byId("version").textContent);
-    library.pieces.shading = shading;
-    window.hashnoise = new Playground(library);
+unpacked(byId("pieces").textContent)
+  .then(async (pieces) => {
+    window.hashnoise = new Playground(new Library(byId("version").textContent, pieces));
     await window.hashnoise.start();
-    library.pieces.cpu = await piecesOf("cpu");
-    window.hashnoise.controls.showCode();
     document.documentElement.dataset.ready = "yes";
   })
   .catch((error) => {

@@ -19,10 +19,11 @@ export async function unpacked(text) {
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).json();
 }
 
-export class Pieces {
+export class Library {
   // pieces: [name, text, name, text, ...]; shells: {language: [first lines, last lines]}; modules: {"glsl fast lattice 2":
   // [how much further a piece is than the one before]}.
-  constructor({ pieces, shells, modules }) {
+  constructor(version, { pieces, shells, modules }) {
+    this.version = version;
     this.pieces = pieces;
     this.shells = shells;
     this.modules = modules;
@@ -34,9 +35,9 @@ export class Pieces {
     return this.words.get(text);
   }
 
-  module(setting) {
+  module(language, { arithmetic, hash, dimensions }) {
     let number = 0;
-    return this.modules[setting.join(" ")].map((step) => {
+    return this.modules[[language, arithmetic, hash, dimensions].join(" ")].map((step) => {
       number += step;
       return { name: this.pieces[2 * number], text: this.pieces[2 * number + 1] };
     });
@@ -44,9 +45,9 @@ export class Pieces {
 
   // The texts of these functions and of all that they need. Calls within shading languages are read from the text in WGSL,
   // which has no overloads; the modules of one setting have the same pieces in the same order.
-  texts(names, language, ...rest) {
-    const own = this.module([language, ...rest]);
-    const read = kShading.includes(language) ? this.module(["wgsl", ...rest]) : own;
+  texts(names, language, setting) {
+    const own = this.module(language, setting);
+    const read = kShading.includes(language) ? this.module("wgsl", setting) : own;
     const called = kShading.includes(language) ? read.map(({ text, name }) => nameInWgsl(text) ?? name) : own.map(({ name }) => name);
     const numbers = new Map(called.map((name, at) => [name, at]));
     const needed = new Set();

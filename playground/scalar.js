@@ -255,15 +255,15 @@ const kShader = (n) => [
 export function scalarCode(library, language, state) {
   const writer = new ScalarWriter(language, state);
   const code = writer.write();
-  const [first, last] = library.pieces.cpu.shells[language];
-  const inside = () => library.pieces.cpu.texts(writer.needs, language, "fixed", "lattice", state.dimensions).map((text) => text.trimEnd());
+  const [first, last] = library.shells[language];
+  const inside = library.texts(writer.needs, language, { ...state, arithmetic: "fixed", hash: "lattice" }).map((text) => text.trimEnd());
   const indent = ["java", "csharp"].includes(language) ? "    " : "";
   const lined = (text) => text.split("\n").map((line) => (line ? indent + line : line));
   const tabbed = (line) => (language === "go" ? line.replace(/^(?: {4})+/, (found) => "\t".repeat(found.length / 4)) : line);
-  const math = language === "go" && !inside().some((text) => text.includes("math.")) ? first.replace(/\nimport "math"\n/, "") : first;
+  const math = language === "go" && !inside.some((text) => text.includes("math.")) ? first.replace(/\nimport "math"\n/, "") : first;
   return {
     head: math.trimEnd().split("\n").filter((line, at, all) => line || all.length > 1),
-    library: () => inside().flatMap((text) => ["", ...lined(text)]).map(tabbed),
+    library: inside.flatMap((text) => ["", ...lined(text)]).map(tabbed),
     code: [...lined(code.join("\n").trimEnd()), ...(language === "osl" ? ["", ...kShader(state.dimensions)] : []), ...(last ? last.trimEnd().split("\n") : [])],
   };
 }

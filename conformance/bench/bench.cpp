@@ -2,7 +2,6 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -10,7 +9,9 @@
 
 #include "base/console.hpp"
 #include "base/file.hpp"
+#include "bench/counts.hpp"
 #include "bench/workbench.hpp"
+#include "gpu/spirv.hpp"
 #include "library/source.hpp"
 
 namespace hn {
@@ -110,30 +111,14 @@ class Bench {
   }
 
   void count() {
-    std::vector<CountedShader> shaders;
-    std::vector<std::unique_ptr<Program>> programs;
-    std::vector<std::size_t> owners;
-    for (std::size_t i = 0; i < report_.measurements.size(); ++i) {
-      Measurement& measurement = report_.measurements[i];
+    for (Measurement& measurement : report_.measurements) {
       if (measurement.error) continue;
-      const std::string text = quad_shader(measurement.subject);
-      auto vulkan = expand(workbench_.sources, profile_named("vulkan"), text);
-      if (!vulkan) {
-        measurement.counts.problems.push_back(vulkan.error().text());
-        continue;
+      auto words = optimised_spirv(workbench_.sources, reference_, measurement.subject);
+      if (words) {
+        measurement.spirv = std::move(*words);
+      } else {
+        measurement.problem = fmt::format("SPIR-V: {}", words.error().text());
       }
-      const Program* program = nullptr;
-      if (counts_programs(workbench_.context)) {
-        auto built = workbench_.build(text, measurement.subject.profile);
-        if (built) program = programs.emplace_back(std::make_unique<Program>(std::move(*built))).get();
-      }
-      shaders.push_back({std::move(*vulkan), program});
-      owners.push_back(i);
-    }
-    CountReport counted = count_instructions(workbench_.context, reference_, shaders);
-    report_.absent = std::move(counted.absent);
-    for (std::size_t i = 0; i < owners.size(); ++i) {
-      report_.measurements[owners[i]].counts = std::move(counted.counts[i]);
     }
   }
 
@@ -168,15 +153,11 @@ Result<BenchReport> run_bench(const Context& context, const SourceSet& sources, 
 namespace {
 
 std::vector<std::string> header_of() {
-  std::vector<std::string> names = {"id",        "dimensions", "call", "ratio", "spread", "evaluations_per_second",
-                                    "compile_ms"};
-  for (const char* const source : kCountSources) names.push_back(source);
-  names.emplace_back("problem");
-  return names;
+  return {"id", "dimensions", "call", "ratio", "spread", "evaluations_per_second", "compile_ms", "spirv", "problem"};
 }
 
 // Numbers, and words where there is none.
-std::vector<std::string> row_of(const Measurement& measurement, const std::map<std::string, std::string>& absent) {
+std::vector<std::string> row_of(const Measurement& measurement) {
   std::vector<std::string> row = {measurement.subject.id, fmt::format("{}", measurement.subject.dimensions),
                                   measurement.subject.expression};
   if (measurement.error) {
@@ -190,8 +171,8 @@ std::vector<std::string> row_of(const Measurement& measurement, const std::map<s
   row.push_back(measurement.evaluations_per_second ? fmt::format("{:.3g}", *measurement.evaluations_per_second)
                                                    : "too fast to tell");
   row.push_back(fmt::format("{:.1f}", measurement.compile_seconds * 1e3));
-  for (const char* const source : kCountSources) row.push_back(count_text(measurement.counts, source, absent));
-  row.push_back(fmt::format("{}", fmt::join(measurement.counts.problems, "\n")));
+  row.push_back(measurement.problem.empty() ? fmt::format("{}", count_spirv(measurement.spirv)) : "failed");
+  row.push_back(measurement.problem);
   return row;
 }
 
@@ -213,15 +194,12 @@ Result<void> write_bench(const std::filesystem::path& directory, const Provenanc
                          const BenchReport& report, bool dump) {
   Facts facts = facts_of(provenance, report.gate, report.rounds);
   facts.emplace_back("load", fmt::format("{0} x {0} pixels with {1} evaluations each", report.side, report.iterations));
-  for (const auto& [source, reason] : report.absent) {
-    facts.emplace_back(fmt::format("no counts from {} here", source), reason);
-  }
   std::vector<std::vector<std::string>> rows;
-  for (const Measurement& measurement : report.measurements) rows.push_back(row_of(measurement, report.absent));
+  for (const Measurement& measurement : report.measurements) rows.push_back(row_of(measurement));
   HN_DO(write_file(directory / "bench.csv", to_record(facts, header_of(), rows)));
   if (!dump) return {};
   for (const Measurement& measurement : report.measurements) {
-    HN_DO(write_spirv(directory, measurement.subject.id, measurement.counts.optimised));
+    HN_DO(write_spirv(directory, measurement.subject.id, measurement.spirv));
   }
   return {};
 }

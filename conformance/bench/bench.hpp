@@ -2,16 +2,15 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/csv.hpp"
-#include "bench/counts.hpp"
 #include "bench/subject.hpp"
 #include "bench/timing.hpp"
 #include "gpu/context_info.hpp"
+#include "gpu/reference_compiler.hpp"
 #include "library/source.hpp"
 
 namespace hn {
@@ -34,7 +33,8 @@ struct Measurement {
   double compile_seconds = 0.0;                       // until a first draw is done
   Ratio ratio = {};                                   // to Perlin/Float of as many dimensions
   std::optional<double> evaluations_per_second = {};  // unless it takes no longer than an empty shader
-  Counts counts = {};
+  std::vector<std::uint32_t> spirv = {};              // optimised
+  std::string problem = {};                           // why there is no SPIR-V
 };
 
 struct BenchReport {
@@ -43,7 +43,6 @@ struct BenchReport {
   int side = 0;  // pixels
   int iterations = 0;
   std::vector<Measurement> measurements;
-  std::map<std::string, std::string> absent;  // sources of counts that are not here, and why
 };
 
 struct BenchOptions {

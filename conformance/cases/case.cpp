@@ -19,14 +19,14 @@
 namespace hn {
 namespace {
 
-Outcome run(Session& session, const GoldenKind& kind) { return check_golden(session, kind.evaluation); }
-Outcome run(Session& session, const PairingKind& kind) {
+Judged run(Session& session, const GoldenKind& kind) { return check_golden(session, kind.evaluation); }
+Judged run(Session& session, const PairingKind& kind) {
   return check_pairing(session, kind.make(kind.evaluation, session.seed, kPairingPoints));
 }
-Outcome run(Session& session, const CheckKind& kind) { return kind.check(session, kind.evaluation); }
-Outcome run(Session& session, const BugKind& kind) { return check_bug(session, *kind.bug, *kind.profile); }
-Outcome run(Session& session, const CompilationKind& kind) { return check_compilation(session, kind); }
-Outcome run(Session& session, const ReferenceKind& kind) { return kind.check(session); }
+Judged run(Session& session, const CheckKind& kind) { return kind.check(session, kind.evaluation); }
+Judged run(Session& session, const BugKind& kind) { return check_bug(session, *kind.bug, *kind.profile); }
+Judged run(Session& session, const CompilationKind& kind) { return check_compilation(session, kind); }
+Judged run(Session& session, const ReferenceKind& kind) { return kind.check(session); }
 
 // Counts this process, and those that it started and that have ended.
 double processor_seconds() {
@@ -48,7 +48,8 @@ CaseResult timed(const std::string& id, Run run) {
   CaseResult result;
   result.id = id;
   try {
-    result.outcome = run();
+    const Judged judged = run();
+    result.outcome = judged ? *judged : judged.error();
   } catch (const std::exception& exception) {
     result.outcome = outcome_with(Status::error, {fmt::format("exception: {}", exception.what()), {}});
   }
@@ -89,7 +90,7 @@ CaseResult run_case(Session& session, const Case& test) {
 }
 
 CaseResult run_case(const Suite& suite, const Case& test) {
-  return timed(test.id, [&] { return std::get<ReferenceKind>(*test.kind).check(suite); });
+  return timed(test.id, [&]() -> Judged { return std::get<ReferenceKind>(*test.kind).check(suite); });
 }
 
 std::vector<Case> all_cases(Scope scope) {

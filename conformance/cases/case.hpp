@@ -53,7 +53,9 @@ struct PairingKind {
 };
 
 // A check that exists only in C++.
-using Check = Outcome(Session& session, const Evaluation& evaluation);
+// The outcome of a check, or of an evaluation that it could not make.
+using Judged = tl::expected<Outcome, Outcome>;
+using Check = Judged(Session& session, const Evaluation& evaluation);
 struct CheckKind {
   Evaluation evaluation;
   Check* check;

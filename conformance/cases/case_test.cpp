@@ -48,7 +48,7 @@ TEST(Cases, EveryConfigurationAndFunctionHasGoldenAndTwin) {
   }
 }
 
-Outcome throws(Session&, const Evaluation&) { throw std::runtime_error("thrown"); }
+Judged throws(Session&, const Evaluation&) { throw std::runtime_error("thrown"); }
 
 class CasesOnOsmesa : public OnOsmesa<> {};
 

@@ -168,19 +168,18 @@ std::uint32_t bits_of(const Function& function, std::size_t word, double value) 
 
 }  // namespace
 
-Outcome check_search(Session& session, const Evaluation& evaluation) {
+Judged check_search(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   Words inputs = points_to_search(session, function, configuration);
   add_far_points(inputs, session, function, configuration);
   add_outer_rows(inputs, function, configuration);
-  const auto outputs = evaluate(session, evaluation, inputs);
-  if (!outputs) return outputs.error();
+  HN_TRY(const auto outputs, evaluate(session, evaluation, inputs));
   Comparison comparison(function, inputs);
   for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
     const auto in = point(inputs, i);
     const CellularValue right = searched(function, configuration, in);
     for (std::size_t word = 0; word < function.outputs.size(); ++word) {
-      comparison.word(in, result(*outputs, i)[word], right.values[word], bits_of(function, word, right.values[word]),
+      comparison.word(in, result(outputs, i)[word], right.values[word], bits_of(function, word, right.values[word]),
                       allowed_to_searched(function, configuration, in, right, word), word);
     }
   }
@@ -249,7 +248,7 @@ const Function* returning(const Function& function) {
 }
 
 // A fast value is rounded in another way in each text.
-Outcome check_returned(Session& session, const Evaluation& evaluation) {
+Judged check_returned(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   const Function& alone = *returning(function);
   const Words inputs = random_points(function, points_of(session, function), Random(session.seed, "returned"));
@@ -270,7 +269,7 @@ Outcome check_returned(Session& session, const Evaluation& evaluation) {
 // From its cell and from the next one with a fraction of 1 in place of 0, and without a period from a position: the
 // same names, offsets and distances. The name is that of a cell within the period, whose point is where the offset
 // leads; and the first distance is that to it.
-Outcome check_cell_names(Session& session, const Evaluation& evaluation) {
+Judged check_cell_names(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   const auto axes = static_cast<std::size_t>(function.axes);
   const bool border = function.bound == "cell_border";
@@ -314,15 +313,12 @@ Outcome check_cell_names(Session& session, const Evaluation& evaluation) {
     };
     PointNames one;
     Words inputs;
-    const auto distances = run(way.distances, inputs);
-    if (!distances) return distances.error();
-    const auto led = run(way.offsets, inputs);
-    if (!led) return led.error();
-    const auto named = run(way.names, one.inputs);
-    if (!named) return named.error();
-    one.names = *named;
-    one.offsets = *led;
-    one.distances = *distances;
+    HN_TRY(const auto distances, run(way.distances, inputs));
+    HN_TRY(const auto led, run(way.offsets, inputs));
+    HN_TRY(const auto named, run(way.names, one.inputs));
+    one.names = named;
+    one.offsets = led;
+    one.distances = distances;
     known.push_back(std::move(one));
   }
   const PointNames& first = known.back();
@@ -331,9 +327,7 @@ Outcome check_cell_names(Session& session, const Evaluation& evaluation) {
   Comparison comparison(function, settings);
   for (std::size_t i = 0; i < points; ++i) {
     const auto in = point(settings, i);
-    const auto number = [&](const Words& words, std::size_t word) {
-      return static_cast<double>(std::bit_cast<float>(result(words, i)[word]));
-    };
+    const auto number = [&](const Words& words, std::size_t word) { return number_of(result(words, i)[word]); };
     const bool undecided = is_undecided(cell_names, configuration, point(first.inputs, i));
     for (const PointNames& other : known) {
       for (std::size_t axis = 0; axis < axes; ++axis) {
@@ -389,7 +383,7 @@ Outcome check_cell_names(Session& session, const Evaluation& evaluation) {
 // With P and Q, the two nearest points at the distances a and b: the border with any other point is no nearer than
 // (b - a) / 2, and that with Q no farther than (a + b) / 2. Halfway between P and Q the border is there, unless a third
 // point is nearer.
-Outcome check_border(Session& session, const Evaluation& evaluation) {
+Judged check_border(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   const Function& distances = row_of(function.axes, function.takes_cell() ? "cellular_cell" : "cellular");
   Random random(session.seed, "border");
@@ -407,20 +401,16 @@ Outcome check_border(Session& session, const Evaluation& evaluation) {
     const CellularValue there = searched(function, configuration, words);
     on_border.back() = there.second - there.first < 8.0 * kUnit;
   }
-  const auto borders = evaluate(session, evaluation, inputs);
-  if (!borders) return borders.error();
-  const auto both =
-      evaluate(session, {distances, configuration, profile, {}, stage}, inputs_for(distances, function, inputs));
-  if (!both) return both.error();
+  HN_TRY(const auto borders, evaluate(session, evaluation, inputs));
+  HN_TRY(const auto both,
+         evaluate(session, {distances, configuration, profile, {}, stage}, inputs_for(distances, function, inputs)));
   const double error = error_of(function, configuration, 0) + error_of(distances, configuration, 0);
   Comparison comparison(function, inputs);
   for (std::size_t i = 0; i < on_border.size(); ++i) {
-    const auto number = [&](const Words& words, std::size_t word) {
-      return static_cast<double>(std::bit_cast<float>(result(words, i)[word]));
-    };
-    const double border = number(*borders, 0);
-    const double least = (number(*both, 1) - number(*both, 0)) / 2.0;
-    const double most = (number(*both, 1) + number(*both, 0)) / 2.0;
+    const auto number = [&](const Words& words, std::size_t word) { return number_of(result(words, i)[word]); };
+    const double border = number(borders, 0);
+    const double least = (number(both, 1) - number(both, 0)) / 2.0;
+    const double most = (number(both, 1) + number(both, 0)) / 2.0;
     comparison.require(border >= least - error && border <= most + error, point(inputs, i), static_cast<float>(border),
                        fmt::format("from {:.9g} to {:.9g}", least, most));
     if (on_border[i]) comparison.number(point(inputs, i), static_cast<float>(border), 0.0, 4.0 * kUnit + error);

@@ -78,7 +78,7 @@ bool selects_code(std::string_view file, const Configuration& configuration) {
 
 // Elsewhere the library must refuse it.
 bool can_compile(const Configuration& configuration, const Profile& profile) {
-  return configuration.arithmetic != Arithmetic::precise || profile.version >= (profile.es ? 320 : 400);
+  return configuration.arithmetic != Arithmetic::precise || profile.has_precise();
 }
 
 std::span<const Stage> stages_of(const Profile& profile) {
@@ -152,57 +152,38 @@ const Profile& es_to_spirv(const Configuration& configuration) {
 
 // In ES, a number that is not declared highp has 16 bits on some machines, and nobody notices on the others. So glslang
 // compiles the ES shader with a default precision of mediump, and nothing in its SPIR-V may be of relaxed precision.
-Outcome check_highp(const Suite& suite, std::string_view file, const Configuration& configuration) {
-  const Profile& profile = es_to_spirv(configuration);
-  const auto source = expand(suite.sources, profile, calling_shader(file, configuration, profile, Stage::fragment));
-  if (!source) return outcome_with(Status::fail, source.error());
-  const auto words = suite.reference.spirv(*source, Stage::fragment);
-  if (!words) return outcome_with(Status::fail, words.error());
-  const std::vector<std::string> relaxed = relaxed_precision(*words);
-  if (relaxed.empty()) return {};
-  return outcome_with(
-      Status::fail,
-      {fmt::format("{} values are not highp, of these with a name: {}", relaxed.size(), fmt::join(relaxed, " ")), {}});
-}
-
-void add_highp_case(std::vector<Case>& cases, std::string_view file, const Configuration& configuration) {
-  // HN_PRECISE is declared like HN_FAST, and has a case for what is its own.
-  const bool chosen = configuration.arithmetic != Arithmetic::precise && configuration.default_but_for_arithmetic();
-  cases.push_back(
-      {name_of(file, configuration, Stage::fragment, es_to_spirv(configuration), "highp"),
-       ReferenceKind{[=, &configuration](const Suite& suite) { return check_highp(suite, file, configuration); }},
-       chosen ? Extent::one_driver : Extent::thorough});
+std::string without_highp(std::span<const std::uint32_t> words) {
+  const std::vector<std::string> relaxed = relaxed_precision(words);
+  if (relaxed.empty()) return "";
+  return fmt::format("{} values are not highp, of these with a name: {}", relaxed.size(), fmt::join(relaxed, " "));
 }
 
 // A driver that contracts shows a forgotten `precise` only if the bits happen to differ, and the software drivers of
-// most machines never contract. So every operation that rounds must be marked in glslang's SPIR-V. Functions whose
-// results are exact, contracted or not, need no mark.
-Outcome check_uncontracted(const Suite& suite, std::string_view file, const Configuration& configuration) {
-  constexpr std::array<std::string_view, 25> kExact = {
-      "hn_unorm(",   "hn_i_parts(",   "hn_i_falloff(",  "hn_i_in_cells(",     "hn_i_border_distance(",
-      "hn_snorm(",   "hn_i_toward(",  "hn_i_root(u1;",  "hn_i_in_units(",     "hn_i_square_of_reach(",
-      "hn_i_angle(", "hn_gaussian(",  "hn_i_quarters(", "hn_i_component(",    "hn_i_offset_from_cell(",
-      "hn_i_fixed_", "hn_gradient2(", "hn_i_per_cell(", "hn_scatter_point(",  "hn_i_displaced(vi2;f1;",
-      "hn_i_ratio(", "hn_gradient3(", "hn_i_distance(", "hn_i_distribution(", "hn_i_fraction_of_units("};
-  const Profile& profile = profile_named("vulkan");
-  const auto source = expand(suite.sources, profile, calling_shader(file, configuration, profile, Stage::fragment));
-  if (!source) return outcome_with(Status::fail, source.error());
-  const auto words = suite.reference.spirv(*source, Stage::fragment);
-  if (!words) return outcome_with(Status::fail, words.error());
-  std::vector<std::string> found = contractible(*words);
-  std::erase_if(found, [&](const std::string& name) {
-    return std::any_of(kExact.begin(), kExact.end(), [&](std::string_view exact) { return name.starts_with(exact); });
+// most machines never contract. So every operation that rounds must be marked in glslang's SPIR-V. In a few functions
+// results are exact, contracted or not.
+std::string without_precise(std::span<const std::uint32_t> words) {
+  std::vector<std::string> found = contractible(words);
+  std::erase_if(found, [](const std::string& name) {
+    constexpr std::array<std::string_view, 3> kExact = {"hn_snorm(", "hn_i_angle(", "hn_i_in_units("};
+    return std::ranges::any_of(kExact, [&](std::string_view exact) { return name.starts_with(exact); });
   });
-  if (found.empty()) return {};
-  return outcome_with(Status::fail, {fmt::format("not precise: {}", fmt::join(found, " ")), {}});
+  return found.empty() ? "" : fmt::format("not precise: {}", fmt::join(found, " "));
 }
 
-void add_uncontracted_case(std::vector<Case>& cases, std::string_view file, const Configuration& configuration) {
-  cases.push_back({name_of(file, configuration, Stage::fragment, profile_named("vulkan"), "uncontracted"),
-                   ReferenceKind{[=, &configuration](const Suite& suite) {
-                     return check_uncontracted(suite, file, configuration);
-                   }},
-                   configuration.default_but_for_arithmetic() ? Extent::one_driver : Extent::thorough});
+// The SPIR-V of all that a file declares, and what faults there are in it.
+void add_spirv_case(std::vector<Case>& cases, std::string_view file, const Configuration& configuration,
+                    const Profile& profile, std::string_view check, bool chosen,
+                    std::string (*faults_in)(std::span<const std::uint32_t>)) {
+  const auto judge = [=, &configuration, &profile](const Suite& suite) {
+    const auto source = expand(suite.sources, profile, calling_shader(file, configuration, profile, Stage::fragment));
+    if (!source) return outcome_with(Status::fail, source.error());
+    const auto words = suite.reference.spirv(*source, Stage::fragment);
+    if (!words) return outcome_with(Status::fail, words.error());
+    const std::string faults = faults_in(*words);
+    return faults.empty() ? Outcome{} : outcome_with(Status::fail, {faults, {}});
+  };
+  cases.push_back({name_of(file, configuration, Stage::fragment, profile, check), ReferenceKind{judge},
+                   chosen ? Extent::one_driver : Extent::thorough});
 }
 
 // A shader that must be refused: by the library, with an #error that names the right value; or by the compiler, since
@@ -453,8 +434,12 @@ void add_compile_cases(std::vector<Case>& cases, Scope scope) {
       for (const Profile& profile : all_profiles()) {
         if (can_compile(configuration, profile)) add_file_cases(all, file, configuration, profile, scope);
       }
-      add_highp_case(all, file, configuration);
-      if (configuration.arithmetic == Arithmetic::precise) add_uncontracted_case(all, file, configuration);
+      const bool precise = configuration.arithmetic == Arithmetic::precise;
+      const bool usual = configuration.default_but_for_arithmetic();
+      // HN_PRECISE is declared like HN_FAST, and has a case of its own.
+      add_spirv_case(all, file, configuration, es_to_spirv(configuration), "highp", usual && !precise, without_highp);
+      if (!precise) continue;
+      add_spirv_case(all, file, configuration, profile_named("vulkan"), "uncontracted", usual, without_precise);
     }
   }
   for (const Acceptance& acceptance : acceptances()) add_acceptance_cases(all, acceptance);

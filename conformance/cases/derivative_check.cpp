@@ -68,7 +68,7 @@ Stencil difference_to_both_sides(const Place& place, double third, double value_
 double third_derivative(const Function& function, std::span<const std::uint32_t> inputs, std::size_t axis) {
   if (!function.takes_wave()) return simplex_third_derivative(function.axes);
   const std::size_t word = static_cast<std::size_t>(function.input("kx")) + axis;
-  return phasor_third_derivative(function.axes, static_cast<double>(std::bit_cast<float>(inputs[word])));
+  return phasor_third_derivative(function.axes, number_of(inputs[word]));
 }
 
 // The third derivative of a distance r along an axis is 3 (1 - c^2) c / r^2 at most, where c is the cosine of the angle
@@ -96,10 +96,6 @@ Place random_place(const Function& function, Random& random) {
   return {cell, end < 2 ? static_cast<double>(end) : static_cast<double>(random.below(1025)) / 1024.0};
 }
 
-double number(std::span<const std::uint32_t> words, std::size_t word) {
-  return static_cast<double>(std::bit_cast<float>(words[word]));
-}
-
 // The points of the noise without derivatives: for each point, axis and node one.
 Words nodes_of(const Function& function, const Function& plain, const Words& inputs,
                const std::vector<std::vector<Stencil>>& stencils) {
@@ -120,7 +116,7 @@ Words nodes_of(const Function& function, const Function& plain, const Words& inp
 }  // namespace
 
 // Both the derivative and the values may be off by the arithmetic's bound.
-Outcome check_derivative(Session& session, const Evaluation& evaluation) {
+Judged check_derivative(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   const Function& plain = find_function(function.plain);
   const auto axes = static_cast<std::size_t>(function.axes);
@@ -148,11 +144,9 @@ Outcome check_derivative(Session& session, const Evaluation& evaluation) {
               : polynomial_through_cell(place));
     }
   }
-  const auto derivatives = evaluate(session, evaluation, inputs);
-  if (!derivatives) return derivatives.error();
+  HN_TRY(const auto derivatives, evaluate(session, evaluation, inputs));
   const Words nodes = nodes_of(function, plain, inputs, stencils);
-  const auto values = evaluate(session, {plain, configuration, profile, {}, stage}, nodes);
-  if (!values) return values.error();
+  HN_TRY(const auto values, evaluate(session, {plain, configuration, profile, {}, stage}, nodes));
   Comparison comparison(function, inputs);
   const auto own_error = [&](std::size_t i, std::size_t column) {
     return function.is_cellular() ? cellular_tolerance(function, configuration, point(inputs, i), column)
@@ -164,19 +158,20 @@ Outcome check_derivative(Session& session, const Evaluation& evaluation) {
       double expected = 0.0;
       double weights = 0.0;
       for (const double by : stencils[i][axis].weights) {
-        expected += by * number(result(*values, node++), 0);
+        expected += by * number_of(result(values, node++)[0]);
         weights += std::fabs(by);
       }
       // The columns of derivatives come last.
       const std::size_t column = function.outputs.size() - axes + axis;
-      comparison.number(point(inputs, i), std::bit_cast<float>(result(*derivatives, i)[column]), expected,
+      comparison.number(point(inputs, i), std::bit_cast<float>(result(derivatives, i)[column]), expected,
                         own_error(i, column) + weights * error + stencils[i][axis].error, column);
     }
     if (!function.is_cellular()) continue;
     const std::size_t first = function.outputs.size() - axes;
     double square = 0.0;
     for (std::size_t column = first; column < function.outputs.size(); ++column) {
-      square += number(result(*derivatives, i), column) * number(result(*derivatives, i), column);
+      const double slope = number_of(result(derivatives, i)[column]);
+      square += slope * slope;
     }
     comparison.number(point(inputs, i), static_cast<float>(std::sqrt(square)), 1.0,
                       static_cast<double>(axes) * own_error(i, first));

@@ -19,16 +19,11 @@ constexpr double kStep = 0x1p-8;
 // normalised to 0.5.
 constexpr double kLimit = 0.01;
 
-double difference(std::span<const std::uint32_t> after, std::span<const std::uint32_t> before, std::size_t word) {
-  return static_cast<double>(std::bit_cast<float>(after[word])) -
-         static_cast<double>(std::bit_cast<float>(before[word]));
-}
-
 }  // namespace
 
 // At each point the differences of the components, each along its own axis, sum to 0; so the sums are small in all when
 // compared with what they are made of.
-Outcome check_divergence(Session& session, const Evaluation& evaluation) {
+Judged check_divergence(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
   const auto axes = static_cast<std::size_t>(function.axes);
   const std::size_t points = std::max<std::size_t>(1, std::min(kDivergencePoints, session.most_points / (2 * axes)));
@@ -49,15 +44,14 @@ Outcome check_divergence(Session& session, const Evaluation& evaluation) {
       }
     }
   }
-  const auto outputs = evaluate(session, evaluation, inputs);
-  if (!outputs) return outputs.error();
+  HN_TRY(const auto outputs, evaluate(session, evaluation, inputs));
   double divergences = 0.0;
   double differences = 0.0;
   for (std::size_t i = 0; i < points; ++i) {
     double divergence = 0.0;
     for (std::size_t axis = 0; axis < axes; ++axis) {
       const std::size_t before = 2 * (i * axes + axis);
-      const double term = difference(result(*outputs, before + 1), result(*outputs, before), axis);
+      const double term = number_of(result(outputs, before + 1)[axis]) - number_of(result(outputs, before)[axis]);
       divergence += term;
       differences += std::fabs(term);
     }

@@ -31,8 +31,6 @@ struct Reference {
   bool every_bit;
 };
 
-double number(std::uint32_t word) { return static_cast<double>(std::bit_cast<float>(word)); }
-
 std::string renderer_of(const ContextInfo& info) {
   return fmt::format("{}, {}, GLSL {} ({})", info.renderer, info.gl_version, info.glsl_version, info.vendor);
 }
@@ -74,7 +72,7 @@ bool fails_alike(const Session& session, const Profile& profile, const ShaderFac
   if (!longer.colour) return !shown.colour && shown.colour.error().message == longer.colour.error().message;
   if (!is_red(shown.colour)) return false;
   // No number is near NaN.
-  const auto is_finite = [](std::uint32_t word) { return std::isfinite(number(word)); };
+  const auto is_finite = [](std::uint32_t word) { return std::isfinite(number_of(word)); };
   return !(facts.every_bit || std::ranges::all_of(facts.got, is_finite)) ||
          is_green(drawn(session, profile, expecting_got(shown.shader, facts)).colour);
 }
@@ -199,7 +197,7 @@ class Examiner {
       if (right.allowed[word] == kUndecided) continue;
       if (right.every_bit || function().is_name(word)) {
         if (got != right.words[word]) return true;
-      } else if (!(std::fabs(number(got) - number(right.words[word])) <= right.allowed[word])) {
+      } else if (!(std::fabs(number_of(got) - number_of(right.words[word])) <= right.allowed[word])) {
         return true;
       }
     }
@@ -279,13 +277,8 @@ std::optional<Evidence> evidence_of(Session& session, const Case& test, const Bu
   const Mismatch& wrong = outcome.examples.front();
   const BugPoint& point = bug.points.at(wrong.point);
   const Evaluation evaluation = evaluation_of(bug, *kind.profile);
-  ShaderFacts facts{.id = test.id,
-                    .renderer = renderer_of(session.info()),
-                    .inputs = wrong.words,
-                    .got = {},
-                    .expected = {},
-                    .allowed = {},
-                    .every_bit = bug.allowed == 0.0};
+  ShaderFacts facts{
+      .id = test.id, .renderer = renderer_of(session.info()), .inputs = wrong.words, .every_bit = bug.allowed == 0.0};
   std::ranges::copy(point.expected, facts.expected.begin());
   facts.allowed.fill(bug.allowed);
   const auto got = evaluate(session, evaluation, wrong.words);

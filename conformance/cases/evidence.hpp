@@ -45,10 +45,10 @@ struct ShaderFacts {
   std::string id;        // of the case
   std::string renderer;  // where it failed
   std::span<const std::uint32_t> inputs;
-  std::span<const std::uint32_t> got;  // empty if there was no value
-  std::array<std::uint32_t, kOutputWords> expected;
-  std::array<double, kOutputWords> allowed;  // how far each float may be off,
-  bool every_bit;                            // unless every bit counts
+  std::span<const std::uint32_t> got = {};  // empty if there was no value
+  std::array<std::uint32_t, kOutputWords> expected = {};
+  std::array<double, kOutputWords> allowed = {};  // how far each float may be off,
+  bool every_bit;                                 // unless every bit counts
 };
 
 // A fragment shader, complete, without textures or attributes: green where the function has the expected value,

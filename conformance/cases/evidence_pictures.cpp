@@ -44,7 +44,7 @@ bool is_word(const Function& function) {
 // 0 is black and 255 is white. A word is shown by its high byte, a float from -1 to 1.
 double grey_of(const Function& function, std::uint32_t word) {
   if (is_word(function)) return static_cast<double>(word >> 24);
-  return (static_cast<double>(std::bit_cast<float>(word)) + 1.0) * 127.5;
+  return (number_of(word) + 1.0) * 127.5;
 }
 
 // In the same units, but with all bits of a word. Infinity where one of the values is not a number.

@@ -79,7 +79,10 @@ std::string hidden(std::span<const std::uint32_t> words) {
                      words[1], words[2], words[3]);
 }
 
-std::string main_of(const Function& function, const ShaderFacts& facts) {
+// main and its two variables, without macros: a brief shader has none.
+constexpr std::ptrdiff_t kDeclarationsOfMain = 3;
+std::string main_of(const Evaluation& evaluation, const ShaderFacts& facts) {
+  const Function& function = evaluation.function;
   constexpr std::array<char, kOutputWords> kParts = {'x', 'y', 'z', 'w'};
   const auto argument = [&](std::size_t i) { return hidden(facts.inputs.subspan(4 * i)); };
   constexpr std::string_view kNextLine = ",\n                                ";
@@ -89,19 +92,21 @@ std::string main_of(const Function& function, const ShaderFacts& facts) {
     if (facts.every_bit || function.is_name(i)) {
       right += fmt::format("got.{0} == expected.{0}", kParts[i]);
     } else {
-      right += fmt::format("abs(float_of(got.{0}) - float_of(expected.{0})) <= {1:.9e}", kParts[i], facts.allowed[i]);
+      right += fmt::format("abs(uintBitsToFloat(got.{0}) - uintBitsToFloat(expected.{0})) <= {1:.9e}", kParts[i],
+                           facts.allowed[i]);
     }
   }
-  return fmt::format(R"(uniform hn_uint zero;
-out hn_vec4 colour;
+  return fmt::format(R"(uniform {0}uint zero;
+out {0}vec4 colour;
 void main() {{
-  hn_uvec4 got = evaluate({});
-  hn_uvec4 expected = {};
-  bool right = {};
+  {0}uvec4 got = evaluate({1});
+  {0}uvec4 expected = {2};
+  bool right = {3};
   colour = right ? vec4(0.0, 1.0, 0.0, 1.0) : vec4(1.0, 0.0, 0.0, 1.0);
 }}
 )",
-                     arguments_of(function, argument, kNextLine), hidden(facts.expected), right);
+                     evaluation.profile.es ? "highp " : "", arguments_of(function, argument, kNextLine),
+                     hidden(facts.expected), right);
 }
 
 // A part at the top of a shader: a function, a constant, a directive.
@@ -143,76 +148,20 @@ std::string_view name_of(const Declaration& declaration) {
 
 bool is_function(const Declaration& declaration) { return declaration.tokens.back().is("}"); }
 
-// The space between two tokens of a line.
-std::string_view space_between(const Token& before, const Token& token, bool before_is_sign) {
-  constexpr std::string_view kNoneBefore = ")]};,.[";
-  const bool is_call = before.kind == Token::Kind::word && !before.is("return") && !before.is("if") &&
-                       !before.is("for") && !before.is("while");
-  if (token.is("}")) return " ";
-  if (token.text.size() == 1 && kNoneBefore.find(token.text) != kNoneBefore.npos) return "";
-  if (before.is("(") || before.is("[") || before.is(".") || before_is_sign) return "";
-  if (token.is("(") && is_call) return "";
-  return (token.is("++") || token.is("--")) && is_call ? "" : " ";
-}
-
-// As people write it: the blanks of the preprocessor go, and lines begin where they did; or a line has each statement,
-// or all of them.
-enum class Lines { kept, of_statements, one };
-std::string laid_out(const std::vector<Token>& tokens, Lines lines) {
+// As the preprocessor wrote it, without the lines that it left empty.
+std::string text_of(const Declaration& declaration) {
   std::string text;
-  int braces = 0;
-  int parentheses = 0;
-  bool is_sign = false;          // whether the token before is one, and no operator between two
-  bool statement_ended = false;  // before this token
-  for (std::size_t i = 0; i < tokens.size(); ++i) {
-    const Token& token = tokens[i];
-    braces -= token.is("}") ? 1 : 0;
-    const bool breaks = lines == Lines::kept ? token.space.find('\n') != std::string::npos : statement_ended;
-    if (i > 0 && breaks && lines != Lines::one) {
-      const int deeper = statement_ended || token.is("}") ? 0 : 2;
-      text += fmt::format("\n{}", std::string(static_cast<std::size_t>(2 * (braces + deeper)), ' '));
-    } else if (i > 0) {
-      text += space_between(tokens[i - 1], token, is_sign);
-    }
+  for (const Token& token : declaration.tokens) {
+    const auto line = token.space.rfind('\n');
+    if (!text.empty() && !token.space.empty()) text += line == std::string::npos ? " " : token.space.substr(line);
     text += token.text;
-    braces += token.is("{") ? 1 : 0;
-    parentheses += token.is("(") ? 1 : token.is(")") ? -1 : 0;
-    statement_ended = parentheses == 0 && (token.is(";") || token.is("{") || token.is("}"));
-    const bool after_value = i > 0 && !tokens[i - 1].is("return") &&
-                             (tokens[i - 1].kind == Token::Kind::word || tokens[i - 1].kind == Token::Kind::number ||
-                              tokens[i - 1].is(")") || tokens[i - 1].is("]"));
-    is_sign = !after_value && (token.is("-") || token.is("!") || token.is("~") || token.is("++") || token.is("--"));
   }
   return text + "\n";
 }
 
-std::string laid_out(const std::vector<Token>& tokens) {
-  constexpr std::size_t kLongest = 110;
-  const std::string one = laid_out(tokens, Lines::one);
-  const auto statements = std::ranges::count_if(tokens, [](const Token& token) { return token.is(";"); });
-  if (statements <= 1 && one.size() <= kLongest) return one;
-  const std::string kept = laid_out(tokens, Lines::kept);
-  return kept == one && one.size() > kLongest ? laid_out(tokens, Lines::of_statements) : kept;
-}
-
-// "{ float n = a - b; return n; }" becomes "{ return a - b; }", unless precise is written there.
-void drop_last_name(std::vector<Token>& function) {
-  const auto find = [&](std::string_view text) {
-    return std::ranges::find_if(function, [&](const Token& token) { return token.is(text); });
-  };
-  const auto brace = find("{");
-  const auto equals = find("=");
-  const auto end = find(";");
-  if (equals == function.end() || equals < brace || function.end() - end != 5 || end < equals) return;
-  if (!end[1].is("return") || !end[2].is((equals - 1)->text) || brace[1].is("precise") || equals[-2].is(".")) return;
-  *(equals - 1) = end[1];
-  function.erase(end + 1, function.end() - 1);
-  function.erase(find("="));
-  function.erase(find("{") + 1, find("return"));
-}
-
-// The parts of a shader that main needs, in their order.
-Result<std::string> needed_of(const std::string& glsl, const Profile& profile, const ReferenceCompiler& compiler) {
+// The parts of a shader that its main needs, in their order, and main as it was.
+Result<std::string> needed_of(const std::string& glsl, const std::string& main, const Profile& profile,
+                              const ReferenceCompiler& compiler) {
   HN_TRY(const auto expanded, compiler.preprocessed({glsl, {"the shader"}}, profile, Stage::fragment));
   // glslang has no bit casts in old versions, which drivers have as an extension: it reads the text as a newer one.
   const Profile& newer = profile.has_bit_casts() ? profile : profile_named("gl330");
@@ -220,19 +169,19 @@ Result<std::string> needed_of(const std::string& glsl, const Profile& profile, c
                             {"the shader"}};
   HN_TRY(const auto called, compiler.lines_of_called(in_newer, newer, Stage::fragment));
   std::set<std::string, std::less<>> words;  // of what is needed so far, from the end: things are declared before used
-  std::string text;
+  std::string text = main;
   auto declarations = declarations_of(expanded.text);
   std::reverse(declarations.begin(), declarations.end());
-  for (Declaration& declaration : declarations) {
+  declarations.erase(declarations.begin(), declarations.begin() + kDeclarationsOfMain);
+  for (const Declaration& declaration : declarations) {
     const auto name = name_of(declaration);
     const auto line = called.lower_bound(declaration.first_line);
     const bool is_called = line != called.end() && *line <= declaration.last_line;
     if (is_function(declaration) ? !is_called : !name.empty() && !words.contains(name)) continue;
-    if (is_function(declaration)) drop_last_name(declaration.tokens);
     for (const Token& token : declaration.tokens) {
       if (token.kind == Token::Kind::word) words.insert(token.text);
     }
-    text.insert(0, laid_out(declaration.tokens));
+    text.insert(0, text_of(declaration));
   }
   return text;
 }
@@ -259,11 +208,11 @@ std::string without_comments(std::string_view glsl) {
 
 Result<std::string> stand_alone_shader(const SourceSet& sources, const Evaluation& evaluation, const ShaderFacts& facts,
                                        const ReferenceCompiler* compiler) {
-  HN_TRY(const auto shader,
-         expand(sources, evaluation.profile, shader_that_evaluates(evaluation, main_of(evaluation.function, facts))));
+  const std::string main = main_of(evaluation, facts);
+  HN_TRY(const auto shader, expand(sources, evaluation.profile, shader_that_evaluates(evaluation, main)));
   std::string text = without_comments(shader.text);
   if (compiler != nullptr) {
-    HN_TRY(text, needed_of(text, evaluation.profile, *compiler));
+    HN_TRY(text, needed_of(text, main, evaluation.profile, *compiler));
   }
   // WebGL wants #version in the first line.
   const auto second_line = text.find('\n') + 1;

@@ -18,6 +18,7 @@ struct LibraryFault {
   std::string_view file;
   std::string_view text;  // or kMacro
   std::string_view fault;
+  std::string_view where = {};  // a shader's name for itself, if only such shaders see the macro
 
   std::string_view check() const { return id.substr(id.rfind('.') + 1); }
 };
@@ -39,14 +40,16 @@ class FaultyLibrary : public OnOsmesa<> {
   }
 
   // The case passes, and fails with the fault.
-  void expect_caught(const LibraryFault& fault) {
+  Outcome expect_caught(const LibraryFault& fault) {
     expect_faultless_passes(fault.id);
-    if (fault.text == kMacro) {
+    if (fault.text != kMacro) {
+      replace(fault.file, fault.text, fault.fault);
+    } else if (fault.where.empty()) {
       append(fault.file, fmt::format("#define {}", fault.fault));
     } else {
-      replace(fault.file, fault.text, fault.fault);
+      append(fault.file, fmt::format("#ifdef {}\n#define {}\n#endif", fault.where, fault.fault));
     }
-    expect_fails(fault.id, fault.fault);
+    return expect_fails(fault.id, fault.fault);
   }
 
   void replace(std::string_view file, std::string_view before, std::string_view after) {
@@ -70,10 +73,11 @@ class FaultyLibrary : public OnOsmesa<> {
   }
 
   // With mismatches: a fault that does not compile is none that the check has found.
-  void expect_fails(std::string_view id, std::string_view fault) {
+  Outcome expect_fails(std::string_view id, std::string_view fault) {
     const Outcome wrong = run(id);
     EXPECT_EQ(wrong.status, Status::fail) << id << ": " << fault << ": " << wrong.message;
     EXPECT_NE(wrong.mismatches, 0u) << id << ": " << fault << ": " << wrong.message;
+    return wrong;
   }
 
   const ReferenceCompiler reference_;

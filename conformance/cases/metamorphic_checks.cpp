@@ -20,12 +20,10 @@ std::uint32_t left_by_trip(std::span<const std::uint32_t> words) { return words[
 
 }  // namespace
 
-Outcome check_pairing(Session& session, const Pairing& pairing) {
-  const auto expected = evaluate(session, pairing.other, pairing.other_inputs);
-  if (!expected) return expected.error();
-  const auto got = evaluate(session, pairing.evaluation, pairing.inputs);
-  if (!got) return got.error();
-  return judge_pairing(pairing, *got, *expected);
+Judged check_pairing(Session& session, const Pairing& pairing) {
+  HN_TRY(const auto expected, evaluate(session, pairing.other, pairing.other_inputs));
+  HN_TRY(const auto got, evaluate(session, pairing.evaluation, pairing.inputs));
+  return judge_pairing(pairing, got, expected);
 }
 
 Outcome judge_pairing(const Pairing& pairing, std::span<const std::uint32_t> got,
@@ -39,8 +37,8 @@ Outcome judge_pairing(const Pairing& pairing, std::span<const std::uint32_t> got
       comparison.bits(in, word, other, column);
     } else {
       const std::size_t output = column.value_or(0);
-      comparison.word(in, word, pairing.factor * static_cast<double>(std::bit_cast<float>(other)), other,
-                      pairing.allowed[i * pairing.words() + output], output);
+      comparison.word(in, word, pairing.factor * number_of(other), other, pairing.allowed[i * pairing.words() + output],
+                      output);
     }
   };
   for (std::size_t i = 0; i < pairing.inputs.size() / kInputWords; ++i) {

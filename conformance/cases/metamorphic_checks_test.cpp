@@ -49,77 +49,45 @@ struct Detour {
   std::string_view check;  // stage.profile.check
 };
 
-class DetourFault : public Metamorphic, public testing::WithParamInterface<Detour> {
- protected:
-  void expect_caught(std::string_view function, std::string_view file, std::string_view fault) {
-    const auto id = fmt::format("{}.{}", function, GetParam().check);
-    const Outcome right = run(id);
-    EXPECT_EQ(right.status, Status::pass) << id << ": " << right.message;
-    append(file, fmt::format("#ifdef {}\n{}\n#endif", GetParam().name, fault));
-    const Outcome wrong = run(id);
-    EXPECT_EQ(wrong.status, Status::fail) << id << ": " << wrong.message;
-    EXPECT_NE(wrong.mismatches, 0u) << id;
+TEST_F(Metamorphic, AFaultOnOneWayAloneIsCaught) {
+  for (const auto& [name, check] :
+       {Detour{"CASE_INLINED", "fragment.gl330.inlined"}, Detour{"CASE_INLINED", "fragment.es300.inlined"},
+        Detour{"CASE_IN_LOOP", "fragment.gl330.in_loop"}, Detour{"CASE_CONSTANT_SEED", "fragment.gl330.constant_seed"},
+        Detour{"CASE_UNIFORM_SEED", "fragment.gl330.uniform_seed"}, Detour{"CASE_CONSTANT", "fragment.gl330.folded"},
+        Detour{"CASE_VERTEX", "vertex.gl330.as_fragment"}, Detour{"CASE_VERTEX", "vertex.es300.as_fragment"},
+        Detour{"CASE_COMPUTE", "compute.gl430.as_fragment"}, Detour{"CASE_COMPUTE", "compute.es310.as_fragment"},
+        Detour{"CASE_VERTEX", "vertex.es300.golden"}, Detour{"CASE_COMPUTE", "compute.gl430.golden"},
+        Detour{"CASE_FRAGMENT", "fragment.es300.twin"}}) {
+    // More than two evaluations may differ by, and less than an eye would see.
+    expect_caught({fmt::format("noise2d.perlin.lattice.fast.{}", check), "perlin2d.glsl", kMacro,
+                   "hn_perlin(args) (hn_perlin(args) + 0.00001)", name});
+    expect_caught({fmt::format("hash.lattice3.lattice.exact.{}", check), "hash.glsl", kMacro,
+                   "hn_lattice(args) (hn_lattice(args) ^ 1u)", name});
   }
-};
-
-TEST_P(DetourFault, InANoiseIsCaught) {
-  // More than two evaluations may differ by, and less than an eye would see.
-  expect_caught("noise2d.perlin.lattice.fast", "perlin2d.glsl", "#define hn_perlin(args) (hn_perlin(args) + 0.00001)");
 }
-
-TEST_P(DetourFault, InTheLastBitOfAHashIsCaught) {
-  expect_caught("hash.lattice3.lattice.exact", "hash.glsl", "#define hn_lattice(args) (hn_lattice(args) ^ 1u)");
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Ways, DetourFault,
-    testing::Values(Detour{"CASE_INLINED", "fragment.gl330.inlined"}, Detour{"CASE_INLINED", "fragment.es300.inlined"},
-                    Detour{"CASE_IN_LOOP", "fragment.gl330.in_loop"},
-                    Detour{"CASE_CONSTANT_SEED", "fragment.gl330.constant_seed"},
-                    Detour{"CASE_UNIFORM_SEED", "fragment.gl330.uniform_seed"},
-                    Detour{"CASE_CONSTANT", "fragment.gl330.folded"}, Detour{"CASE_VERTEX", "vertex.gl330.as_fragment"},
-                    Detour{"CASE_VERTEX", "vertex.es300.as_fragment"},
-                    Detour{"CASE_COMPUTE", "compute.gl430.as_fragment"},
-                    Detour{"CASE_COMPUTE", "compute.es310.as_fragment"}, Detour{"CASE_VERTEX", "vertex.es300.golden"},
-                    Detour{"CASE_COMPUTE", "compute.gl430.golden"}, Detour{"CASE_FRAGMENT", "fragment.es300.twin"}));
 
 // The least that a result can differ by.
 TEST_F(Metamorphic, InPreciseAndFixedArithmeticEveryBitCounts) {
-  struct {
-    std::string_view id;
-    std::string_view name;
-  } constexpr kWays[] = {
-      {"noise3d.perlin.lattice.fixed.fragment.gl330.inlined", "CASE_INLINED"},
-      {"noise3d.perlin.lattice.fixed.fragment.gl330.folded", "CASE_CONSTANT"},
-      {"noise3d.perlin.lattice.fixed.compute.es310.as_fragment", "CASE_COMPUTE"},
-      {"noise3d.perlin.lattice.fixed.vertex.es300.golden", "CASE_VERTEX"},
-      {"noise3d.perlin.lattice.fixed.fragment.gl140.golden", "CASE_FRAGMENT"},
-      {"noise3d.perlin.lattice.fixed.fragment.es300.twin", "CASE_FRAGMENT"},
-      {"noise3d.perlin.lattice.precise.fragment.gl400.inlined", "CASE_INLINED"},
-      {"noise3d.perlin.lattice.precise.vertex.gl400.as_fragment", "CASE_VERTEX"},
-      {"noise3d.perlin.lattice.precise.fragment.gl400.twin", "CASE_FRAGMENT"},
-  };
-  for (const auto& [id, name] : kWays) {
-    sources_ = SourceSet::embedded();
-    const Outcome right = run(id);
-    EXPECT_EQ(right.status, Status::pass) << id << ": " << right.message;
-    EXPECT_EQ(right.max_ulp, 0u) << id;
-    append("perlin3d.glsl",
-           fmt::format("#ifdef {}\n#define hn_perlin(args) uintBitsToFloat(floatBitsToUint(hn_perlin(args)) + 1u)\n"
-                       "#endif",
-                       name));
-    const Outcome wrong = run(id);
-    EXPECT_EQ(wrong.status, Status::fail) << id << ": " << wrong.message;
-    EXPECT_EQ(wrong.mismatches, wrong.samples) << id;
-    EXPECT_NE(wrong.max_ulp, 0u) << id;
+  for (const auto& [name, check] :
+       {Detour{"CASE_INLINED", "fixed.fragment.gl330.inlined"}, Detour{"CASE_CONSTANT", "fixed.fragment.gl330.folded"},
+        Detour{"CASE_COMPUTE", "fixed.compute.es310.as_fragment"}, Detour{"CASE_VERTEX", "fixed.vertex.es300.golden"},
+        Detour{"CASE_FRAGMENT", "fixed.fragment.gl140.golden"}, Detour{"CASE_FRAGMENT", "fixed.fragment.es300.twin"},
+        Detour{"CASE_INLINED", "precise.fragment.gl400.inlined"},
+        Detour{"CASE_VERTEX", "precise.vertex.gl400.as_fragment"},
+        Detour{"CASE_FRAGMENT", "precise.fragment.gl400.twin"}}) {
+    const Outcome wrong =
+        expect_caught({fmt::format("noise3d.perlin.lattice.{}", check), "perlin3d.glsl", kMacro,
+                       "hn_perlin(args) uintBitsToFloat(floatBitsToUint(hn_perlin(args)) + 1u)", name});
+    EXPECT_EQ(wrong.mismatches, wrong.samples) << check;
+    EXPECT_NE(wrong.max_ulp, 0u) << check;
   }
 }
 
 TEST_F(Metamorphic, AVariantNeedsItsSeed) {
-  for (const std::string_view check : {"constant_seed", "uniform_seed"}) {
-    const auto macro = check == "constant_seed" ? "CASE_CONSTANT_SEED" : "CASE_UNIFORM_SEED";
-    append("perlin3d.glsl", fmt::format("#ifdef {}\n#define hn_perlin(args) hn_perlin(p, 0u)\n#endif", macro));
-    EXPECT_NE(run(fmt::format("noise3d.perlin.lattice.fast.fragment.es300.{}", check)).mismatches, 0u) << check;
+  for (const auto& [name, check] :
+       {Detour{"CASE_CONSTANT_SEED", "constant_seed"}, Detour{"CASE_UNIFORM_SEED", "uniform_seed"}}) {
+    expect_caught({fmt::format("noise3d.perlin.lattice.fast.fragment.es300.{}", check), "perlin3d.glsl", kMacro,
+                   "hn_perlin(args) hn_perlin(p, 0u)", name});
   }
 }
 
@@ -137,16 +105,10 @@ TEST_F(Metamorphic, EveryTripOfTheLoopCounts) {
 }
 
 TEST_F(Metamorphic, AConstantPeriodThatCountsOtherwiseIsCaught) {
-  constexpr std::string_view kFault =
-      "#ifdef CASE_CONSTANT_PERIOD\n#define hn_perlin(t, args) hn_perlin(hn_tile(t, period + 1), args)\n#endif";
-  constexpr std::string_view kIds[] = {"noise3d.perlin_cell_period.lattice.fast.fragment.gl330.constant_period",
-                                       "noise3d.perlin_cell_period.lattice.fixed.fragment.gl330.constant_period"};
-  for (const std::string_view id : kIds) {
-    sources_ = SourceSet::embedded();
-    const Outcome right = run(id);
-    EXPECT_EQ(right.status, Status::pass) << id << ": " << right.message;
-    append("perlin3d.glsl", kFault);
-    EXPECT_EQ(run(id).status, Status::fail) << id;
+  for (const std::string_view arithmetic : {"fast", "fixed"}) {
+    expect_caught({fmt::format("noise3d.perlin_cell_period.lattice.{}.fragment.gl330.constant_period", arithmetic),
+                   "perlin3d.glsl", kMacro, "hn_perlin(t, args) hn_perlin(hn_tile(t, period + 1), args)",
+                   "CASE_CONSTANT_PERIOD"});
   }
 }
 

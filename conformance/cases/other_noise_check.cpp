@@ -31,28 +31,6 @@ constexpr Vector kSteepSlopes = {-50.5, 30.25, 16.125};
 constexpr Vector kCutSlopes = {-200.5, 150.25, 129.125};
 constexpr double kGreatestSlope = 128.0;
 
-// The constants that the sum cuts off, and it shows: other sums cut off their mean or their sum of slopes as well.
-std::vector<Constant> constants_cut_off(const Function& function, Arithmetic arithmetic) {
-  switch (octave_sum_of(function)) {
-    case OctaveSum::fbm_d:
-      if (arithmetic != Arithmetic::fixed) return {};
-      return {{-0.5, kCutSlopes}};
-    case OctaveSum::ridged:
-    case OctaveSum::hybrid:
-    case OctaveSum::ping_pong:
-      return {{1.25, kConstantSlopes}, {-1.25, kConstantSlopes}};
-    default:
-      return {};
-  }
-}
-
-std::vector<Constant> constants_of(const Function& function, Arithmetic arithmetic) {
-  const bool sums_slopes = octave_sum_of(function) == OctaveSum::fbm_d;
-  std::vector<Constant> constants = {{-0.5, sums_slopes ? kSteepSlopes : kConstantSlopes}};
-  std::ranges::copy(constants_cut_off(function, arithmetic), std::back_inserter(constants));
-  return constants;
-}
-
 struct ConstantSum {
   OctaveSum kind;
   int axes;
@@ -127,6 +105,32 @@ double sum_of_constant_noise(const ConstantSum& sum) {
       return sum.octaves > 0 ? std::clamp(sum.amplitude, 0.0, 64.0) * sum.constant.noise : 0.0;
   }
   return 0.0;
+}
+
+// Whether cutting off the noise of an octave at 1 and -1 shows: at these the value of other sums is at its own ends, to
+// which their mean is cut off as well.
+bool cut_shows(OctaveSum kind, double noise) {
+  constexpr double kSomeStrength = 0.75;
+  const ConstantSum sum{kind, 1, true, 1, 2.0, 0.5, kSomeStrength, 1.0, {noise, kConstantSlopes}};
+  return is_clamped(facts_of(kind).rule.step) && !has_jacobian(facts_of(kind).rule.step) &&
+         std::fabs(sum_of_constant_noise(sum)) != 1.0;
+}
+
+// The constants that the sum cuts off, and it shows.
+std::vector<Constant> constants_cut_off(const Function& function, Arithmetic arithmetic) {
+  if (function.has_slopes()) {
+    if (arithmetic != Arithmetic::fixed) return {};
+    return {{-0.5, kCutSlopes}};
+  }
+  const OctaveSum kind = octave_sum_of(function);
+  if (!cut_shows(kind, 1.25) && !cut_shows(kind, -1.25)) return {};
+  return {{1.25, kConstantSlopes}, {-1.25, kConstantSlopes}};
+}
+
+std::vector<Constant> constants_of(const Function& function, Arithmetic arithmetic) {
+  std::vector<Constant> constants = {{-0.5, function.has_slopes() ? kSteepSlopes : kConstantSlopes}};
+  std::ranges::copy(constants_cut_off(function, arithmetic), std::back_inserter(constants));
+  return constants;
 }
 
 // The derivatives, and how far a result may be from them: an octave multiplies the slopes by numbers that are rounded
@@ -207,7 +211,7 @@ std::string with_constant_noise(const Function& function, const Constant& consta
 // and with a period the library rounds the lacunarity.
 ConstantSum settings_of(const Function& function, std::span<const std::uint32_t> inputs, const Constant& constant) {
   const auto word = [&](std::string_view name) { return inputs[static_cast<std::size_t>(function.input(name))]; };
-  const auto number = [&](std::string_view name) { return static_cast<double>(std::bit_cast<float>(word(name))); };
+  const auto number = [&](std::string_view name) { return number_of(word(name)); };
   const auto octaves_of = [](double detail) { return detail < 0x1p-32 ? 0 : static_cast<int>(std::ceil(detail)); };
   const int octaves =
       function.takes_detail() ? octaves_of(number("detail")) : static_cast<std::int32_t>(word("octaves"));
@@ -259,7 +263,7 @@ bool cuts_noise_off(const Function& function, Arithmetic arithmetic) {
 }
 
 // The sums of the library, over constant noises.
-Outcome check_other_noise(Session& session, const Evaluation& evaluation) {
+Judged check_other_noise(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   Words inputs = random_points(function, property_points(session, function), Random(session.seed, "other noise"));
   if (function.takes_footprint()) {  // that no octave fades
@@ -270,10 +274,9 @@ Outcome check_other_noise(Session& session, const Evaluation& evaluation) {
   for (const Constant& constant : constants_of(function, configuration.arithmetic)) {
     if (constant.slopes == kCutSlopes) flatten(function, inputs);
     const std::string knobs = with_constant_noise(function, constant);
-    const auto outputs = evaluate(session, {function, configuration, profile, {.knobs = knobs}}, inputs);
-    if (!outputs) return outputs.error();
+    HN_TRY(const auto outputs, evaluate(session, {function, configuration, profile, {.knobs = knobs}}, inputs));
     for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
-      compare(comparison, evaluation, constant, point(inputs, i), result(*outputs, i));
+      compare(comparison, evaluation, constant, point(inputs, i), result(outputs, i));
     }
   }
   return comparison.finish();

@@ -116,17 +116,16 @@ Words places() {
   return inputs;
 }
 
-Outcome check_positions(Session& session, const Evaluation& evaluation) {
+Judged check_positions(Session& session, const Evaluation& evaluation) {
   const Words inputs = places();
-  const auto outputs = evaluate(session, evaluation, inputs);
-  if (!outputs) return outputs.error();
+  HN_TRY(const auto outputs, evaluate(session, evaluation, inputs));
   Comparison comparison(evaluation.function, inputs);
   for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
     const auto in = point(inputs, i);
     for (std::size_t axis = 0; axis < in[kAxes]; ++axis) {
       const bool is_cell = in[kWay] == kCellAlone || in[kWay] == kAtTheEnd;
       const std::uint32_t right = is_cell ? bits_of(static_cast<std::int32_t>(in[axis])) : in[kPositions + axis];
-      comparison.bits(in, result(*outputs, i)[axis], right, axis);
+      comparison.bits(in, result(outputs, i)[axis], right, axis);
     }
   }
   return comparison.finish();

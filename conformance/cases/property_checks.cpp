@@ -37,18 +37,14 @@ double largest_of(const Function& function, const Configuration& configuration, 
   return configuration.arithmetic == Arithmetic::fixed ? bounds.fixed_limit : bounds.limit;
 }
 
-double number(const Function& function, std::span<const std::uint32_t> inputs, std::string_view name) {
-  return static_cast<double>(std::bit_cast<float>(inputs[static_cast<std::size_t>(function.input(name))]));
-}
-
 // The largest derivative of an octave sum: that of the noise along any direction, times what octaves grow by. Integers
 // of a Jacobian that has grown too large wrap, but no derivative has more of them.
 double largest_slope_of(const Function& function, const Configuration& configuration,
                         std::span<const std::uint32_t> inputs) {
   const bool fixed = configuration.arithmetic == Arithmetic::fixed;
   const double most_gain = fixed ? 1.0 : std::numeric_limits<double>::infinity();
-  const double gain = std::clamp(number(function, inputs, "gain"), 0.0, most_gain);
-  const double lacunarity = std::fabs(number(function, inputs, "lacunarity"));
+  const double gain = std::clamp(number_of(function, inputs, "gain"), 0.0, most_gain);
+  const double lacunarity = std::fabs(number_of(function, inputs, "lacunarity"));
   const double growth = gain * (fixed ? std::min(lacunarity, 255.0) : lacunarity);
   constexpr double kStretch = 1.001;
   const auto octaves = static_cast<std::int32_t>(inputs[static_cast<std::size_t>(function.input("octaves"))]);
@@ -70,13 +66,13 @@ double largest_of_gullies(const Function& function, const Configuration& configu
                           std::span<const std::uint32_t> inputs, std::size_t output) {
   if (function.is_slope(output)) return 16.0;
   const bool fixed = configuration.arithmetic == Arithmetic::fixed;
-  const double gain = number(function, inputs, "gain");
+  const double gain = number_of(function, inputs, "gain");
   const auto octaves = static_cast<std::int32_t>(inputs[static_cast<std::size_t>(function.input("octaves"))]);
   double total = 0.0;
   for (int i = 0; i < std::min(octaves, 32); ++i) {
     total += std::pow(fixed ? std::clamp(gain, 0.0, 1.0) : gain, i);
   }
-  return 1.00001 * std::clamp(number(function, inputs, "depth"), 0.0, 8.0) * total + (fixed ? 0x1p-12 : 0.0);
+  return 1.00001 * std::clamp(number_of(function, inputs, "depth"), 0.0, 8.0) * total + (fixed ? 0x1p-12 : 0.0);
 }
 
 // The range of an output of the function; it may depend on the settings.
@@ -97,7 +93,7 @@ Range range_of(const Function& function, const Configuration& configuration, std
     return {-slope, slope};
   }
   if (function.takes_amplitude()) {
-    const auto amplitude = static_cast<float>(std::clamp(number(function, inputs, "amplitude"), 0.0, 64.0));
+    const auto amplitude = static_cast<float>(std::clamp(number_of(function, inputs, "amplitude"), 0.0, 64.0));
     return {-amplitude, amplitude};
   }
   const auto largest = static_cast<float>(largest_of(function, configuration, output));
@@ -118,7 +114,7 @@ void require_inside(Comparison& comparison, std::span<const std::uint32_t> input
 double mean_of(const Words& words) {
   double sum = 0.0;
   for (std::size_t i = 0; i < words.size(); i += kOutputWords) {
-    sum += static_cast<double>(std::bit_cast<float>(words[i]));
+    sum += number_of(words[i]);
   }
   return sum * kOutputWords / static_cast<double>(words.size());
 }
@@ -130,8 +126,8 @@ double correlation(const Words& first, const Words& second) {
   double products = 0.0;
   double squares = 0.0;
   for (std::size_t i = 0; i < first.size(); i += kOutputWords) {
-    const double a = static_cast<double>(std::bit_cast<float>(first[i])) - mean_of_first;
-    const double b = static_cast<double>(std::bit_cast<float>(second[i])) - mean_of_second;
+    const double a = number_of(first[i]) - mean_of_first;
+    const double b = number_of(second[i]) - mean_of_second;
     products += a * b;
     squares += (a * a + b * b) / 2.0;
   }
@@ -247,7 +243,7 @@ void move_to_inner_point(const Function& function, std::span<std::uint32_t> coor
 }  // namespace
 
 // Noise is 0 at lattice points, near and far.
-Outcome check_zero(Session& session, const Evaluation& evaluation) {
+Judged check_zero(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
   Random random(session.seed, "zero");
   Words inputs = random_points(function, property_points(session, function), random);
@@ -259,11 +255,10 @@ Outcome check_zero(Session& session, const Evaluation& evaluation) {
     const bool inner = function.is_simplex_noise() && random.below(2) == 0;
     if (inner) move_to_inner_point(function, std::span(inputs).subspan(i, axes), random);
   }
-  const auto outputs = evaluate(session, evaluation, inputs);
-  if (!outputs) return outputs.error();
+  HN_TRY(const auto outputs, evaluate(session, evaluation, inputs));
   Comparison comparison(function, inputs);
   for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
-    comparison.number(point(inputs, i), std::bit_cast<float>(result(*outputs, i)[0]), 0.0, 0.0);
+    comparison.number(point(inputs, i), std::bit_cast<float>(result(outputs, i)[0]), 0.0, 0.0);
   }
   return comparison.finish();
 }
@@ -286,16 +281,15 @@ float used_of(const Function& function) {
 }
 
 // Values keep to their range; and, for noise, a good part of it is used.
-Outcome check_range(Session& session, const Evaluation& evaluation) {
+Judged check_range(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
   const Words inputs = random_points(function, property_points(session, function), Random(session.seed, "range"));
-  const auto outputs = evaluate(session, evaluation, inputs);
-  if (!outputs) return outputs.error();
+  HN_TRY(const auto outputs, evaluate(session, evaluation, inputs));
   Comparison comparison(function, inputs);
   for (std::size_t word = 0; word < function.outputs.size(); ++word) {
     float largest = 0.0f;
     for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
-      const float value = std::bit_cast<float>(result(*outputs, i)[word]);
+      const float value = std::bit_cast<float>(result(outputs, i)[word]);
       largest = std::max(largest, std::fabs(value));
       require_inside(comparison, point(inputs, i), value,
                      range_of(function, evaluation.configuration, point(inputs, i), word));
@@ -310,19 +304,18 @@ Outcome check_range(Session& session, const Evaluation& evaluation) {
 
 // Wherever a float can point, values are numbers, keep to their range, and are 0 where no axis has a fraction: from
 // 2^23 on. So do those of fixed arithmetic, and those of octave sums, for NaN.
-Outcome check_finite(Session& session, const Evaluation& evaluation) {
+Judged check_finite(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
   const bool fixed = evaluation.configuration.arithmetic == Arithmetic::fixed;
   const Words inputs = random_points(function, property_points(session, function), Random(session.seed, "finite"),
                                      fixed ? Extremes::integers : Extremes::floats);
-  const auto outputs = evaluate(session, evaluation, inputs);
-  if (!outputs) return outputs.error();
+  HN_TRY(const auto outputs, evaluate(session, evaluation, inputs));
   Comparison comparison(function, inputs);
   for (std::size_t word = 0; word < function.outputs.size(); ++word) {
     for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
       const auto in = point(inputs, i);
       const bool zero = !function.is_slope(word) && is_far_from_fractions(function, in);
-      const float value = std::bit_cast<float>(result(*outputs, i)[word]);
+      const float value = std::bit_cast<float>(result(outputs, i)[word]);
       const Range range = range_of(function, evaluation.configuration, in, word);
       require_inside(comparison, in, value, zero ? Range{0.0f, 0.0f} : range);
     }
@@ -330,16 +323,14 @@ Outcome check_finite(Session& session, const Evaluation& evaluation) {
   if (!fixed && !function.is_octave_sum()) return comparison.finish();
   const Words absurd = with_absurd_numbers(function, inputs, Random(session.seed, "absurd"));
   const Words ends = with_ends(function, absurd);
-  const auto values = evaluate(session, evaluation, absurd);
-  if (!values) return values.error();
-  const auto expected = fixed ? evaluate(session, evaluation, ends) : values;
-  if (!expected) return expected.error();
+  HN_TRY(const auto values, evaluate(session, evaluation, absurd));
+  HN_TRY(const auto expected, fixed ? evaluate(session, evaluation, ends) : values);
   comparison.next_grid(absurd);
   for (std::size_t i = 0; i < absurd.size() / kInputWords; ++i) {
     for (std::size_t word = 0; word < function.outputs.size(); ++word) {
       const auto in = point(absurd, i);
-      const float value = std::bit_cast<float>(result(*values, i)[word]);
-      if (!has_nan(function, in)) comparison.bits(in, result(*values, i)[word], result(*expected, i)[word], word);
+      const float value = std::bit_cast<float>(result(values, i)[word]);
+      if (!has_nan(function, in)) comparison.bits(in, result(values, i)[word], result(expected, i)[word], word);
       if ((function.is_slope(word) || function.is_gullies()) && !fixed) {
         comparison.require(std::isfinite(value), in, value, "a number");
       } else {
@@ -352,31 +343,28 @@ Outcome check_finite(Session& session, const Evaluation& evaluation) {
 
 // Fields of different seeds are uncorrelated: pairs of neighbouring seeds, of seeds that differ in the highest bit, and
 // of the seed of the next octave.
-Outcome check_seeds(Session& session, const Evaluation& evaluation) {
+Judged check_seeds(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
   constexpr std::uint32_t kOffsets[] = {1u, 0x80000000u, 0x9E3779B9u};
   const auto seed = static_cast<std::size_t>(function.seed_word());
   const Words inputs = scattered_points(session, function, "seeds");
-  const auto first = balanced(session, evaluation, inputs);
-  if (!first) return first.error();
+  HN_TRY(const auto first, balanced(session, evaluation, inputs));
   Comparison comparison(function, inputs);
   for (const std::uint32_t offset : kOffsets) {
     Words others = inputs;
     for (std::size_t i = seed; i < others.size(); i += kInputWords) others[i] += offset;
-    const auto second = balanced(session, evaluation, others);
-    if (!second) return second.error();
-    require_uncorrelated(comparison, inputs, *first, *second, fmt::format("seeds {:#x} apart", offset));
+    HN_TRY(const auto second, balanced(session, evaluation, others));
+    require_uncorrelated(comparison, inputs, first, second, fmt::format("seeds {:#x} apart", offset));
   }
   return comparison.finish();
 }
 
 // No quadrant mirrors another: points are compared with their reflections in every set of axes, and with their
 // coordinates in another order.
-Outcome check_mirror(Session& session, const Evaluation& evaluation) {
+Judged check_mirror(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
   const Words inputs = scattered_points(session, function, "mirror");
-  const auto first = balanced(session, evaluation, inputs);
-  if (!first) return first.error();
+  HN_TRY(const auto first, balanced(session, evaluation, inputs));
   const auto axes = static_cast<std::size_t>(function.axes);
   Comparison comparison(function, inputs);
   for (std::size_t reflected = 0; reflected < (std::size_t{1} << axes); ++reflected) {
@@ -389,10 +377,9 @@ Outcome check_mirror(Session& session, const Evaluation& evaluation) {
           others[i + axis] = inputs[i + (axis + rotated) % axes] ^ sign;
         }
       }
-      const auto second = balanced(session, evaluation, others);
-      if (!second) return second.error();
+      HN_TRY(const auto second, balanced(session, evaluation, others));
       require_uncorrelated(
-          comparison, inputs, *first, *second,
+          comparison, inputs, first, second,
           fmt::format("points and their images (reflected axes {:#b}, rotated by {})", reflected, rotated));
     }
   }

@@ -115,7 +115,7 @@ std::optional<double> largest_change(const Function& function, const Configurati
 
 // The points of a pair are two units apart, one on each side, or one unit and one of them on the plane. The largest
 // change of a noise or a derivative in between is proven (bounds.inc).
-Outcome check_seams(Session& session, const Evaluation& evaluation) {
+Judged check_seams(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   const auto axes = static_cast<std::size_t>(function.axes);
   Random random(session.seed, "seams");
@@ -136,17 +136,15 @@ Outcome check_seams(Session& session, const Evaluation& evaluation) {
     }
     distances.push_back(sides == 0 ? 2.0 * kUnit : kUnit);
   }
-  const auto expected = evaluate(session, evaluation, before);
-  if (!expected) return expected.error();
-  const auto got = evaluate(session, evaluation, after);
-  if (!got) return got.error();
+  HN_TRY(const auto expected, evaluate(session, evaluation, before));
+  HN_TRY(const auto got, evaluate(session, evaluation, after));
   Comparison comparison(function, after);
   for (std::size_t i = 0; i < distances.size(); ++i) {
     for (std::size_t word = 0; word < function.outputs.size(); ++word) {
       const auto change = largest_change(function, configuration, point(after, i), word, distances[i]);
       if (!change) continue;
-      comparison.number(point(after, i), std::bit_cast<float>(result(*got, i)[word]),
-                        static_cast<double>(std::bit_cast<float>(result(*expected, i)[word])), *change, word);
+      comparison.number(point(after, i), std::bit_cast<float>(result(got, i)[word]),
+                        number_of(result(expected, i)[word]), *change, word);
     }
   }
   return comparison.finish();

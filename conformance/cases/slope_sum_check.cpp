@@ -23,17 +23,13 @@ Place random_place(Random& random) {
           (64.0 + static_cast<double>(random.below(897))) / 1024.0};
 }
 
-double float_input(const Function& function, std::span<const std::uint32_t> inputs, std::string_view name) {
-  return static_cast<double>(std::bit_cast<float>(inputs[static_cast<std::size_t>(function.input(name))]));
-}
-
 // How fast a derivative along an axis changes along it. Along a step of the length l, which rotations may lay into any
 // direction, a derivative of the noise changes by no more than its Lipschitz constant times l, since no component is
 // longer; and the magnitudes of the components, by which the derivatives count, sum to no more than sqrt(n) l.
 double bend_of(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs) {
   const NoiseBounds& slope = bounds_of(function, configuration, function.outputs.size() - 1);
-  const double gain = float_input(function, inputs, "gain");
-  double lacunarity = float_input(function, inputs, "lacunarity");
+  const double gain = number_of(function, inputs, "gain");
+  double lacunarity = number_of(function, inputs, "lacunarity");
   if (function.takes_period()) lacunarity = std::floor(lacunarity);
   constexpr double kStretch = 1.001;
   const auto octaves = static_cast<std::int32_t>(inputs[static_cast<std::size_t>(function.input("octaves"))]);
@@ -52,7 +48,7 @@ double bend_of(const Function& function, const Configuration& configuration, std
 // The difference to both sides is the mean of the derivative between them, which differs from that in the middle by
 // half of the step times how fast it changes. The step is the power of two at which this and the errors of the values,
 // over the step, are about the least together.
-Outcome check_slope_sum(Session& session, const Evaluation& evaluation) {
+Judged check_slope_sum(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   const Function& plain = find_function(function.plain);
   const auto axes = static_cast<std::size_t>(function.axes);
@@ -88,17 +84,15 @@ Outcome check_slope_sum(Session& session, const Evaluation& evaluation) {
                         errors / (2.0 * step));
     }
   }
-  const auto derivatives = evaluate(session, evaluation, inputs);
-  if (!derivatives) return derivatives.error();
-  const auto values = evaluate(session, {plain, configuration, profile, {}, stage}, sides);
-  if (!values) return values.error();
-  const auto value = [&](std::size_t i) { return static_cast<double>(std::bit_cast<float>(result(*values, i)[0])); };
+  HN_TRY(const auto derivatives, evaluate(session, evaluation, inputs));
+  HN_TRY(const auto values, evaluate(session, {plain, configuration, profile, {}, stage}, sides));
+  const auto value = [&](std::size_t i) { return number_of(result(values, i)[0]); };
   Comparison comparison(function, inputs);
   for (std::size_t i = 0; i < points; ++i) {
     for (std::size_t axis = 0; axis < axes; ++axis) {
       const std::size_t side = 2 * (i * axes + axis);
       const double expected = (value(side + 1) - value(side)) / (2.0 * steps[i]);
-      const float got = std::bit_cast<float>(result(*derivatives, i)[1 + axis]);
+      const float got = std::bit_cast<float>(result(derivatives, i)[1 + axis]);
       comparison.number(point(inputs, i), got, expected, allowed[i * axes + axis], 1 + axis);
     }
   }

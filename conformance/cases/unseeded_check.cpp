@@ -14,14 +14,13 @@
 namespace hn {
 
 // Checks one function, by the twin.
-Outcome check_unseeded(Session& session, const Evaluation& evaluation) {
+Judged check_unseeded(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
   Words inputs = random_points(function, property_points(session, function), Random(session.seed, "unseeded"));
   const auto seed = static_cast<std::size_t>(function.seed_word());
   for (std::size_t i = seed; i < inputs.size(); i += kInputWords) inputs[i] = 0;
-  const auto outputs =
-      evaluate(session, {function, evaluation.configuration, evaluation.profile, {.seeded = false}}, inputs);
-  if (!outputs) return outputs.error();
+  HN_TRY(const auto outputs,
+         evaluate(session, {function, evaluation.configuration, evaluation.profile, {.seeded = false}}, inputs));
   const Words expected = evaluate_twin(function, evaluation.configuration, inputs);
   Comparison comparison(function, inputs);
   for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
@@ -30,7 +29,7 @@ Outcome check_unseeded(Session& session, const Evaluation& evaluation) {
     for (std::size_t word = 0; word < function.outputs.size(); ++word) {
       allowed[word] = allowed_to_twin(function, evaluation.configuration, in, word);
     }
-    compare_with_twin(comparison, evaluation, in, result(*outputs, i), result(expected, i), allowed);
+    compare_with_twin(comparison, evaluation, in, result(outputs, i), result(expected, i), allowed);
   }
   return comparison.finish();
 }
@@ -112,7 +111,7 @@ const Differences& differences_in(std::string_view file, const Configuration& co
   return made;
 }
 
-Outcome check_unseeded_of_file(Session& session, const Evaluation& evaluation) {
+Judged check_unseeded_of_file(Session& session, const Evaluation& evaluation) {
   const Differences& both = differences_in(evaluation.function.file, evaluation.configuration);
   Words inputs;
   for (std::size_t i = 0; i < both.functions.size(); ++i) {
@@ -124,12 +123,11 @@ Outcome check_unseeded_of_file(Session& session, const Evaluation& evaluation) {
   }
   Evaluation way{evaluation};
   way.variant.knobs = both.knobs;
-  const auto outputs = evaluate(session, way, inputs);
-  if (!outputs) return outputs.error();
+  HN_TRY(const auto outputs, evaluate(session, way, inputs));
   Comparison comparison(evaluation.function, inputs);
   for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
     for (std::size_t word = 0; word < kOutputWords; ++word) {
-      comparison.bits(point(inputs, i), result(*outputs, i)[word], 0, word);
+      comparison.bits(point(inputs, i), result(outputs, i)[word], 0, word);
     }
   }
   return comparison.finish();

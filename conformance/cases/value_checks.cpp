@@ -66,12 +66,11 @@ std::uint32_t checksum_of(const Golden& golden, const Words& outputs) {
   return crc32_of(bytes_of(std::span<const std::uint32_t>(words)));
 }
 
-Outcome check_digest(Session& session, const Evaluation& evaluation, const GoldenDigest& digest, Outcome outcome) {
+Judged check_digest(Session& session, const Evaluation& evaluation, const GoldenDigest& digest, Outcome outcome) {
   const Words inputs = digest.inputs();
-  const auto outputs = evaluate(session, evaluation, inputs);
-  if (!outputs) return outputs.error();
+  HN_TRY(const auto outputs, evaluate(session, evaluation, inputs));
   Words values(digest.points());
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = (*outputs)[i * kOutputWords];
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = outputs[i * kOutputWords];
   outcome.samples += values.size();
   const std::uint64_t got = fnv1a64(values);
   if (got == digest.fnv1a64) return outcome;
@@ -84,26 +83,25 @@ Outcome check_digest(Session& session, const Evaluation& evaluation, const Golde
 
 }  // namespace
 
-Outcome check_golden(Session& session, const Evaluation& evaluation) {
+Judged check_golden(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   const auto golden = read_golden(golden_path(session.golden_directory, function), function, configuration);
   if (!golden) return outcome_with(Status::error, golden.error());
   const Words inputs = inputs_of(*golden);
-  const auto outputs = evaluate(session, evaluation, inputs);
-  if (!outputs) return outputs.error();
+  HN_TRY(const auto outputs, evaluate(session, evaluation, inputs));
   Comparison comparison(function, inputs);
   for (std::size_t i = 0; i < golden->rows.size(); ++i) {
-    compare_with_golden(comparison, function, configuration, point(inputs, i), result(*outputs, i),
+    compare_with_golden(comparison, function, configuration, point(inputs, i), result(outputs, i),
                         golden->rows[i].values);
   }
   Outcome outcome = comparison.finish();
-  if (has_exact_values(function, configuration)) outcome.checksum = checksum_of(*golden, *outputs);
+  if (has_exact_values(function, configuration)) outcome.checksum = checksum_of(*golden, outputs);
   if (!golden->digest || outcome.status != Status::pass) return outcome;
   return check_digest(session, evaluation, *golden->digest, outcome);
 }
 
 // As many as fit are evaluated at a time.
-Outcome check_twin(Session& session, const Evaluation& evaluation) {
+Judged check_twin(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   const std::uint64_t all = twin_points(session, evaluation);
   Comparison comparison(function, {});
@@ -112,12 +110,11 @@ Outcome check_twin(Session& session, const Evaluation& evaluation) {
     const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(all - done, session.most_points));
     const Session::PointSet& points = session.twin_points(function, configuration, count, batch);
     const auto inputs = std::span(points.inputs).first(count * kInputWords);
-    const auto outputs = evaluate(session, evaluation, inputs);
-    if (!outputs) return outputs.error();
+    HN_TRY(const auto outputs, evaluate(session, evaluation, inputs));
     const Words expected = evaluate_twin(function, configuration, inputs);
     comparison.next_grid(inputs);
     for (std::size_t i = 0; i < count; ++i) {
-      compare_with_twin(comparison, evaluation, point(inputs, i), result(*outputs, i), result(expected, i),
+      compare_with_twin(comparison, evaluation, point(inputs, i), result(outputs, i), result(expected, i),
                         std::span(points.allowed).subspan(i * function.outputs.size()));
     }
     done += count;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -21,6 +22,12 @@ inline std::span<const std::uint32_t> point(std::span<const std::uint32_t> input
 
 inline std::span<const std::uint32_t> result(std::span<const std::uint32_t> outputs, std::size_t i) {
   return outputs.subspan(i * kOutputWords, kOutputWords);
+}
+
+// A word as the float that it is, and the float input of that name.
+inline double number_of(std::uint32_t word) { return static_cast<double>(std::bit_cast<float>(word)); }
+inline double number_of(const Function& function, std::span<const std::uint32_t> inputs, std::string_view name) {
+  return number_of(inputs[static_cast<std::size_t>(function.input(name))]);
 }
 
 // Evaluates on the driver; the outcome of a failure is ready to be returned.
@@ -61,7 +68,7 @@ const Function* returning(const Function& function);
 Outcome check_compilation(Session& session, const CompilationKind& compilation);
 
 // metamorphic_checks.cpp: the same values, computed in another way.
-Outcome check_pairing(Session& session, const Pairing& pairing);
+Judged check_pairing(Session& session, const Pairing& pairing);
 // Judges the results of both ways: kOutputWords per point.
 Outcome judge_pairing(const Pairing& pairing, std::span<const std::uint32_t> got,
                       std::span<const std::uint32_t> expected);

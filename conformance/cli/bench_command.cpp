@@ -9,6 +9,7 @@
 #include "base/file.hpp"
 #include "base/folder.hpp"
 #include "base/text.hpp"
+#include "bench/counts.hpp"
 #include "bench/foreign.hpp"
 #include "cli/command.hpp"
 #include "run/selection.hpp"

@@ -66,20 +66,11 @@ void run_driver_cases(const Suite& suite, std::unique_ptr<Evaluator> evaluator, 
 // A browser that ends has crashed in the case that ran, as this process does.
 int run_browser_cases(const Job& job, const Browser& browser, const SourceSet& sources) {
   bool absent = false;
-  const CaseEvents events = {.ready =
-                                 [](const ContextInfo& info) {
-                                   report({{"ready", to_json(info)}});
-                                 },
+  const auto told = [](const char* name, nlohmann::ordered_json value) { report({{name, std::move(value)}}); };
+  const CaseEvents events = {.ready = [&](const ContextInfo& info) { told("ready", to_json(info)); },
                              .started = [](const std::string&) {},
-                             .finished =
-                                 [](const CaseResult& result) {
-                                   report({{"result", to_json(result)}});
-                                 },
-                             .absent =
-                                 [&](const std::string& why) {
-                                   absent = true;
-                                   report({{"absent", why}});
-                                 }};
+                             .finished = [&](const CaseResult& result) { told("result", to_json(result)); },
+                             .absent = [&](const std::string& why) { told("absent", why), absent = true; }};
   const auto done = run_in_browser(browser, sources, job.suite.golden, job.ids, events);
   if (done || absent) return EXIT_SUCCESS;
   fmt::print(stderr, "{}\n", done.error().text());

@@ -219,10 +219,9 @@ class Cli(ProgramTest):
         for group in (
             (
                 (f"{perlin}.range", "detail/direction.glsl", "n, 1831)", "n, 3173)"),
-                (f"{perlin}.seeds", "detail/cell2d.glsl", "corners.upper, hn_i_seed_join(s), hn_i_odd(corners.lower, s), 0u)",
-                 "corners.upper, 0u, hn_i_odd(corners.lower, 0u), 0u)"),
-                ("fbm.fbm2.*.fast.*.other_noise", "detail/octave.glsl",
-                 "hn_i_summed(s.value, n, weight)", "hn_i_summed(s.value, n, HN_I_WEIGHT_ONE)"),
+                (f"{perlin}.seeds", "perlin2d.glsl", "hn_perlin(hn_place(p), seed)", "hn_perlin(hn_place(p), 0u)"),
+                ("fbm.fbm2.*.fast.*.other_noise", "detail/octave.glsl", "(s.value, n, weight)",
+                 "(s.value, n, HN_I_WEIGHT_ONE)"),
                 ("fbm.ridged2_cell_period.*.fixed.*.other_noise",),
                 ("config.hash_beyond_the_last.*.gl330.refused_*", "config.glsl", "HN_HASH > 9", "HN_HASH > 99"),
                 ("config.arithmetic_4.*.gl330.*", "config.glsl", "HN_ARITHMETIC > 3", "HN_ARITHMETIC > 99"),

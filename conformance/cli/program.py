@@ -6,6 +6,7 @@ Usage of each of them: NAME_cli_test.py PATH-OF-HN-CONFORM
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -15,6 +16,17 @@ sys.dont_write_bytecode = True
 PROGRAM = sys.argv.pop(1)
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 CHEAP = "bugs.abs_of_int.any.exact.fragment.gl330.defined"  # draws, and needs no list of the cases of all functions
+
+
+def instructions_of(path):
+    """The instructions of a module of SPIR-V, as bench counts them: in functions, without labels and parameters."""
+    listing = subprocess.run(["spirv-dis", "--raw-id", path], capture_output=True, text=True, check=True).stdout
+    count, inside = 0, False
+    for operation in re.findall(r"^\s*(?:%\S+ = )?(Op\w+)", listing, re.MULTILINE):
+        inside = inside and operation != "OpFunctionEnd"
+        count += inside and operation not in ("OpLabel", "OpFunctionParameter")
+        inside = inside or operation == "OpFunction"
+    return count
 
 
 class ProgramTest(unittest.TestCase):

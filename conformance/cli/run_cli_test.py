@@ -5,7 +5,6 @@ import json
 import os
 import pathlib
 import shutil
-import signal
 import subprocess
 import time
 import unittest
@@ -69,21 +68,6 @@ class Run(ProgramTest):
                 return
             time.sleep(0.01)
         self.fail("the run does not begin")
-
-    def test_a_child_that_is_killed_and_one_that_is_stopped_cost_a_case_each(self):
-        process = self.start("--driver", "osmesa", "--driver", "egl", "--timeout", 10, "--jobs", 2, *SOME)
-        self.wait_for_cases(20)
-        pids = children(process.pid)
-        self.assertEqual(set(pids), {"osmesa", "egl"})
-        os.kill(pids["osmesa"], signal.SIGKILL)
-        os.kill(pids["egl"], signal.SIGSTOP)
-        out, _ = process.communicate(timeout=120)
-        self.assertEqual(process.returncode, 1, out)
-        for driver, status in (("osmesa", "crash"), ("egl", "timeout")):
-            statuses = self.statuses(driver)
-            self.assertEqual(list(statuses), self.listed(*SOME))
-            self.assertEqual([s for s in statuses.values() if s not in ("pass", "unsupported")], [status])
-        self.assertFalse((self.out / "journal.jsonl").exists())
 
     def test_a_run_that_is_killed_is_resumed(self):
         process = self.start("--driver", "osmesa", "--jobs", 1, *SOME)

@@ -31,31 +31,22 @@ constexpr int kNotWritten = -1;  // of conclude, and no exit status
 
 constexpr std::chrono::milliseconds kDescribeLimit{60000};
 
-// Asks drivers in processes of their own: what is loaded to find out could crash.
-class Inquiry {
- public:
-  explicit Inquiry(int stop_fd) : stop_fd_(stop_fd) {}
-
-  Result<nlohmann::json> ask(Task task, const std::string& driver) const {
-    const TemporaryFolder scratch;
-    const Job job{.task = task, .driver = driver, .suite = {}, .ids = {}};
-    return report_of(job, scratch.path(), kDescribeLimit, stop_fd_);
-  }
-  int stop_fd() const { return stop_fd_; }
-
- private:
-  int stop_fd_;
-};
+// Asks a driver in a process of its own, since its libraries could crash. It ends once stop_fd can be read.
+Result<nlohmann::json> ask(Task task, const std::string& driver, int stop_fd) {
+  const TemporaryFolder scratch;
+  const Job job{.task = task, .driver = driver, .suite = {}, .ids = {}};
+  return report_of(job, scratch.path(), kDescribeLimit, stop_fd);
+}
 
 struct Devices {
   DeviceCounts counts;
   std::vector<std::string> problems;  // why EGL or Vulkan does not list them
 };
 
-Devices find_devices(const Inquiry& inquiry) {
+Devices find_devices(int stop_fd) {
   Devices devices;
   const auto count = [&](Task task, std::string_view what) {
-    const auto report = inquiry.ask(task, "");
+    const auto report = ask(task, "", stop_fd);
     if (report) return report->value("devices", 0);
     devices.problems.push_back(fmt::format("{} does not list its devices: {}", what, report.error().text()));
     return 0;
@@ -72,7 +63,7 @@ struct DriverChoice {
 };
 
 // Names, globs, and "all"; each driver once.
-Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, const Inquiry& inquiry) {
+Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, int stop_fd) {
   DriverChoice choice;
   const auto add = [&](const std::string& name) {
     if (std::find(choice.names.begin(), choice.names.end(), name) == choice.names.end()) choice.names.push_back(name);
@@ -85,7 +76,7 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, cons
     }
     const std::string glob = name == "all" ? "*" : name;
     const bool is_glob = glob.find_first_of("*?[") != std::string::npos;
-    const Devices devices = is_glob ? find_devices(inquiry) : Devices{};
+    const Devices devices = is_glob ? find_devices(stop_fd) : Devices{};
     choice.problems.insert(choice.problems.end(), devices.problems.begin(), devices.problems.end());
     bool found = false;
     for (const Driver& driver : is_glob ? all_drivers(devices.counts) : std::vector<Driver>{}) {
@@ -109,8 +100,8 @@ int turns_of(std::string_view renderer) {
 }
 
 // The driver's support and renderer, as far as the driver reports them; else nothing.
-std::optional<DealtDriver> describe_for_deal(const std::string& name, const Inquiry& inquiry) {
-  const auto report = inquiry.ask(Task::describe, name);
+std::optional<DealtDriver> describe_for_deal(const std::string& name, int stop_fd) {
+  const auto report = ask(Task::describe, name, stop_fd);
   if (!report || !report->contains("ready")) return std::nullopt;
   const std::string renderer = context_info_from(report->at("ready")).renderer;
   if (const Browser* browser = find_driver(name)->browser) {
@@ -149,12 +140,12 @@ DriverPlan plan_of(const std::string& driver, const std::vector<Case>& cases, co
 
 // A driver that does not report its support gets every case, and its run reports why it is not here.
 void deal_among(std::vector<DriverPlan>& plans, const std::vector<std::string>& names, const std::vector<Case>& cases,
-                const Inquiry& inquiry) {
+                int stop_fd) {
   std::vector<DealtDriver> drivers;
   std::vector<std::size_t> dealt_to;  // of the drivers, places in plans
   for (const std::string& name : names) {
     plans.push_back(plan_of(name, cases, Shard{}));
-    if (auto described = describe_for_deal(name, inquiry)) {
+    if (auto described = describe_for_deal(name, stop_fd)) {
       drivers.push_back(std::move(*described));
       dealt_to.push_back(plans.size() - 1);
     }
@@ -169,18 +160,18 @@ void deal_among(std::vector<DriverPlan>& plans, const std::vector<std::string>& 
 
 // The drivers of a platform deal its cases among themselves.
 std::vector<DriverPlan> deal_plans(const std::vector<std::string>& names, const std::vector<Case>& cases, bool thorough,
-                                   const Inquiry& inquiry) {
+                                   int stop_fd) {
   std::vector<DriverPlan> plans;
   std::map<Platform, std::vector<std::string>> by_platform;
   for (const std::string& name : names) by_platform[find_driver(name)->platform].push_back(name);
   for (const auto& [platform, some] : by_platform)
-    deal_among(plans, some, cases_for(platform, thorough, false, cases), inquiry);
+    deal_among(plans, some, cases_for(platform, thorough, false, cases), stop_fd);
   return plans;
 }
 
 // Plans the work of every driver: the cases that need one; and of glslang, which always runs, the others.
 std::vector<DriverPlan> plan_drivers(std::vector<std::string> names, std::vector<Case> cases, const Shard& shard,
-                                     bool dealt, bool thorough, const Inquiry& inquiry) {
+                                     bool dealt, bool thorough, int stop_fd) {
   std::erase(names, std::string(kReferenceCompiler));
   const auto of_drivers =
       std::stable_partition(cases.begin(), cases.end(), [](const Case& test) { return !test.needs_driver(); });
@@ -188,7 +179,7 @@ std::vector<DriverPlan> plan_drivers(std::vector<std::string> names, std::vector
   cases.erase(of_drivers, cases.end());
   std::vector<DriverPlan> plans;
   if (dealt) {
-    plans = deal_plans(names, for_drivers, thorough, inquiry);
+    plans = deal_plans(names, for_drivers, thorough, stop_fd);
   } else {
     for (const std::string& name : names) {
       const Driver driver = *find_driver(name);
@@ -308,20 +299,20 @@ Result<RunInputs> read_inputs(const RunSelection& selection, const RunExecution&
 }
 
 Result<RunPlan> make_plan(const RunSelection& selection, const RunExecution& execution, const DriverChoice& choice,
-                          const RunInputs& inputs, const Inquiry& inquiry) {
+                          const RunInputs& inputs, int stop_fd) {
   HN_TRY(auto shard, parse_shard(selection.shard));
   if (selection.deal && !selection.shard.empty()) {
     return fail("--deal and --shard cannot be combined: each machine would deal to its own drivers");
   }
   RunPlan plan{.drivers = plan_drivers(choice.names, inputs.chosen.cases, shard, selection.deal, inputs.chosen.thorough,
-                                       inquiry),
+                                       stop_fd),
                .suite = execution.suite,
                .shard = selection.shard,
                .jobs = execution.jobs,
                .limit = std::chrono::milliseconds(static_cast<std::int64_t>(execution.timeout * 1000.0)),
                .expectations = inputs.expectations,
                .fail_fast = execution.fail_fast,
-               .stop_fd = inquiry.stop_fd()};
+               .stop_fd = stop_fd};
   plan.suite.thorough = selection.thorough;
   if (plan.drivers.empty())
     return fail("there is nothing to do: no case is for one of these drivers, or it needs --thorough");
@@ -373,14 +364,14 @@ int ended_before_results(const Interruption& interruption) {
 
 int run(const DriversCommand&, Interruption& interruption) {
   interruption.note_the_first();
-  const Inquiry inquiry(interruption.fd());
+  const int stop_fd = interruption.fd();
   bool usable = false;
-  const Devices devices = find_devices(inquiry);
+  const Devices devices = find_devices(stop_fd);
   if (interruption.signal() != 0) return ended_before_results(interruption);
   for (const std::string& problem : devices.problems) complain(problem);
   for (const Driver& driver : all_drivers(devices.counts)) {
     fmt::print("{:<18} {}\n", driver.name, driver.description);
-    const auto report = inquiry.ask(Task::describe, driver.name);
+    const auto report = ask(Task::describe, driver.name, stop_fd);
     if (interruption.signal() != 0) return ended_before_results(interruption);
     if (report && report->contains("ready")) {
       const ContextInfo info = context_info_from(report->at("ready"));
@@ -403,10 +394,10 @@ int run(const RunCommand& command, Interruption& interruption) {
   const auto inputs = read_inputs(selection, execution);
   if (!inputs) return usage_error(inputs.error().text());
   interruption.note_the_first();
-  const Inquiry inquiry(interruption.fd());
-  const auto choice = choose_drivers(selection.drivers, inquiry);
+  const int stop_fd = interruption.fd();
+  const auto choice = choose_drivers(selection.drivers, stop_fd);
   if (!choice) return usage_error(choice.error().text());
-  const auto plan = make_plan(selection, execution, *choice, *inputs, inquiry);
+  const auto plan = make_plan(selection, execution, *choice, *inputs, stop_fd);
   if (interruption.signal() != 0) return ended_before_results(interruption);
   if (!plan) return usage_error(plan.error().text());
   const auto folder = prepare_results(output.out);

@@ -4,7 +4,10 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
+
+#pragma GCC diagnostic error "-Wswitch"  // a metric that is added compiles only when the search has it
 
 namespace hn {
 namespace {
@@ -12,8 +15,6 @@ namespace {
 using Word = std::uint32_t;
 using Coordinates = std::array<std::int64_t, 3>;
 using Vector = std::array<double, 3>;
-
-enum class Metric { euclidean = 1, squared, manhattan, chebyshev, hybrid };
 
 // --- Input ---
 
@@ -109,7 +110,7 @@ Place place_of(const Function& function, const Configuration& configuration, std
   place.jitter = function.takes_jitter() ? std::clamp(number(function.input("jitter")), 0.0, 1.0) : 1.0;
   place.jitter_units = static_cast<std::int64_t>(place.jitter * kUnits);
   const std::int64_t metric = function.input("metric") >= 0 ? whole(function.input("metric")) : 1;
-  place.metric = metric >= 1 && metric <= 5 ? static_cast<Metric>(metric) : Metric::euclidean;
+  place.metric = metric >= 1 && metric <= kMetrics ? static_cast<Metric>(metric) : Metric::euclidean;
   place.seed = word(function.seed_word());
   place.pcg = configuration.hash == "PCG";
   if (function.takes_phase()) put_phase(place, std::bit_cast<float>(word(function.input("phase"))));
@@ -202,9 +203,9 @@ double rank_of(const VisiblePoint& seen, Metric metric, bool fixed) {
       return sum + (fixed ? floor_of(seen.square / 0x1p8) : seen.square);
     case Metric::euclidean:
     case Metric::squared:
-      break;
+      return seen.square;
   }
-  return seen.square;
+  throw std::logic_error("the search has no such metric");
 }
 
 // The root of 2^8 times a number, rounded down.
@@ -217,9 +218,17 @@ double root_of(double number) {
 }
 
 double distance_of(double rank, Metric metric, bool fixed) {
-  if (metric == Metric::euclidean) return fixed ? root_of(rank) * 0x1p-18 : std::sqrt(rank);
-  if (!fixed) return rank;
-  return metric == Metric::squared ? floor_of(rank / 0x1p8) * 0x1p-20 : rank * 0x1p-20;
+  switch (metric) {
+    case Metric::euclidean:
+      return fixed ? root_of(rank) * 0x1p-18 : std::sqrt(rank);
+    case Metric::squared:
+      return fixed ? floor_of(rank / 0x1p8) * 0x1p-20 : rank;
+    case Metric::manhattan:
+    case Metric::chebyshev:
+    case Metric::hybrid:
+      return fixed ? rank * 0x1p-20 : rank;
+  }
+  throw std::logic_error("the search has no such metric");
 }
 
 // Where a direction has gone.

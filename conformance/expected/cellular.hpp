@@ -11,6 +11,16 @@
 
 namespace hn {
 
+// The metrics of the catalog, and how many they are. Any other number counts as Euclidean.
+enum class Metric {
+#define METRIC(name, number) name = number,
+#include "library/metrics.inc"
+};
+inline constexpr std::uint32_t kMetrics = 0
+#define METRIC(name, number) +1
+#include "library/metrics.inc"
+    ;
+
 // How many cells a search goes to each side: far more than could matter.
 inline constexpr int kSearchReach = 3;
 

@@ -27,12 +27,13 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little);
 
-// A number that names no metric or noise today may name one later, so its value is not frozen.
+// How many metrics and noises there were in version 1.0: of these the points are drawn, so that they stay. A number
+// that named none may name one later, and its value is not frozen.
 constexpr std::uint32_t kMetrics = 5;
 constexpr std::uint32_t kSpreads = 18;
 
 std::vector<std::uint32_t> frozen_points(const hn::Function& function, hn::Extremes extremes, std::size_t count) {
-  std::vector<std::uint32_t> words = hn::random_points(function, count, hn::Random(1, function.id), extremes);
+  std::vector<std::uint32_t> words = hn::random_points(function, count, hn::Random(1, function.id), extremes, kMetrics);
   for (const auto& [name, names] : {std::pair("metric", kMetrics), std::pair("spread", kSpreads)}) {
     const int column = function.input(name);
     if (column < 0) continue;

@@ -65,9 +65,18 @@ Pairing pairing_on(const Evaluation& evaluation, Words inputs) {
                     has_same_bits(evaluation.function, evaluation.configuration));
 }
 
+// As the function's words have it: a position is that of its cell and its fraction, and octaves are a whole detail.
 std::uint32_t word_for(const Column& column, const Function& function, std::span<const std::uint32_t> inputs) {
   const int from = function.input(column.name);
   if (from >= 0) return inputs[static_cast<std::size_t>(from)];
+  const auto number = [&](std::string_view name) {
+    return std::bit_cast<float>(inputs[static_cast<std::size_t>(function.input(name))]);
+  };
+  if (const int cell = function.input(fmt::format("c{}", column.name)); cell >= 0) {
+    const auto whole = static_cast<float>(static_cast<std::int32_t>(inputs[static_cast<std::size_t>(cell)]));
+    return std::bit_cast<std::uint32_t>(whole + number(fmt::format("f{}", column.name)));
+  }
+  if (column.name == "octaves") return static_cast<std::uint32_t>(static_cast<std::int32_t>(number("detail")));
   if (column.name == "metric") return 1;
   if (column.name == "jitter") return std::bit_cast<std::uint32_t>(1.0f);
   throw std::logic_error(fmt::format("{} has no {}", function.id, column.name));
@@ -306,8 +315,8 @@ Pairing pairing_by_error(const Evaluation& evaluation, const Evaluation& other, 
   return pairing;
 }
 
-void put_phase(const Function& function, Words& inputs, std::size_t i, float phase) {
-  inputs[i + static_cast<std::size_t>(function.input("phase"))] = std::bit_cast<std::uint32_t>(phase);
+void put_float(const Function& function, std::span<std::uint32_t> point, std::string_view column, float value) {
+  point[static_cast<std::size_t>(function.input(column))] = std::bit_cast<std::uint32_t>(value);
 }
 
 // A multiple of 1/64 below one turn, and up to 2^16 whole turns of either sign: a float holds the sum of both.
@@ -321,30 +330,31 @@ float random_turns(Random& random) {
   return static_cast<float>(random.below(2 * kTurns + 1)) - static_cast<float>(kTurns);
 }
 
+// Points at a part of a turn, and others so many turns on.
+template <typename Turns>
+std::pair<Words, Words> turned(const Evaluation& evaluation, std::uint64_t seed, std::string_view name,
+                               std::size_t points, Turns turns) {
+  Random random(seed, name);
+  Words here = points_for(evaluation, seed, points);
+  Words there = here;
+  for (std::size_t i = 0; i < here.size(); i += kInputWords) {
+    const float part = random_part(random);
+    put_float(evaluation.function, std::span(here).subspan(i), "phase", part + turns(random));
+    put_float(evaluation.function, std::span(there).subspan(i), "phase", part);
+  }
+  return {std::move(here), std::move(there)};
+}
+
 }  // namespace
 
 // It holds with fast arithmetic, too: the steps from a phase to its angle are exact.
 Pairing loop_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
-  Random random(seed, "loop");
-  Words here = points_for(evaluation, seed, points);
-  Words there = here;
-  for (std::size_t i = 0; i < here.size(); i += kInputWords) {
-    const float part = random_part(random);
-    put_phase(evaluation.function, here, i, part + random_turns(random));
-    put_phase(evaluation.function, there, i, part);
-  }
+  auto [here, there] = turned(evaluation, seed, "loop", points, random_turns);
   return pairing_of(evaluation, evaluation, std::move(here), std::move(there), true);
 }
 
 Pairing half_turn_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
-  Random random(seed, "half turn");
-  Words here = points_for(evaluation, seed, points);
-  Words there = here;
-  for (std::size_t i = 0; i < here.size(); i += kInputWords) {
-    const float part = random_part(random);
-    put_phase(evaluation.function, here, i, part + 0.5f);
-    put_phase(evaluation.function, there, i, part);
-  }
+  auto [here, there] = turned(evaluation, seed, "half turn", points, [](Random&) { return 0.5f; });
   return pairing_by_error(evaluation, evaluation, std::move(here), std::move(there), -1.0);
 }
 
@@ -365,17 +375,13 @@ Pairing phase_zero_pairing(const Evaluation& evaluation, std::uint64_t seed, std
   Random random(seed, "phase zero");
   Words inputs = points_for(evaluation, seed, points);
   for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
-    put_phase(function, inputs, i, random.below(2) == 0 ? 0.0f : random_turns(random));
+    put_float(function, std::span(inputs).subspan(i), "phase", random.below(2) == 0 ? 0.0f : random_turns(random));
   }
   Words others = inputs_for(other.function, function, inputs);
   return pairing_by_error(evaluation, other, std::move(inputs), std::move(others), scale_with_phase(function));
 }
 
 namespace {
-
-void put_float(const Function& function, std::span<std::uint32_t> point, std::string_view column, float value) {
-  point[static_cast<std::size_t>(function.input(column))] = std::bit_cast<std::uint32_t>(value);
-}
 
 // A cell and a fraction whose sum is a float: 2^11 cells in 2^12 parts, so that the first octaves of floats are exact,
 // or, every fourth, 2^19 cells in eighths.
@@ -398,50 +404,33 @@ ExactPlace random_exact_place(Random& random) {
 // numbers.
 Pairing from_cell_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
-  const Evaluation other{without(function, "cell"), evaluation.configuration, evaluation.profile};
   const auto axes = static_cast<std::size_t>(function.axes);
   Random random(seed, "from cell");
   Words inputs = random_points(function, points, random);
-  Words others(inputs.size());
   for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
-    const auto here = std::span(inputs).subspan(i, kInputWords);
-    const auto there = std::span(others).subspan(i, kInputWords);
-    for (std::size_t axis = 0; axis < axes; ++axis) {
+    for (std::size_t axis = i; axis < i + axes; ++axis) {
       const auto [cell, fraction] = random_exact_place(random);
-      here[axis] = static_cast<std::uint32_t>(cell);
-      here[axes + axis] = std::bit_cast<std::uint32_t>(fraction);
-      there[axis] = std::bit_cast<std::uint32_t>(static_cast<float>(cell) + fraction);
-    }
-    for (std::size_t column = axes; column < other.function.inputs.size(); ++column) {
-      there[column] = here[static_cast<std::size_t>(function.input(other.function.inputs[column].name))];
+      inputs[axis] = static_cast<std::uint32_t>(cell);
+      inputs[axis + axes] = std::bit_cast<std::uint32_t>(fraction);
     }
   }
-  return pairing_of(evaluation, other, std::move(inputs), std::move(others),
-                    has_exact_values(function, evaluation.configuration));
+  return pairing_with(evaluation, without(function, "cell"), std::move(inputs),
+                      has_exact_values(function, evaluation.configuration));
 }
 
 // No octaves, some, and with fixed arithmetic now and then more than it takes.
 Pairing whole_detail_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
-  const Evaluation other{without(function, "detail"), evaluation.configuration, evaluation.profile};
   const bool fixed = evaluation.configuration.arithmetic == Arithmetic::fixed;
   Random random(seed, "whole detail");
   Words inputs = random_points(function, points, random);
-  Words others(inputs.size());
   for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
-    const auto here = std::span(inputs).subspan(i, kInputWords);
-    const auto there = std::span(others).subspan(i, kInputWords);
     const bool many = fixed && random.below(16) == 0;
     const auto octaves = static_cast<std::int32_t>(many ? 31 + random.below(4) : random.below(8)) - 1;
-    put_float(function, here, "detail", static_cast<float>(octaves));
-    for (std::size_t column = 0; column < other.function.inputs.size(); ++column) {
-      const std::string_view name = other.function.inputs[column].name;
-      there[column] = name == "octaves" ? static_cast<std::uint32_t>(octaves)
-                                        : here[static_cast<std::size_t>(function.input(name))];
-    }
+    put_float(function, std::span(inputs).subspan(i), "detail", static_cast<float>(octaves));
   }
-  return pairing_of(evaluation, other, std::move(inputs), std::move(others),
-                    has_same_bits(function, evaluation.configuration));
+  return pairing_with(evaluation, without(function, "detail"), std::move(inputs),
+                      has_same_bits(function, evaluation.configuration));
 }
 
 // Up to half a cell of the last octave, or a quarter of those of gullies, none fades. With floats the compiler may

@@ -1,10 +1,12 @@
 // Points at which the cases evaluate functions, reproducible from a seed.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
 
+#include "expected/cellular.hpp"
 #include "library/functions.hpp"
 
 namespace hn {
@@ -18,6 +20,10 @@ class Random {
   std::uint32_t word() { return static_cast<std::uint32_t>(next() >> 32); }
   std::uint32_t below(std::uint32_t bound) { return static_cast<std::uint32_t>((std::uint64_t{word()} * bound) >> 32); }
   float uniform(float low, float high);  // [low, high)
+  template <typename T, std::size_t count>
+  T one_of(const T (&some)[count]) {
+    return some[below(count)];
+  }
 
  private:
   std::uint64_t state_;
@@ -42,9 +48,9 @@ Extremes defined_extremes(const Configuration& configuration);
 // ends and beyond. Slopes: flat, of hills, at an end and beyond. Phases: none, quarters, tiny, negative, large and any.
 // Periods: none, small, large and odd ones, and then half of the cells and positions lie beside a multiple of theirs.
 // Coordinates of cellular noise are also in the middle of a cell, and beside it. Jitters: 0, 1, between, and rarely
-// beyond; metrics: all, and rarely none. Numbers of items: none, few, powers of two and those beside them, and any up
-// to 2^31; half of the items are among them.
+// beyond; metrics: the first so many, and rarely none. Numbers of items: none, few, powers of two and those beside
+// them, and any up to 2^31; half of the items are among them.
 std::vector<std::uint32_t> random_points(const Function& function, std::size_t count, Random random,
-                                         Extremes extremes = Extremes::none);
+                                         Extremes extremes = Extremes::none, std::uint32_t metrics = kMetrics);
 
 }  // namespace hn

@@ -2,10 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <bit>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
+#include <vector>
 
 #include "library/configurations.hpp"
 
@@ -33,29 +34,29 @@ TEST(OctaveTolerance, EdgesAreNoNan) {
   EXPECT_EQ(octave_tolerance(OctaveSum::fbm, 3, {1.0, 20, 2.0, 1e20, false}), std::numeric_limits<double>::infinity());
 }
 
-std::vector<std::uint32_t> fbm2_inputs(float x, int octaves, float lacunarity) {
-  return {std::bit_cast<std::uint32_t>(x),
-          0u,
-          static_cast<std::uint32_t>(octaves),
-          std::bit_cast<std::uint32_t>(lacunarity),
-          std::bit_cast<std::uint32_t>(0.5f),
-          0u,
-          0u,
-          0u};
+// The tolerance of an output of a row, at a point that the columns give; others are 0, and a gain is 1/2.
+struct Setting {
+  std::string_view column;
+  float value;
+};
+double at(std::string_view id, std::size_t output, const std::vector<Setting>& settings, int octaves = 4,
+          const Configuration& configuration = default_configuration()) {
+  const Function& function = find_function(id);
+  std::vector<std::uint32_t> inputs(kInputWords);
+  const auto set = [&](std::string_view column, std::uint32_t word) {
+    inputs[static_cast<std::size_t>(function.input(column))] = word;
+  };
+  set("gain", std::bit_cast<std::uint32_t>(0.5f));
+  set("octaves", static_cast<std::uint32_t>(octaves));
+  for (const auto& [column, value] : settings) set(column, std::bit_cast<std::uint32_t>(value));
+  return tolerance(function, configuration, inputs, output);
 }
 
 // A position keeps few bits when it is a multiple of 1/32 and the lacunarity a small whole number: each rotation takes
 // five more.
 TEST(Tolerance, ExactRotationsAreRecognised) {
-  const Function& fbm = find_function("fbm.fbm3");
-  const auto tolerance_at = [&](float x, float y, float z, std::uint32_t octaves, float lacunarity) {
-    std::vector<std::uint32_t> inputs(kInputWords);
-    const std::array<float, 3> position = {x, y, z};
-    for (std::size_t axis = 0; axis < 3; ++axis) inputs[axis] = std::bit_cast<std::uint32_t>(position[axis]);
-    inputs[3] = octaves;
-    inputs[4] = std::bit_cast<std::uint32_t>(lacunarity);
-    inputs[5] = std::bit_cast<std::uint32_t>(0.5f);
-    return tolerance(fbm, default_configuration(), inputs, 0);
+  const auto tolerance_at = [](float x, float y, float z, int octaves, float lacunarity) {
+    return at("fbm.fbm3", 0, {{"x", x}, {"y", y}, {"z", z}, {"lacunarity", lacunarity}}, octaves);
   };
   const auto exact = [](double octaves) {
     return octave_tolerance(OctaveSum::fbm, 3, {2.75, octaves, 2.0, 0.5, true});
@@ -70,23 +71,10 @@ TEST(Tolerance, ExactRotationsAreRecognised) {
 
 // From a cell the distance does not count, and the settings are those that the contract cuts off.
 TEST(Tolerance, OfASumFromACellTakesItsSettings) {
-  const auto inputs_of = [](const Function& function, std::uint32_t cell, float f, float lacunarity, float strength) {
-    std::vector<std::uint32_t> inputs(kInputWords);
-    const auto set = [&](std::string_view name, std::uint32_t word) {
-      if (function.input(name) >= 0) inputs[static_cast<std::size_t>(function.input(name))] = word;
-    };
-    const auto set_float = [&](std::string_view name, float value) { set(name, std::bit_cast<std::uint32_t>(value)); };
-    set("cx", cell);
-    set_float("fx", f);
-    set("octaves", 4);
-    set_float("lacunarity", lacunarity);
-    set_float("gain", 0.5f);
-    set_float("strength", strength);
-    return inputs;
-  };
-  const auto of = [&](std::string_view id, std::uint32_t cell, float f, float lacunarity, float strength) {
-    const Function& function = find_function(id);
-    return tolerance(function, default_configuration(), inputs_of(function, cell, f, lacunarity, strength), 0);
+  const auto of = [](std::string_view id, std::uint32_t cell, float f, float lacunarity, float strength) {
+    std::vector<Setting> settings = {{"cx", std::bit_cast<float>(cell)}, {"fx", f}, {"lacunarity", lacunarity}};
+    if (find_function(id).takes_strength()) settings.push_back({"strength", strength});
+    return at(id, 0, settings);
   };
   EXPECT_EQ(of("fbm.fbm2_cell", 7, 0.5f, 2.0f, 0.0f), of("fbm.fbm2_cell", 0x40000000u, 0.5f, 2.0f, 0.0f));
   EXPECT_EQ(of("fbm.fbm2_cell", 7, 0.5f, 255.0f, 0.0f), of("fbm.fbm2_cell", 7, 0.5f, 1e6f, 0.0f));
@@ -101,11 +89,13 @@ TEST(Tolerance, OfASumFromACellTakesItsSettings) {
 }
 
 TEST(Tolerance, ExactPositionsAreRecognised) {
-  const Function& fbm = find_function("fbm.fbm2");
+  const auto of_fbm = [](float x, float lacunarity) {
+    return at("fbm.fbm2", 0, {{"x", x}, {"lacunarity", lacunarity}}, 3);
+  };
   const double exact = octave_tolerance(OctaveSum::fbm, 2, {1.5, 3, 2.0, 0.5, true});
-  EXPECT_EQ(tolerance(fbm, default_configuration(), fbm2_inputs(1.5f, 3, 2.0f), 0), exact);
-  EXPECT_GT(tolerance(fbm, default_configuration(), fbm2_inputs(1.5f, 3, 1.9f), 0), exact);
-  EXPECT_GT(tolerance(fbm, default_configuration(), fbm2_inputs(1e6f, 3, 2.0f), 0), exact);
+  EXPECT_EQ(of_fbm(1.5f, 2.0f), exact);
+  EXPECT_GT(of_fbm(1.5f, 1.9f), exact);
+  EXPECT_GT(of_fbm(1e6f, 2.0f), exact);
 }
 
 TEST(Tolerance, ExactFunctionsHaveNone) {
@@ -117,13 +107,50 @@ TEST(Tolerance, ExactFunctionsHaveNone) {
 }
 
 TEST(Tolerance, OfFixedArithmeticIsNoneAndOfPreciseThatOfFast) {
-  const Function& fbm = find_function("fbm.fbm2");
-  const auto inputs = fbm2_inputs(1.5f, 4, 1.9f);
-  EXPECT_EQ(tolerance(fbm, configuration_named("lattice+fixed"), inputs, 0), 0.0);
-  EXPECT_EQ(tolerance(fbm, configuration_named("lattice+precise"), inputs, 0),
-            tolerance(fbm, default_configuration(), inputs, 0));
-  EXPECT_EQ(tolerance(fbm, configuration_named("lattice+sine+precise"), inputs, 0),
-            tolerance(fbm, configuration_named("lattice+sine"), inputs, 0));
+  const auto with = [](std::string_view configuration) {
+    return at("fbm.fbm2", 0, {{"x", 1.5f}, {"lacunarity", 1.9f}}, 4, configuration_named(configuration));
+  };
+  EXPECT_EQ(with("lattice+fixed"), 0.0);
+  EXPECT_EQ(with("lattice+precise"), with("lattice"));
+  EXPECT_EQ(with("lattice+sine+precise"), with("lattice+sine"));
+}
+
+TEST(Tolerance, OfGulliesTakesItsSettings) {
+  const auto of_gullies = [](std::size_t output, float ex, float lacunarity, float depth) {
+    return at("noise2d.gullies", output, {{"x", 0.5f}, {"ex", ex}, {"lacunarity", lacunarity}, {"depth", depth}});
+  };
+  for (const std::size_t output : {0u, 1u, 2u}) {
+    EXPECT_EQ(of_gullies(output, 1.0f, 2.0f, 0.0f), 0.0);
+    EXPECT_GT(of_gullies(output, 1.0f, 2.0f, 0.1f), 0.0);
+    EXPECT_EQ(of_gullies(output, 1.0f, 2.0f, 0.1f), of_gullies(output, -1.0f, 2.9f, 0.1f));
+    EXPECT_EQ(of_gullies(output, 8.0f, 2.0f, 0.1f), of_gullies(output, 1e20f, 2.0f, 0.1f));
+    EXPECT_LT(of_gullies(output, 3.0f, 2.0f, 0.1f), of_gullies(output, 1.0f, 2.0f, 0.1f));
+  }
+  EXPECT_EQ(of_gullies(1, 1.0f, 2.0f, 0.1f), of_gullies(2, 1.0f, 2.0f, 0.1f));
+  EXPECT_LT(of_gullies(0, 1.0f, 2.0f, 0.1f), of_gullies(1, 1.0f, 2.0f, 0.1f));
+}
+
+TEST(Tolerance, OfGulliesCountsAFootprint) {
+  const auto with = [](float footprint) {
+    return at("noise2d.gullies_footprint", 1,
+              {{"footprint", footprint}, {"ex", 1.0f}, {"lacunarity", 2.0f}, {"depth", 0.1f}});
+  };
+  EXPECT_GT(with(0.0f), with(0.1f));
+  EXPECT_GT(with(0.1f), with(0.3f));
+  EXPECT_LT(with(0.75f), 3e-6);
+}
+
+TEST(Tolerance, OfPerlinWorleyIsThatOfItsTwoSums) {
+  const auto of_sum = [](int octaves, float gain) {
+    return at("noise3d.perlin_worley", 0, {{"x", 1.5f}, {"lacunarity", 2.0f}, {"gain", gain}}, octaves);
+  };
+  const double wisps = octave_tolerance(OctaveSum::fbm, 3, {1.5, 2, 2.0, 0.5, true});
+  const double distance = noise_bounds("cellular_d", 3, Gradient::octahedral).error;
+  EXPECT_GT(of_sum(2, 0.5f), wisps / 2.0 + distance);
+  EXPECT_LT(of_sum(2, 0.5f), wisps / 2.0 + distance + 3e-6);
+  EXPECT_LT(of_sum(0, 0.5f), 1e-6);
+  EXPECT_LT(of_sum(3, 0.5f), of_sum(12, 0.9f));
+  EXPECT_LE(of_sum(30, 1.0f), 1.0);
 }
 
 }  // namespace

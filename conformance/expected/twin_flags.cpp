@@ -66,6 +66,11 @@ float setting(std::string_view name) {
   return name == "gain" ? number(110, 128) : number(120, 135);
 }
 
+constexpr uint kMetrics = 0
+#define METRIC(name, number) +1
+#include "library/metrics.inc"
+    ;
+
 struct Column {
   std::string_view name;
   char kind;  // of f32, i32 or u32
@@ -74,7 +79,7 @@ struct Column {
 // An input word of a column.
 uint input(Column column) {
   const std::string_view name = column.name;
-  if (name == "metric") return word() % 7;
+  if (name == "metric") return word() % (kMetrics + 2);
   if (column.kind != 'f') return name == "octaves" ? word() % 8 - 1u : word();
   for (const std::string_view known : {"gain", "lacunarity", "detail", "strength", "amplitude", "footprint"}) {
     if (name == known) return std::bit_cast<uint>(setting(name));

@@ -19,28 +19,6 @@
 #include "expected/golden.hpp"
 #include "expected/points.hpp"
 
-namespace hashnoise {
-namespace {
-
-float fbm_of_perlin(hn_octaves2 o) {
-  do hn_add(o, hn_perlin(o.place, o.seed));
-  while (hn_next(o));
-  return hn_mean(o);
-}
-float ping_pong_of_perlin(hn_octaves3 o, float strength) {
-  do hn_add_ping_pong(o, hn_perlin(o.place, o.seed), strength);
-  while (hn_next(o));
-  return hn_mean(o);
-}
-float fbm_of_simplex(hn_octaves2 o) {
-  do hn_add(o, hn_simplex(o.place, o.seed));
-  while (hn_next(o));
-  return hn_mean(o);
-}
-
-}  // namespace
-}  // namespace hashnoise
-
 namespace hn {
 
 // How GoogleTest shows one; the name is GoogleTest's.
@@ -74,39 +52,6 @@ INSTANTIATE_TEST_SUITE_P(Configurations, TwinGolden, testing::ValuesIn(all_confi
   return name;
 });
 
-// Published vectors: Landon Curt Noll's test_fnv.c has FNV-1 of "foob" and "chon", four bytes each.
-TEST(Twin, Fnv1OfFourBytesIsThePublishedValue) {
-  EXPECT_EQ(hashnoise::hn_hash_fnv1(0x626F6F66u), 0xB4B1178Bu);  // "foob"
-  EXPECT_EQ(hashnoise::hn_hash_fnv1(0x6E6F6863u), 0xFCC8100Fu);  // "chon"
-}
-
-TEST(Twin, UnseededIsSeedZero) {
-  using namespace hashnoise;
-  EXPECT_EQ(hn_lattice(ivec4(1, -2, 3, -4)), hn_lattice(ivec4(1, -2, 3, -4), 0u));
-  EXPECT_EQ(hn_perlin(vec2(1.25f, -7.5f)), hn_perlin(vec2(1.25f, -7.5f), 0u));
-  EXPECT_EQ(hn_clouds(vec3(0.3f), 5, 2.0f, 0.5f), hn_clouds(vec3(0.3f), 5, 2.0f, 0.5f, 0u));
-}
-
-TEST(Twin, ALoopOverOctavesIsTheLibrarysSum) {
-  using namespace hashnoise;
-  const vec2 p(3.3f, -7.7f);
-  const vec3 q(3.3f, -7.7f, 0.2f);
-  EXPECT_EQ(fbm_of_perlin(hn_octaves(p, 6, 1.9f, 0.6f, 0u)), hn_fbm(p, 6, 1.9f, 0.6f));
-  EXPECT_EQ(fbm_of_perlin(hn_octaves(hn_place(ivec2(1 << 30, -9), vec2(0.3f, 0.7f)), 6, 1.9f, 0.6f, 5u)),
-            hn_fbm(hn_place(ivec2(1 << 30, -9), vec2(0.3f, 0.7f)), 6, 1.9f, 0.6f, 5u));
-  EXPECT_EQ(ping_pong_of_perlin(hn_octaves(hn_tile(q, ivec3(4, 0, 9)), 6, 2.0f, 0.6f, 5u), 1.5f),
-            hn_ping_pong(hn_tile(q, ivec3(4, 0, 9)), 6, 2.0f, 0.6f, 1.5f, 5u));
-  EXPECT_NE(fbm_of_simplex(hn_octaves(p, 6, 1.9f, 0.6f, 0u)), hn_fbm(p, 6, 1.9f, 0.6f));
-  EXPECT_EQ(fbm_of_simplex(hn_octaves(p, 1, 1.9f, 0.6f, 5u)), hn_simplex(p, 5u));
-}
-
-TEST(Twin, PositionAndCellAgree) {
-  using namespace hashnoise;
-  EXPECT_EQ(hn_perlin(vec2(-2.75f, 5.5f), 9u), hn_perlin(hn_place(ivec2(-3, 5), vec2(0.25f, 0.5f)), 9u));
-  EXPECT_EQ(hn_perlin(vec3(-2.75f, 5.5f, 0.125f), 9u),
-            hn_perlin(hn_place(ivec3(-3, 5, 0), vec3(0.25f, 0.5f, 0.125f)), 9u));
-}
-
 // -2^31 fits an int, 2^31 does not.
 TEST(Twin, TheSmallestCellIsThatOfAPosition) {
   using namespace hashnoise;
@@ -114,23 +59,6 @@ TEST(Twin, TheSmallestCellIsThatOfAPosition) {
   EXPECT_EQ(hn_perlin(vec2(-0x1p31f, 0.25f), 9u), hn_perlin(hn_place(ivec2(kSmallest, 0), vec2(0.0f, 0.25f)), 9u));
   EXPECT_EQ(hn_value(vec3(0.5f, -0x1p31f, 0.25f), 9u),
             hn_value(hn_place(ivec3(0, kSmallest, 0), vec3(0.5f, 0.0f, 0.25f)), 9u));
-}
-
-// The largest of a million values. By the seed it is 0.908 to 0.909 on the plane, which is the
-// range without a phase, and 0.94 to 0.962 in space.
-TEST(Twin, RangeIsUsed) {
-  std::size_t count = std::size_t{1} << 20;
-  Random random(1, "range");
-  float largest2 = 0.0f;
-  float largest3 = 0.0f;
-  const auto coordinate = [&] { return random.uniform(-4096.0f, 4096.0f); };
-  for (; count > 0; --count) {
-    largest2 = std::max(largest2, std::fabs(hashnoise::hn_perlin(hashnoise::vec2(coordinate(), coordinate()))));
-    const hashnoise::vec3 p(coordinate(), coordinate(), coordinate());
-    largest3 = std::max(largest3, std::fabs(hashnoise::hn_perlin(p)));
-  }
-  EXPECT_NEAR(largest2, 0.9085f, 0.001f);
-  EXPECT_NEAR(largest3, 0.95f, 0.02f);
 }
 
 TEST(Twin, HugeNumbersHaveNoUndefinedBehaviour) {

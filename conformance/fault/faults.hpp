@@ -2,7 +2,6 @@
 // with the same mistake. glsl/ stays as it is.
 #pragma once
 
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,15 +14,16 @@
 namespace hn {
 
 struct Fault {
-  std::string_view name;      // for --inject
-  std::string_view fault;     // what drivers did
-  std::string_view reported;  // where
-  std::string_view injected;  // a text on the injection
-  std::string_view remark;    // allowed by the specification, and so only a warning; often nothing
-  std::function<std::string(const ShimLanguage&)> shim;
+  std::string_view name;         // for --inject
+  std::string_view fault;        // what drivers did
+  std::string_view reported;     // where
+  std::string_view injected;     // a text on the injection
+  std::string_view remark = {};  // allowed by the specification, and so only a warning; often nothing
+  std::string declared = {};     // GLSL before the shims
+  std::vector<Shim> shims = {};
   Rules rules;
   // The versions that have the fault.
-  std::function<bool(const ShimLanguage&)> concerns = [](const ShimLanguage&) { return true; };
+  bool (*concerns)(const Profile&) = [](const Profile&) { return true; };
 };
 
 std::span<const Fault> all_faults();
@@ -39,8 +39,13 @@ Result<void> inject(const Fault& fault, const Profile& profile, ShaderText& shad
 // Every shader that is expanded from the set from now on has the fault of that name. An error if there is none.
 Result<void> inject_into(SourceSet& sources, std::string_view name);
 
-void add_integer_faults(std::vector<Fault>& faults);
-void add_float_faults(std::vector<Fault>& faults);
-void add_flow_faults(std::vector<Fault>& faults);
+// The parts of all_faults().
+std::vector<Fault> integer_faults();
+std::vector<Fault> float_faults();
+std::vector<Fault> flow_faults();
+
+// + - and * of every type go through these functions, which return results x of `floats`, `ints` and `uints`.
+inline const Rules::Names kArithmetic = {{"+", "hn_fault_add"}, {"-", "hn_fault_subtract"}, {"*", "hn_fault_multiply"}};
+std::vector<Shim> arithmetic(std::string_view floats, std::string_view ints, std::string_view uints);
 
 }  // namespace hn

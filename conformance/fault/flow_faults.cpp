@@ -43,101 +43,77 @@ std::optional<std::string> array_in_loop(const Expression& node, const Rules::Re
                      render(node.parts[1]).whole());
 }
 
-void add_loops(std::vector<Fault>& faults) {
-  faults.push_back({.name = "unary_minus_in_loop",
-                    .fault = "unary minus dropped in a dynamic loop",
-                    .reported = "WebGL `unary-minus-operator-in-dynamic-loop`; ANGLE rewriteUnaryMinusOperator",
-                    .injected = "in a loop, and in what it calls, -x is x",
-                    .remark = "",
-                    .shim =
-                        [](const ShimLanguage& language) {
-                          std::string text = "bool hn_fault_in_loop = false;\n";
-                          for (const std::string_view scalar : {"float", "int"}) {
-                            text += unary_shim(language, "hn_fault_minus", scalar, "return hn_fault_in_loop ? a : -a;");
-                          }
-                          return text + unary_shim(language, "hn_fault_minus", "uint",
-                                                   "return hn_fault_in_loop ? a : 0u - a;");
-                        },
-                    .rules = {.minus = "hn_fault_minus",
-                              .in_loop = "hn_fault_in_loop = true;",
-                              .after_loop = "hn_fault_in_loop = false;"}});
-  faults.push_back(
-      {.name = "loop_condition",
-       .fault = "loop condition miscompiled",
-       .reported = "ANGLE add_and_true_to_loop_condition",
-       .injected = "a loop ends after three turns",
-       .remark = "",
-       .shim =
-           [](const ShimLanguage& language) { return fmt::format("{}int hn_fault_turns = 0;\n", language.highp()); },
-       .rules = {.before_loop = "hn_fault_turns = 0;", .condition = "&& hn_fault_turns++ < 3"}});
-  faults.push_back({.name = "loop_initializer",
-                    .fault = "loop initialiser miscompiled",
-                    .reported = "ANGLE dont_use_loops_to_initialize_variables",
-                    .injected = "a for loop starts one late",
-                    .remark = "",
-                    .shim = [](const ShimLanguage&) { return std::string(); },
-                    .rules = {.initializer = " + 1"}});
-  faults.push_back({.name = "array_in_loop",
-                    .fault = "loop initialiser miscompiled: variables that a loop initialises",
-                    .reported = "ANGLE dont_use_loops_to_initialize_variables",
-                    .injected = "elements of an array that a loop assigns are 0",
-                    .remark = "",
-                    .shim =
-                        [](const ShimLanguage& language) {
-                          return unary_shim(language, "hn_fault_nothing", "float", "return 0.0;") +
-                                 unary_shim(language, "hn_fault_nothing", "int", "return 0;") +
-                                 unary_shim(language, "hn_fault_nothing", "uint", "return 0u;");
-                        },
-                    .rules = {.pattern = array_in_loop}});
-}
-
-void add_vectors(std::vector<Fault>& faults) {
-  faults.push_back({.name = "vector_plus_scalar_in_loop",
-                    .fault = "vector += scalar in a loop",
-                    .reported = "crbug 772651",
-                    .injected = "in a loop, a scalar is added to the first component alone",
-                    .remark = "",
-                    .shim =
-                        [](const ShimLanguage& language) {
-                          // The first component of a vector and a scalar; everything else as it should be.
-                          std::string text;
-                          for (const std::string_view scalar : {"float", "int", "uint"}) {
-                            const std::string prefix(scalar == "float" ? "" : scalar.substr(0, 1));
-                            text += fmt::format("{0}{1} hn_fault_added({0}{1} a, {0}{1} b) {{ return a + b; }}\n",
-                                                language.highp(), scalar);
-                            for (int size = 2; size <= 4; ++size) {
-                              text += fmt::format(
-                                  "{0}{1}vec{3} hn_fault_added({0}{1}vec{3} a, {0}{1}vec{3} b) {{ return a + b; }}\n"
-                                  "{0}{1}vec{3} hn_fault_added({0}{1}vec{3} a, {0}{2} b) {{ a.x += b; return a; }}\n",
-                                  language.highp(), prefix, scalar, size);
-                            }
-                          }
-                          return text;
-                        },
-                    .rules = {.pattern = add_in_loop}});
-  faults.push_back({.name = "swizzle_written_twice",
-                    .fault = "swizzle written twice in a function",
-                    .reported = "crbug 798117",
-                    .injected = "of the assignments to swizzles of a variable in a function, only the first stores",
-                    .remark = "",
-                    .shim = [](const ShimLanguage&) { return std::string(); },
-                    .rules = {.pattern = swizzle_once}});
+// In a loop a scalar is added to the first component of a vector; everything else is added as it should be.
+std::string added() {
+  std::string text;
+  for (const std::string_view type : {"float", "int", "uint"}) {
+    const std::string_view prefix = type == "float" ? "" : type.substr(0, 1);
+    text += fmt::format("highp {0} hn_fault_added(highp {0} a, highp {0} b) {{ return a + b; }}\n", type);
+    for (int size = 2; size <= 4; ++size) {
+      text += fmt::format(
+          "highp {0}vec{2} hn_fault_added(highp {0}vec{2} a, highp {0}vec{2} b) {{ return a + b; }}\n"
+          "highp {0}vec{2} hn_fault_added(highp {0}vec{2} a, highp {1} b) {{ a.x += b; return a; }}\n",
+          prefix, type, size);
+    }
+  }
+  return text;
 }
 
 }  // namespace
 
-void add_flow_faults(std::vector<Fault>& faults) {
-  add_loops(faults);
-  add_vectors(faults);
+std::vector<Fault> flow_faults() {
+  return {
+      {.name = "unary_minus_in_loop",
+       .fault = "unary minus dropped in a dynamic loop",
+       .reported = "WebGL `unary-minus-operator-in-dynamic-loop`; ANGLE rewriteUnaryMinusOperator",
+       .injected = "in a loop, and in what it calls, -x is x",
+       .declared = "bool hn_fault_in_loop = false;\n",
+       .shims = {{"hn_fault_minus", {"float"}, "return hn_fault_in_loop ? a : -a;"},
+                 {"hn_fault_minus", {"int"}, "return hn_fault_in_loop ? a : -a;"},
+                 {"hn_fault_minus", {"uint"}, "return hn_fault_in_loop ? a : 0u - a;"}},
+       .rules = {.minus = "hn_fault_minus",
+                 .in_loop = "hn_fault_in_loop = true;",
+                 .after_loop = "hn_fault_in_loop = false;"}},
+      {.name = "loop_condition",
+       .fault = "loop condition miscompiled",
+       .reported = "ANGLE add_and_true_to_loop_condition",
+       .injected = "a loop ends after three turns",
+       .declared = "highp int hn_fault_turns = 0;\n",
+       .rules = {.before_loop = "hn_fault_turns = 0;", .condition = "&& hn_fault_turns++ < 3"}},
+      {.name = "loop_initializer",
+       .fault = "loop initialiser miscompiled",
+       .reported = "ANGLE dont_use_loops_to_initialize_variables",
+       .injected = "a for loop starts one late",
+       .rules = {.initializer = " + 1"}},
+      {.name = "array_in_loop",
+       .fault = "loop initialiser miscompiled: variables that a loop initialises",
+       .reported = "ANGLE dont_use_loops_to_initialize_variables",
+       .injected = "elements of an array that a loop assigns are 0",
+       .shims = {{"hn_fault_nothing", {"float"}, "return 0.0;"},
+                 {"hn_fault_nothing", {"int"}, "return 0;"},
+                 {"hn_fault_nothing", {"uint"}, "return 0u;"}},
+       .rules = {.pattern = array_in_loop}},
+      {.name = "vector_plus_scalar_in_loop",
+       .fault = "vector += scalar in a loop",
+       .reported = "crbug 772651",
+       .injected = "in a loop, a scalar is added to the first component alone",
+       .declared = added(),
+       .rules = {.pattern = add_in_loop}},
+      {.name = "swizzle_written_twice",
+       .fault = "swizzle written twice in a function",
+       .reported = "crbug 798117",
+       .injected = "of the assignments to swizzles of a variable in a function, only the first stores",
+       .rules = {.pattern = swizzle_once}},
+  };
 }
 
 std::span<const Fault> all_faults() {
   static const std::vector<Fault> kFaults = [] {
-    std::vector<Fault> faults;
-    add_integer_faults(faults);
-    add_float_faults(faults);
-    add_flow_faults(faults);
-    return faults;
+    std::vector<Fault> all;
+    for (const auto& part : {integer_faults(), float_faults(), flow_faults()}) {
+      all.insert(all.end(), part.begin(), part.end());
+    }
+    return all;
   }();
   return kFaults;
 }

@@ -52,14 +52,20 @@ std::string fault_list() {
 }
 
 Result<void> inject(const Fault& fault, const Profile& profile, ShaderText& shader) {
-  const ShimLanguage language{profile};
-  if (!fault.concerns(language)) return {};
+  if (!fault.concerns(profile)) return {};
   auto code = rewrite(shader.text, fault.rules);
   if (!code) return fail(fmt::format("the fault {} cannot be injected: {}", fault.name, code.error().message));
+  std::string shims = fault.declared;
+  for (const Shim& shim : fault.shims) shims += glsl_of(shim);
+  // glslang warns about precision elsewhere than in ES.
+  constexpr std::string_view kHighp = "highp ";
+  for (auto at = shims.find(kHighp); !profile.es && at != shims.npos; at = shims.find(kHighp, at)) {
+    shims.erase(at, kHighp.size());
+  }
   const Head head = head_of(*code);
   const auto source = static_cast<int>(shader.paths.size());
   shader.paths.push_back(fmt::format("the injected fault {}", fault.name));
-  code->insert(head.length, fmt::format("{}{}{}", line_directive(profile, source, 1), fault.shim(language),
+  code->insert(head.length, fmt::format("{}{}{}", line_directive(profile, source, 1), shims,
                                         line_directive(profile, 0, head.next_line)));
   shader.text = std::move(*code);
   return {};

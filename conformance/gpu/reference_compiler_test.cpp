@@ -44,6 +44,8 @@ std::vector<std::string> contractible_in(std::string_view function) {
 
 TEST(ReferenceCompiler, NamesTheFunctionsThatAreNotPrecise) {
   EXPECT_TRUE(contractible_in("float f(float a) { precise float b = a * a + 1.0; return b; }\n").empty());
+  EXPECT_TRUE(contractible_in("float f(float a) { return a * 0.25; }\n").empty());  // which rounds nothing
+  EXPECT_FALSE(contractible_in("float f(float a) { return a * 0.75; }\n").empty());
   const auto found = contractible_in("float f(float a) { return a * a + 1.0; }\n");
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0], "f(f1;");

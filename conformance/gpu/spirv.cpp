@@ -73,14 +73,19 @@ std::vector<std::string> relaxed_precision(std::span<const std::uint32_t> words)
 std::vector<std::string> contractible(std::span<const std::uint32_t> words) {
   std::map<std::uint32_t, std::string> names;
   std::set<std::uint32_t> precise;
+  std::set<std::uint32_t> powers_of_two;  // constants by which a float is multiplied without rounding
   std::vector<std::string> found;
   std::string function;
   for_each_instruction(words, [&](spv::Op operation, std::span<const std::uint32_t> operands) {
     if (operation == spv::OpName) names[operands[0]] = text_of(operands.subspan(1));
     const bool forbids = operation == spv::OpDecorate && operands[1] == spv::DecorationNoContraction;
     if (forbids) precise.insert(operands[0]);
+    constexpr std::uint32_t kFractionBits = 0x007FFFFF;
+    if (operation == spv::OpConstant && (operands[2] & kFractionBits) == 0) powers_of_two.insert(operands[1]);
     if (operation == spv::OpFunction) function = names[operands[1]];
-    const bool free = rounds(operation) && !precise.contains(operands[1]);
+    const bool scales = (operation == spv::OpFMul || operation == spv::OpVectorTimesScalar) &&
+                        (powers_of_two.contains(operands[2]) || powers_of_two.contains(operands[3]));
+    const bool free = rounds(operation) && !scales && !precise.contains(operands[1]);
     if (free && (found.empty() || found.back() != function)) found.push_back(function);
   });
   return found;

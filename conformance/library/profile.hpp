@@ -32,6 +32,7 @@ struct Profile {
   bool line_names_next() const { return es || version >= 330 || !in_glsl(); }
   // Whether uintBitsToFloat and its like are in the language.
   bool has_bit_casts() const { return es || version >= 330 || !in_glsl(); }
+  bool has_precise() const { return version >= (es ? 320 : 400); }
 };
 
 // Every targeted version of GLSL, oldest first, GLSL before GLSL ES before Vulkan.

@@ -115,10 +115,10 @@ std::string seeding_of(const ShaderVariant& variant, const Profile& profile) {
 
 // The differences between the stages of an evaluating shader.
 struct StageText {
-  std::string layout;       // before everything
-  std::string declaration;  // of where results go, and where points come from if that is no texture
-  std::string beginning;    // of main: declares at, the point's place, and result if it is no output
-  std::string end;          // of main
+  std::string layout = {};       // before everything
+  std::string declaration = {};  // of where results go, and where points come from if that is no texture
+  std::string beginning = {};    // of main: declares at, the point's place, and result if it is no output
+  std::string end = {};          // of main
   std::string head = "void main()";
 };
 
@@ -137,17 +137,14 @@ StageText text_over_buffers(const Profile& profile) {
             .end = fmt::format(kEnd, "gl_GlobalInvocationID.x")};
   }
   if (profile.language == Language::metal) {
-    return {.layout = {},
-            .declaration = {},
-            .beginning = fmt::format(kBeginning, "index"),
+    return {.beginning = fmt::format(kBeginning, "index"),
             .end = fmt::format(kEnd, "index"),
             .head =
                 "kernel void evaluate_point(device hn_uvec4* results [[buffer(0)]], const device hn_uvec4* points "
                 "[[buffer(1)]], uint index [[thread_position_in_grid]])"};
   }
   // Read-only buffers are writable, too: the read-only ones of shader model 5 become textures in Vulkan.
-  return {.layout = {},
-          .declaration =
+  return {.declaration =
               "RWStructuredBuffer<hn_uvec4> results : register(u0);\n"
               "RWStructuredBuffer<hn_uvec4> points : register(u1);\n"
               "RWStructuredBuffer<hn_uint> uniforms : register(u2);\n"
@@ -162,10 +159,8 @@ StageText text_of(Stage stage, const Profile& profile) {
   switch (stage) {
     case Stage::vertex:
       // A draw per row: in a longer one softpipe counts gl_VertexID from 0 again after 4,096 vertices.
-      return {.layout = {},
-              .declaration = "uniform hn_int row;\nflat out hn_uvec4 result;\n",
-              .beginning = "  hn_ivec2 at = ivec2(gl_VertexID, row);\n  gl_Position = vec4(0.0);\n",
-              .end = {}};
+      return {.declaration = "uniform hn_int row;\nflat out hn_uvec4 result;\n",
+              .beginning = "  hn_ivec2 at = ivec2(gl_VertexID, row);\n  gl_Position = vec4(0.0);\n"};
     case Stage::compute:
       return {.layout = fmt::format("layout(local_size_x = {}) in;\n", kComputeGroup),
               .declaration = "layout(std430, binding = 0) buffer Results { hn_uvec4 results[]; };\n",
@@ -176,10 +171,7 @@ StageText text_of(Stage stage, const Profile& profile) {
     case Stage::fragment:
       break;
   }
-  return {.layout = {},
-          .declaration = "out hn_uvec4 result;\n",
-          .beginning = "  hn_ivec2 at = ivec2(gl_FragCoord.xy);\n",
-          .end = {}};
+  return {.declaration = "out hn_uvec4 result;\n", .beginning = "  hn_ivec2 at = ivec2(gl_FragCoord.xy);\n"};
 }
 
 // The text of a shader that is only compiled: where its one result goes. Vulkan wants a place for it.
@@ -187,20 +179,16 @@ StageText compiled_text_of(Stage stage, bool vulkan) {
   const std::string_view location = vulkan ? "layout(location = 0) " : "";
   switch (stage) {
     case Stage::vertex:
-      return {.layout = {},
-              .declaration = fmt::format("{}flat out hn_uvec4 result;\n", location),
-              .beginning = {},
+      return {.declaration = fmt::format("{}flat out hn_uvec4 result;\n", location),
               .end = "  gl_Position = vec4(0.0);\n"};
     case Stage::compute:
       return {.layout = "layout(local_size_x = 1) in;\n",
               .declaration = fmt::format("layout(std430, {}binding = 0) buffer Out {{ hn_uvec4 result; }};\n",
-                                         vulkan ? "set = 0, " : ""),
-              .beginning = {},
-              .end = {}};
+                                         vulkan ? "set = 0, " : "")};
     case Stage::fragment:
       break;
   }
-  return {.layout = {}, .declaration = fmt::format("{}out hn_uvec4 result;\n", location), .beginning = {}, .end = {}};
+  return {.declaration = fmt::format("{}out hn_uvec4 result;\n", location)};
 }
 
 // The body of evaluate, as a part of main.

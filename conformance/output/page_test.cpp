@@ -14,19 +14,9 @@ std::string page(std::string_view text, const Json& data) {
   return result ? *result : "error: " + result.error().text();
 }
 
-TEST(Page, TextIsEscapedUnlessAskedOtherwise) {
-  EXPECT_EQ(page("{{x}} {{{x}}} {{&x}}", {{"x", "<a href=\"b\">&'"}}),
-            "&lt;a href=&quot;b&quot;&gt;&amp;&apos; <a href=\"b\">&' <a href=\"b\">&'");
-}
-
 TEST(Page, NumbersAreText) {
   EXPECT_EQ(page("{{a}} {{b}} {{c}} {{d}}", {{"a", 3}, {"b", -0.25}, {"c", 18446744073709551615u}, {"d", "1.50"}}),
             "3 -0.25 18446744073709551615 1.50");
-}
-
-TEST(Page, SectionsRepeatAndSeeWhatIsOutside) {
-  const Json data = {{"unit", "ns"}, {"rows", {{{"name", "pcg"}, {"time", 2}}, {{"name", "fnv1"}, {"time", 3}}}}};
-  EXPECT_EQ(page("{{#rows}}\n{{name}}: {{time}} {{unit}}\n{{/rows}}\n", data), "pcg: 2 ns\nfnv1: 3 ns\n");
 }
 
 TEST(Page, ListsOfTextObjectsAndFlags) {
@@ -37,8 +27,6 @@ TEST(Page, ListsOfTextObjectsAndFlags) {
   EXPECT_EQ(page("{{#yes}}1{{/yes}}{{#no}}2{{/no}}{{#none}}3{{/none}}{{#empty}}4{{/empty}}", data), "1");
   EXPECT_EQ(page("{{^yes}}1{{/yes}}{{^no}}2{{/no}}{{^none}}3{{/none}}{{^empty}}4{{/empty}}", data), "234");
 }
-
-TEST(Page, PartialsAreTemplates) { EXPECT_EQ(page("<{{> part}}>", {{"part", "{{x}}!"}, {"x", "y"}}), "<y!>"); }
 
 TEST(Page, TagsWithoutDataAreNamed) {
   EXPECT_EQ(page("{{a}} {{absent}} {{{gone}}} {{absent}}", {{"a", 1}}),

@@ -5,12 +5,8 @@ import csv
 import itertools
 import math
 import pathlib
-import re
-import struct
-import subprocess
 import sys
 
-WORD = 0xFFFFFFFF
 FORMS = ("as published", "as intended", "ours")
 
 
@@ -28,26 +24,6 @@ PRINTED = {(row["algorithm"], row["dimensions"]): int(row["instructions"])
 
 
 # --- Instructions ---
-
-def count_of_listing(listing):
-    """The instructions of a listing of spirv-dis, by the page's rule: in functions, without labels and parameters."""
-    count, inside = 0, False
-    for line in listing.splitlines():
-        match = re.match(r"\s*(?:%\S+ = )?(Op\w+)", line)
-        opcode = match[1] if match else ""
-        inside = inside and opcode != "OpFunctionEnd"
-        count += inside and opcode not in ("OpLabel", "OpFunctionParameter")
-        inside = inside or opcode == "OpFunction"
-    return count
-
-
-def spirv_faults(row, path):
-    listing = subprocess.run(["spirv-dis", "--raw-id", path], capture_output=True, text=True, check=False)
-    if listing.returncode != 0:
-        return [f"{row['id']}: spirv-dis fails: {listing.stderr.strip()}"]
-    counted, recorded = count_of_listing(listing.stdout), row["spirv"]
-    return [] if str(counted) == recorded else [f"{row['id']}: {counted} instructions, not {recorded}"]
-
 
 def order_faults(rows):
     """The algorithms have as many instructions, one after the other, as in the paper; in the listings by as much."""
@@ -69,58 +45,7 @@ def order_faults(rows):
     return faults
 
 
-# --- The noise, from the formulas ---
-
-def fnv1(key):
-    h = 2166136261
-    for shift in (0, 8, 16, 24):
-        h = (h * 16777619 & WORD) ^ (key >> shift & 255)
-    return h
-
-
-def partial_fnv1(key):
-    h = 2166136261
-    for _ in range(2):
-        h = (h * 16777619 & WORD) ^ key
-    return h
-
-
-def jenkins_of(parts):
-    h = 0
-    for part in parts:
-        h = h + part & WORD
-        h = h + (h << 10) & WORD
-        h ^= h >> 6
-    h = h + (h << 3) & WORD
-    h ^= h >> 11
-    return h + (h << 15) & WORD
-
-
-def murmur(key):
-    key = key * 1540483477 & WORD
-    key ^= key >> 24
-    return (10 * 1540483477 & WORD) ^ (key * 1540483477 & WORD)
-
-
-HASHES = {"fnv1": fnv1, "partial_fnv1": partial_fnv1,
-          "jenkins": lambda key: jenkins_of([key >> shift & 255 for shift in (0, 8, 16, 24)]),
-          "partial_jenkins": lambda key: jenkins_of([key]), "murmur": murmur}
-
-
-def sine(word):
-    """The sine of float(int(word))."""
-    word &= WORD
-    signed = word - (1 << 32) if word >> 31 else word
-    return math.sin(struct.unpack("<f", struct.pack("<f", signed))[0])
-
-
-def sine_gradient(name, cell):
-    last, words = 0, []
-    for coordinate in cell:
-        last = HASHES[name](last + coordinate % (1 << 20) & WORD)
-        words.append(last)
-    return [sine(last + word) for word in words]
-
+# --- The noise of tables, from the formulas: golden files have the noise of each hash ---
 
 def permutation():
     """SplitMix64 from a state made of the word "permutation"; Fisher and Yates."""
@@ -152,14 +77,14 @@ def table_gradient(cell):
     return TABLE_2D[index & 7] if len(cell) == 2 else TABLE_3D[index & 15]
 
 
-def perlin(gradient, position):
+def perlin(position):
     value = 0.0
     cell = [math.floor(x) for x in position]
     fraction = [x - c for x, c in zip(position, cell)]
     weight = [6 * t ** 5 - 15 * t ** 4 + 10 * t ** 3 for t in fraction]
     for corner in itertools.product((0, 1), repeat=len(position)):
         ramp = sum(g * (f - o) for g, f, o in
-                   zip(gradient([c + o for c, o in zip(cell, corner)]), fraction, corner))
+                   zip(table_gradient([c + o for c, o in zip(cell, corner)]), fraction, corner))
         value += ramp * math.prod(w if o else 1 - w for w, o in zip(weight, corner))
     return value
 
@@ -176,10 +101,9 @@ def position_of(index, dimensions):
 
 def noise_differences(file, data, points=400):
     """How far the values of some points are from those calculated here."""
-    name, form, dimensions = file.split("/")[-1].split(".")[:3]
-    gradient = table_gradient if form == "table" else lambda cell: sine_gradient(name, cell)
+    dimensions = int(file.split("/")[-1].split(".")[2][0])
     values = array.array("f", data)
     if sys.byteorder == "big":
         values.byteswap()
     indices = [number * 611953 % (1 << 20) for number in range(points)]
-    return [abs(values[i] - perlin(gradient, position_of(i, int(dimensions[0])))) for i in indices]
+    return [abs(values[i] - perlin(position_of(i, dimensions))) for i in indices]

@@ -1,11 +1,12 @@
 // The paper's table: instructions and render times of every algorithm in every form.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <array>
 #include <optional>
 #include <stdexcept>
 
+#include "bench/counts.hpp"
+#include "gpu/spirv.hpp"
 #include "paper/laboratory.hpp"
 
 namespace hn {
@@ -27,7 +28,8 @@ struct Row {
   std::string error = {};
   std::array<Timing, kSizes.size()> timing = {};
   std::array<Ratio, kSizes.size()> ratio = {};
-  Counts counts = {};
+  std::vector<std::uint32_t> spirv = {};
+  std::string problem = {};  // why there is none
 };
 
 std::vector<Row> rows_of(int dimensions) {
@@ -82,23 +84,20 @@ void relate(std::vector<Row>& rows) {
   }
 }
 
-std::map<std::string, std::string> count(Laboratory& laboratory, std::vector<Row>& rows) {
-  std::vector<CountedShader> shaders;
-  std::vector<Row*> targets;
+void count(Laboratory& laboratory, std::vector<Row>& rows) {
   for (Row& row : rows) {
-    auto text = expand(laboratory.sources, profile_named("vulkan"), quad_shader(row.subject));
-    if (!text || !row.program) continue;
-    shaders.push_back({std::move(*text), &*row.program});
-    targets.push_back(&row);
+    if (!row.program) continue;
+    auto words = optimised_spirv(laboratory.sources, laboratory.reference, row.subject);
+    if (words) {
+      row.spirv = std::move(*words);
+    } else {
+      row.problem = fmt::format("SPIR-V: {}", words.error().text());
+    }
   }
-  CountReport report = count_instructions(laboratory.context, laboratory.reference, shaders);
-  for (std::size_t i = 0; i < targets.size(); ++i) targets[i]->counts = std::move(report.counts[i]);
-  return report.absent;
 }
 
 std::vector<std::string> header_of() {
-  std::vector<std::string> header = {"id", "algorithm", "form", "dimensions"};
-  for (const char* const source : kCountSources) header.emplace_back(source);
+  std::vector<std::string> header = {"id", "algorithm", "form", "dimensions", "spirv"};
   for (const Size& size : kSizes) {
     for (const std::string_view what : {"ms", "ratio", "spread"}) {
       header.push_back(fmt::format("{}_{}x{}", what, size.width, size.height));
@@ -109,20 +108,20 @@ std::vector<std::string> header_of() {
 }
 
 // Numbers, and words where there is none.
-std::vector<std::string> cells_of(const Row& row, const std::map<std::string, std::string>& absent) {
+std::vector<std::string> cells_of(const Row& row) {
   std::vector<std::string> cells = {row.subject.id, row.title, row.form, fmt::format("{}", row.subject.dimensions)};
   if (!row.error.empty()) {
     cells.resize(header_of().size() - 1, "failed");
     cells.push_back(row.error);
     return cells;
   }
-  for (const char* const source : kCountSources) cells.push_back(count_text(row.counts, source, absent));
+  cells.push_back(row.problem.empty() ? fmt::format("{}", count_spirv(row.spirv)) : "failed");
   for (std::size_t size = 0; size < kSizes.size(); ++size) {
     for (const double number : {row.timing[size].median() * 1e3, row.ratio[size].value, row.ratio[size].spread}) {
       cells.push_back(fmt::format("{:.6g}", number));
     }
   }
-  cells.push_back(fmt::format("{}", fmt::join(row.counts.problems, "\n")));
+  cells.push_back(row.problem);
   return cells;
 }
 
@@ -138,18 +137,15 @@ Result<Section> measure_table(Laboratory& laboratory) {
   build(laboratory, rows);
   HN_DO(time(laboratory, rows));
   relate(rows);
-  const auto absent = count(laboratory, rows);
+  count(laboratory, rows);
   if (laboratory.dump) {
     for (const Row& row : rows) {
-      HN_DO(write_spirv(laboratory.out, row.subject.id, row.counts.optimised));
+      HN_DO(write_spirv(laboratory.out, row.subject.id, row.spirv));
     }
   }
   Section section{"table", {{"cells", fmt::format("{}", kQuadCells)}}, header_of()};
-  for (const auto& [source, reason] : absent) {
-    section.facts.emplace_back(fmt::format("no counts from {} here", source), reason);
-  }
   for (const Row& row : rows) {
-    section.rows.push_back(cells_of(row, absent));
+    section.rows.push_back(cells_of(row));
     section.complete = section.complete && section.rows.back().back().empty();
   }
   return section;

@@ -26,11 +26,11 @@ Result<std::string> report_page(const std::vector<Run>& runs, const std::vector<
 // The parts of the page that show single cases (report_failures.cpp). However much is wrong, the page stays small
 // enough to open and to send: each part is cut, and shows how much it leaves out.
 nlohmann::json page_failures(const std::vector<Run>& runs);  // wrong values and refused shaders, by driver and function
-nlohmann::json page_breakdowns(const std::vector<Run>& runs);  // crashes, timeouts, errors, by driver and message
 nlohmann::json page_warnings(const std::vector<Run>& runs);
-nlohmann::json page_unneeded(const std::vector<Run>& runs);     // excuses
-nlohmann::json page_excused(const std::vector<Run>& runs);      // by reason
-nlohmann::json page_unsupported(const std::vector<Run>& runs);  // by reason
+// Crashes, timeouts and errors; excuses that are not needed, and those that are; what is unsupported. By driver and
+// text.
+enum class Remarks { breakdowns, unneeded, excused, unsupported };
+nlohmann::json page_groups(const std::vector<Run>& runs, Remarks remarks);
 
 // All three files. problems: as for report_page.
 Result<void> write_results(const std::filesystem::path& directory, const std::vector<Run>& runs,

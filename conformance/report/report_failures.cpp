@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -174,21 +173,29 @@ struct Group {
   std::vector<std::string> ids;
 };
 
-using GroupOf = std::function<std::optional<Group>(const CaseResult&)>;
+// The group of a case that is no failure. A group of excused cases has the excuse as its text.
+std::optional<Remarks> remarks_with(const CaseResult& result) {
+  const Status status = result.outcome.status;
+  if (status == Status::unsupported) return Remarks::unsupported;
+  if (!is_bad(status)) return as_expected(result) ? std::nullopt : std::optional(Remarks::unneeded);
+  if (!result.excuse.empty()) return Remarks::excused;
+  return status == Status::fail ? std::nullopt : std::optional(Remarks::breakdowns);
+}
 
-Json page_groups(const std::vector<Run>& runs, const GroupOf& group_of) {
+}  // namespace
+
+Json page_groups(const std::vector<Run>& runs, Remarks remarks) {
+  const bool of_excuse = remarks == Remarks::unneeded || remarks == Remarks::excused;
   std::vector<Group> groups;  // in the order of their first case
   std::map<std::string, std::size_t> places;
   for (const Run& run : runs) {
     for (const CaseResult& result : run.cases) {
-      auto group = group_of(result);
-      if (!group) continue;
-      const std::string key = fmt::format("{}\n{}\n{}", run.driver, group->heading, group->text);
+      if (remarks_with(result) != remarks) continue;
+      const std::string heading(name_of(result.outcome.status));
+      const std::string& text = of_excuse ? result.excuse : result.outcome.message;
+      const std::string key = fmt::format("{}\n{}\n{}", run.driver, heading, text);
       const auto [place, is_new] = places.try_emplace(key, groups.size());
-      if (is_new) {
-        group->driver = run.driver;
-        groups.push_back(std::move(*group));
-      }
+      if (is_new) groups.push_back({run.driver, heading, text, {}});
       groups[place->second].ids.push_back(result.id);
     }
   }
@@ -208,8 +215,6 @@ Json page_groups(const std::vector<Run>& runs, const GroupOf& group_of) {
   return {{"any", !groups.empty()}, {"groups", std::move(list)}, {"more", more(left, "such groups, in results.json")}};
 }
 
-}  // namespace
-
 Json page_failures(const std::vector<Run>& runs) {
   Json drivers = Json::array();
   PageBudget shown;
@@ -218,35 +223,6 @@ Json page_failures(const std::vector<Run>& runs) {
     if (failures.failed != 0) drivers.push_back(page_run(run, failures, shown));
   }
   return {{"any", !drivers.empty()}, {"drivers", std::move(drivers)}};
-}
-
-Json page_breakdowns(const std::vector<Run>& runs) {
-  return page_groups(runs, [](const CaseResult& result) -> std::optional<Group> {
-    const Status status = result.outcome.status;
-    if (!is_bad(status) || status == Status::fail || !result.excuse.empty()) return std::nullopt;
-    return Group{{}, std::string(name_of(status)), result.outcome.message, {}};
-  });
-}
-
-Json page_unneeded(const std::vector<Run>& runs) {
-  return page_groups(runs, [](const CaseResult& result) -> std::optional<Group> {
-    if (is_bad(result.outcome.status) || as_expected(result)) return std::nullopt;
-    return Group{{}, std::string(name_of(result.outcome.status)), result.excuse, {}};
-  });
-}
-
-Json page_excused(const std::vector<Run>& runs) {
-  return page_groups(runs, [](const CaseResult& result) -> std::optional<Group> {
-    if (!is_bad(result.outcome.status) || result.excuse.empty()) return std::nullopt;
-    return Group{{}, std::string(name_of(result.outcome.status)), result.excuse, {}};
-  });
-}
-
-Json page_unsupported(const std::vector<Run>& runs) {
-  return page_groups(runs, [](const CaseResult& result) -> std::optional<Group> {
-    if (result.outcome.status != Status::unsupported) return std::nullopt;
-    return Group{{}, "unsupported", result.outcome.message, {}};
-  });
 }
 
 Json page_warnings(const std::vector<Run>& runs) {

@@ -217,11 +217,11 @@ Result<std::string> report_page(const std::vector<Run>& runs, const std::vector<
                      {"absent", page_absent(runs)},
                      {"errors", page_errors(here)},
                      {"failures", page_failures(runs)},
-                     {"breakdowns", page_breakdowns(runs)},
-                     {"unneeded", page_unneeded(runs)},
+                     {"breakdowns", page_groups(runs, Remarks::breakdowns)},
+                     {"unneeded", page_groups(runs, Remarks::unneeded)},
                      {"warnings", page_warnings(runs)},
-                     {"excused", page_excused(runs)},
-                     {"unsupported", page_unsupported(runs)},
+                     {"excused", page_groups(runs, Remarks::excused)},
+                     {"unsupported", page_groups(runs, Remarks::unsupported)},
                      {"counts", page_counts(here)},
                      {"origins", origins}};
   return render_page(text_of(kReportFiles, "report.mustache"), data);

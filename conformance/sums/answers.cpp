@@ -1,87 +1,91 @@
-// The bounds of octave sums (bounds.cpp, gullies.cpp), for tools/make bounds: it answers each line
+// The bounds of octave sums (bounds.cpp, gullies.cpp) as a library, for tools/make bounds. `answer` takes what to
+// answer, the name of a sum, and numbers, and writes numbers:
 //
-//   value|slope SUM   largest coordinate, octaves, lacunarity, gain, exact positions, strength, footprint (-1: none),
-//                     rotates, from a cell, is a detail, amplitude
-//                     axes, cell error, error, lipschitz, limit of the noise, and the same of its derivative
+//   value, slope   of the arguments in their order (bounds.hpp; a footprint of -1 is none), and of the bounds of the
+//                  noise and of its derivative: the tolerance
+//   gullies        of the arguments, the length of the slope, the depth, and GULLIES_BOUNDS: those of the height and of
+//                  a slope
+//   terms          of whether it is in integers, the strength that is used, how far that is cut, and the errors of 32
+//                  noises: whether the step cuts a noise off, then the errors of 32 terms and of the factors of the
+//                  weights behind them
 //
-// with a number, and
-//
-//   gullies gullies   the same up to the amplitude, then the length of the slope and the depth
-//                     the numbers of GULLIES_BOUNDS
-//
-// with that of the height and that of a slope; where there is no proof, with a sentence.
-#include <cstdio>
+// It returns a sentence where there is no proof.
+#include <algorithm>
 #include <exception>
-#include <iostream>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "sums/bounds.cpp"
 #include "sums/errors.cpp"
 #include "sums/gullies.cpp"
 
+namespace hn {
 namespace {
 
 struct Sum {
-  const char* name;
-  hn::SumRule rule;
+  std::string_view name;
+  SumRule rule;
 };
 constexpr Sum kSums[] = {
 #define OCTAVE_SUM(name, noise, most, least, greatest, bounded, step, mean) \
-  {#name, {hn::SumStep::step, hn::SumMean::mean, most}},
+  {#name, {SumStep::step, SumMean::mean, most}},
 #include "library/sums.inc"
 };
+constexpr int kMostOctaves = 32;
 
-std::istream& operator>>(std::istream& in, hn::FloatBounds& bounds) {
-  return in >> bounds.axes >> bounds.cell_error >> bounds.error >> bounds.lipschitz >> bounds.limit;
+constexpr int kArguments = 11;  // numbers of OctaveArguments
+constexpr int kBounds = 5;      // and of FloatBounds
+
+OctaveArguments arguments_of(const double* n) {
+  const std::optional<double> footprint = n[6] >= 0.0 ? std::optional(n[6]) : std::nullopt;
+  return {n[0], n[1], n[2], n[3], n[4] != 0.0, n[5], footprint, n[7] != 0.0, n[8] != 0.0, n[9] != 0.0, n[10]};
 }
 
-std::istream& operator>>(std::istream& in, hn::OctaveArguments& arguments) {
-  double footprint = 0.0;
-  in >> arguments.largest_coordinate >> arguments.octaves >> arguments.lacunarity >> arguments.gain >>
-      arguments.exact_positions >> arguments.strength >> footprint >> arguments.rotates >> arguments.from_cell >>
-      arguments.is_detail >> arguments.amplitude;
-  if (footprint >= 0.0) arguments.footprint = footprint;
-  return in;
+FloatBounds bounds_of(const double* n) { return {static_cast<int>(n[0]), n[1], n[2], n[3], n[4]}; }
+
+void answer_terms(const SumRule& rule, const double* n, double* answers) {
+  const double strength = n[1];
+  const Roundings roundings = n[0] != 0.0 ? integers(n[2]) : kFloats;
+  const Errors noise_errors(n + 3, n + 3 + kMostOctaves);
+  const Proof proof = proof_of(rule.step);
+  *answers++ = proof.is_clamped;
+  answers = std::ranges::copy(proof.terms(noise_errors, strength, 1.0, roundings).errors, answers).out;
+  for (const double error : noise_errors) {
+    *answers++ = proof.factor_error != nullptr ? proof.factor_error(error, strength, roundings) : 0.0;
+  }
 }
 
-std::istream& operator>>(std::istream& in, hn::GulliesBounds& bounds) {
-  return in >> bounds.value >> bounds.lipschitz >> bounds.wave_rate >> bounds.slope >> bounds.slope_lipschitz >>
-         bounds.slope_wave_rate >> bounds.steepest >> bounds.fixed_value >> bounds.fixed_slope;
+void answer_gullies(const double* n, double* answers) {
+  const double* const rest = n + kArguments;
+  const double* const b = rest + 2;
+  const GulliesTolerance tolerance =
+      gullies_tolerance({arguments_of(n), rest[0], rest[1]}, {b[0], b[1], b[2], b[3], b[4], b[5], b[6], b[7], b[8]});
+  answers[0] = tolerance.height;
+  answers[1] = tolerance.slope;
 }
 
-bool answer_of_gullies() {
-  hn::GulliesArguments arguments{};
-  hn::GulliesBounds bounds{};
-  std::cin >> arguments.octaves >> arguments.slope >> arguments.depth >> bounds;
-  const hn::GulliesTolerance tolerance = hn::gullies_tolerance(arguments, bounds);
-  std::printf("%.17g %.17g\n", tolerance.height, tolerance.slope);
-  return static_cast<bool>(std::cin);
-}
-
-bool answer_of_sum(const std::string& what, const std::string& name) {
-  hn::OctaveArguments arguments{};
-  hn::FloatBounds noise{};
-  hn::FloatBounds slope{};
-  std::cin >> arguments >> noise >> slope;
-  const auto* const sum = std::ranges::find(kSums, name, &Sum::name);
-  if (!std::cin || sum == std::end(kSums)) return false;
-  std::printf("%.17g\n", what == "slope" ? hn::octave_slope_tolerance(sum->rule, arguments, noise, slope)
-                                         : hn::octave_tolerance(sum->rule, arguments, noise, slope));
-  return true;
+void answer_of(std::string_view what, const SumRule& rule, const double* n, double* answers) {
+  if (what == "terms") return answer_terms(rule, n, answers);
+  if (what == "gullies") return answer_gullies(n, answers);
+  answers[0] = (what == "slope" ? octave_slope_tolerance : octave_tolerance)(
+      rule, arguments_of(n), bounds_of(n + kArguments), bounds_of(n + kArguments + kBounds));
 }
 
 }  // namespace
+}  // namespace hn
 
-int main() {
-  std::string what;
-  std::string name;
-  while (std::cin >> what >> name) {
-    try {
-      if (!(what == "gullies" ? answer_of_gullies() : answer_of_sum(what, name))) return 1;
-    } catch (const std::exception& error) {
-      std::printf("%s\n", error.what());
-    }
-    std::fflush(stdout);
+extern "C" const char* answer(const char* what, const char* name, const double* numbers, double* answers) {
+  static std::string problem;
+  try {
+    const auto* const sum = std::ranges::find(hn::kSums, name, &hn::Sum::name);
+    if (sum == std::end(hn::kSums)) throw std::logic_error("the suite has no sum " + std::string(name));
+    hn::answer_of(what, sum->rule, numbers, answers);
+    return "";
+  } catch (const std::exception& error) {
+    problem = error.what();
+    return problem.c_str();
   }
-  return 0;
 }

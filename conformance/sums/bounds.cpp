@@ -31,10 +31,23 @@ struct Terms {
   double limit;  // how large a term can be, as it is computed
 };
 
+// By how much an operation is off: in floats, and in integers, where numbers from 0 to 1 are rounded down to 2^-18.
+struct Roundings {
+  bool is_fixed;
+  double number;    // of a number of at most 1, such as 1 - |n|
+  double relative;  // of a product
+  double lost;      // by a product besides, whatever it is
+  double cut;       // of the strength, before the step
+};
+constexpr Roundings kFloats = {false, kUnit, kUnit, 2.0 * kTiny, 0.0};
+constexpr Roundings integers(double cut) { return {true, 0x1p-18, 0.0, 0x1p-18, cut}; }
+
 // The proof of a step, as values and functions.
 struct Proof {
   bool is_clamped;
-  Terms (*terms)(const Errors& noise_errors, double strength, double limit);
+  Terms (*terms)(const Errors& noise_errors, double strength, double limit, const Roundings&);
+  // The error of the factor of later weights that follows from an octave's noise; none if there is no such factor.
+  double (*factor_error)(double noise_error, double strength, const Roundings&);
   double (*tolerance)(const SumRule&, const OctaveArguments&, const FloatBounds& noise, const FloatBounds& slope);
 };
 Proof proof_of(SumStep step);
@@ -61,33 +74,32 @@ Errors errors_at(const OctaveArguments& arguments, const FloatBounds& bounds, do
 // --- An octave, before its weight ---
 
 // An absolute value is exact and brings no two values further apart.
-Terms as_they_are(const Errors& noise_errors, double, double limit) { return {noise_errors, limit}; }
+Terms as_they_are(const Errors& noise_errors, double, double limit, const Roundings&) { return {noise_errors, limit}; }
 
 // d = 1 - |n|;  r = d*d*min(2*r, 1)
 //
 // A root g = sqrt(r) follows from d min(sqrt(2) g, 1). So an error of d moves g by as much, what was there before by
 // sqrt(2) times that, and r by twice what g is moved by: it grows as sqrt(2)^i, and not as 2^i. Relative errors of r
-// move g by half of them. The loss below the smallest float does not depend on r, and is counted with r: it
-// doubles.
-Terms ridges(const Errors& noise_errors, double, double) {
+// move g by half of them. The loss of products does not depend on r, and is counted with r: it doubles.
+Terms ridges(const Errors& noise_errors, double, double, const Roundings& of) {
   Terms terms{{}, 1.0};
   double root = 0.0;
   double lost = 0.0;
   for (const double noise_error : noise_errors) {
     const double products = terms.errors.empty() ? 1.0 : 2.0;
-    root = noise_error + kUnit + std::sqrt(2.0) * root + products * kUnit * (1.0 + kUnit) / 2.0;
-    lost = 2.0 * lost + products * 2.0 * kTiny;
+    root = noise_error + of.number + std::sqrt(2.0) * root + products * of.relative * (1.0 + of.relative) / 2.0;
+    lost = 2.0 * lost + products * of.lost;
     terms.errors.push_back(std::min(2.0 * root + lost, 1.0));
   }
   return terms;
 }
 
 // d = (1 + n)/2;  t = d*min(2*t, 1). Both factors are at most 1, so an error of t doubles. The first product is exact.
-Terms heights(const Errors& noise_errors, double, double) {
+Terms heights(const Errors& noise_errors, double, double, const Roundings& of) {
   Terms terms{{}, 1.0};
   double error = 0.0;
   for (const double noise_error : noise_errors) {
-    error = noise_error / 2.0 + kUnit + 2.0 * error + (terms.errors.empty() ? 0.0 : kUnit + kTiny);
+    error = noise_error / 2.0 + of.number + 2.0 * error + (terms.errors.empty() ? 0.0 : of.relative + of.lost);
     terms.errors.push_back(std::min(error, 1.0));
   }
   return terms;
@@ -96,15 +108,22 @@ Terms heights(const Errors& noise_errors, double, double) {
 // t = (n + 1)*strength;  t = t - 2*floor(t/2);  z = min(t, 2 - t);  2*z - 1
 //
 // Only n + 1 and the product of t round: 2 - t is exact for t from 1 on. The difference may be fused with the product,
-// so that t is less than 0 or more than 2 by the rounding of the product; this counts twice, then.
-Terms waves(const Errors& noise_errors, double strength, double) {
+// so that t is less than 0 or more than 2 by the rounding of the product; this counts twice, then. In integers t is
+// rounded down to 2^-30, and the term to 2^-21.
+Terms waves(const Errors& noise_errors, double strength, double, const Roundings& of) {
   Terms terms{{}, 1.001};
   for (const double noise_error : noise_errors) {
-    const double product = strength * (noise_error + kUnit * (2.0 + noise_error));
-    const double t = product + 2.0 * (kUnit * (2.0 * strength + product) + kTiny);
-    terms.errors.push_back(std::min(2.0 * t + kUnit * (1.0 + 2.0 * t), 2.001));
+    const double product = strength * (noise_error + of.relative * (2.0 + noise_error));
+    const double t = product + 2.0 * (of.is_fixed ? of.cut + 0x1p-31 : kUnit * (2.0 * strength + product) + kTiny);
+    terms.errors.push_back(
+        std::min(2.0 * t + (of.is_fixed ? 0x1p-21 : kUnit * (1.0 + 2.0 * t)), of.is_fixed ? 2.0 : 2.001));
   }
   return terms;
+}
+
+// 1 - strength*(0.5 - 0.5*n)
+double bend_error(double noise_error, double strength, const Roundings& of) {
+  return std::min(strength * (noise_error / 2.0 + of.number + of.relative) + of.cut + of.number, 1.0);
 }
 
 // --- The mean ---
@@ -123,7 +142,7 @@ double detail_total(const OctaveArguments& arguments) {
 // The bounds of the mean of the octaves. Each *_error bounds the error of its float.
 //
 //   sum = sum + amplitude*noise(q);  total = gain*total + 1;  amplitude = amplitude*gain;  value = sum / total
-//   bent:       amplitude = amplitude*(1 - strength*(0.5 - 0.5*n)) before that
+//   bent:       amplitude = amplitude*factor before that
 //   footprint:  amplitude*fade, in place of the amplitude, adds to the sum: factor_errors are the fades'
 //   detail:     the last amplitude is multiplied with its share, with which the total begins
 //
@@ -132,7 +151,8 @@ double detail_total(const OctaveArguments& arguments) {
 double mean_error(const SumRule& rule, const OctaveArguments& arguments, double noise_limit, const Errors& noise_errors,
                   const Errors& factor_errors = {}) {
   const double strength = strength_of(rule, arguments);
-  const auto [term_errors, limit] = proof_of(rule.step).terms(noise_errors, strength, noise_limit);
+  const Proof proof = proof_of(rule.step);
+  const auto [term_errors, limit] = proof.terms(noise_errors, strength, noise_limit, kFloats);
   const double gain = arguments.gain;
   double amplitude = 1.0;
   double amplitude_error = 0.0;
@@ -148,8 +168,8 @@ double mean_error(const SumRule& rule, const OctaveArguments& arguments, double 
     sum_error += kUnit * (limit * total.value + sum_error);
     amplitude_error = gain * (amplitude_error + kUnit * most_amplitude) + kTiny;
     amplitude *= gain;
-    if (rule.step == SumStep::weighted) {
-      const double factor_error = std::min(strength * (noise_errors[i] / 2.0 + 2.0 * kUnit) + kUnit, 1.0) + kTiny;
+    if (proof.factor_error != nullptr) {
+      const double factor_error = proof.factor_error(noise_errors[i], strength, kFloats) + kTiny;
       const double most = amplitude + amplitude_error;
       amplitude_error =
           std::min(amplitude_error + amplitude * factor_error, most) + kUnit * most + (1.0 + gain) * kTiny;
@@ -325,50 +345,43 @@ double value_tolerance(const SumRule& rule, const OctaveArguments& arguments, co
 }
 
 std::string name_of(SumStep step) {
-  switch (step) {
-#define SUM_STEP(name) \
-  case SumStep::name:  \
-    return #name;
+  constexpr const char* kNames[] = {
+#define SUM_STEP(name) #name,
 #include "library/sums.inc"
-  }
-  return "without a name";
+  };
+  return kNames[static_cast<std::size_t>(step)];
 }
 
 std::string name_of(SumMean mean) {
-  switch (mean) {
-#define SUM_MEAN(name) \
-  case SumMean::name:  \
-    return #name;
+  constexpr const char* kNames[] = {
+#define SUM_MEAN(name) #name,
 #include "library/sums.inc"
-  }
-  return "without a name";
+  };
+  return kNames[static_cast<std::size_t>(mean)];
 }
 
-// The next octave's weight, if a step changes it, is in mean_error.
 Proof proof_of(SumStep step) {
   switch (step) {
     case SumStep::noise:
-      return {false, as_they_are, value_tolerance};
     case SumStep::turbulence:
-      return {false, as_they_are, value_tolerance};
-    case SumStep::billow:
-      return {true, as_they_are, value_tolerance};
-    case SumStep::ridged:
-      return {true, ridges, value_tolerance};
-    case SumStep::hybrid:
-      return {true, heights, value_tolerance};
-    case SumStep::ping_pong:
-      return {true, waves, value_tolerance};
-    case SumStep::weighted:
-      return {true, as_they_are, value_tolerance};
     case SumStep::fbm_d:
-      return {false, as_they_are, value_tolerance};
+      return {false, as_they_are, nullptr, value_tolerance};
+    case SumStep::billow:
+      return {true, as_they_are, nullptr, value_tolerance};
+    case SumStep::ridged:
+      return {true, ridges, nullptr, value_tolerance};
+    case SumStep::hybrid:
+      return {true, heights, nullptr, value_tolerance};
+    case SumStep::ping_pong:
+      return {true, waves, nullptr, value_tolerance};
+    case SumStep::weighted:
+      return {true, as_they_are, bend_error, value_tolerance};
     case SumStep::eroded:
-      return {false, as_they_are, eroded_tolerance};
+      return {false, as_they_are, nullptr, eroded_tolerance};
     case SumStep::warp:
-      return {true, as_they_are, warp_tolerance};
+      return {true, as_they_are, nullptr, warp_tolerance};
     case SumStep::warp_progressive:
-      return {true, as_they_are, progressive_tolerance};
+      return {true, as_they_are, nullptr, progressive_tolerance};
   }
   refuse("step " + name_of(step));
 }

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <map>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -30,7 +33,7 @@ ContextInfo info_of(const Json& event, const Browser& browser) {
   return info;
 }
 
-// The results so far, from the page's messages.
+// The results so far, from the page's messages, which a thread of the server has.
 class Conversation {
  public:
   Conversation(const Browser& browser, std::span<const Case> cases, const CaseEvents& events)
@@ -38,6 +41,8 @@ class Conversation {
 
   // An error in a message of the page, or its end, ends the conversation.
   void hear(const std::string& message) {
+    const std::lock_guard lock(mutex_);
+    if (over()) return;
     try {
       hear(Json::parse(message));
     } catch (const Json::exception& exception) {
@@ -45,14 +50,24 @@ class Conversation {
     } catch (const std::invalid_argument& exception) {
       misunderstand(exception, message);
     }
+    if (over()) ended_.notify_all();
   }
 
-  bool over() const { return done_ || error_; }
+  // Whether it ends within this time.
+  bool ends_within(std::chrono::milliseconds limit) {
+    std::unique_lock lock(mutex_);
+    return ended_.wait_for(lock, limit, [this] { return over(); });
+  }
   bool ready() const { return ready_; }
-  const std::string& running() const { return running_; }
+  std::string running() const {
+    const std::lock_guard lock(mutex_);
+    return running_;
+  }
   Result<void> result() const { return error_ ? Result<void>(tl::unexpected(*error_)) : Result<void>(); }
 
  private:
+  bool over() const { return done_ || error_; }
+
   void hear(const Json& event) {
     const std::string type = event.at("type");
     if (type == "ready") {
@@ -109,8 +124,10 @@ class Conversation {
   std::span<const Case> cases_;
   const CaseEvents& events_;
   std::size_t next_ = 0;
+  mutable std::mutex mutex_;
+  std::condition_variable ended_;
   std::string running_;
-  bool ready_ = false;
+  std::atomic<bool> ready_ = false;
   bool done_ = false;
   std::optional<Error> error_;
 };
@@ -118,8 +135,8 @@ class Conversation {
 // Why it makes no sense to wait any longer; nothing if it does.
 std::optional<Error> trouble(const GuardedProcess& chromium, const PageServer& server, const Conversation& conversation,
                              Clock::time_point start) {
-  const std::string when =
-      conversation.running().empty() ? std::string() : fmt::format(" while {} ran", conversation.running());
+  const std::string running = conversation.running();
+  const std::string when = running.empty() ? running : fmt::format(" while {} ran", running);
   if (const auto end = chromium.ended()) return Error{fmt::format("Chromium {}{}", *end, when), chromium.log()};
   if (server.page_is_gone()) return Error{fmt::format("the page was gone{}", when), chromium.log()};
   if (!conversation.ready() && Clock::now() - start > kLongestStart) {
@@ -130,11 +147,11 @@ std::optional<Error> trouble(const GuardedProcess& chromium, const PageServer& s
 
 Result<void> converse(const Browser& browser, const std::string& suite, Conversation& conversation) {
   HN_TRY(auto page, web_page(suite));
-  HN_TRY(auto server, PageServer::start(std::move(page)));
+  HN_TRY(const auto server,
+         PageServer::start(std::move(page), [&](const std::string& message) { conversation.hear(message); }));
   const auto start = Clock::now();
   HN_TRY(const auto chromium, start_chromium(browser, server.url()));
-  while (!conversation.over()) {
-    if (server.handle_next(kPoll, [&](const std::string& message) { conversation.hear(message); })) continue;
+  while (!conversation.ends_within(kPoll)) {
     if (auto error = trouble(chromium, server, conversation, start)) return tl::unexpected(std::move(*error));
   }
   return conversation.result();

@@ -1,7 +1,6 @@
 // The page: index.mustache with the modules and the suite inside.
 #include "output/page.hpp"
 
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "output/encoding.hpp"
@@ -11,10 +10,6 @@
 
 namespace hn {
 namespace {
-
-constexpr std::array<std::string_view, 10> kModules = {"main.js",   "runner.js",   "checks.js", "costs.js",
-                                                       "report.js", "failures.js", "suite.js",  "renderer.js",
-                                                       "webgpu.js", "address.js"};
 
 void replace_all(std::string& text, std::string_view old, std::string_view with) {
   for (auto at = text.find(old); at != std::string::npos; at = text.find(old, at + with.size())) {
@@ -26,8 +21,9 @@ void replace_all(std::string& text, std::string_view old, std::string_view with)
 // itself. So "./suite.js" becomes "hn/suite.js", which the page maps to the text of the module.
 std::string import_map() {
   nlohmann::ordered_json imports;
-  for (const std::string_view name : kModules) {
-    std::string text(text_of(kWebFiles, name));
+  for (const auto& [name, module] : kWebFiles) {
+    if (!name.ends_with(".js")) continue;
+    std::string text(module);
     replace_all(text, "from \"./", "from \"hn/");
     imports["hn/" + std::string(name)] = "data:text/javascript;base64," + to_base64(text);
   }

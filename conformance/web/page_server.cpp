@@ -4,9 +4,8 @@
 #include <httplib.h>
 
 #include <atomic>
-#include <condition_variable>
+#include <chrono>
 #include <limits>
-#include <mutex>
 #include <random>
 #include <thread>
 #include <utility>
@@ -22,48 +21,13 @@ std::string random_token() {
   return fmt::format("{:08x}{:08x}{:08x}{:08x}", random(), random(), random(), random());
 }
 
-// From one thread to another, one message at a time; the sender goes on when it is handled.
-class Mailbox {
- public:
-  // False if nobody will read it any more.
-  bool put(std::string message) {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return closed_ || !message_; });
-    message_ = std::move(message);
-    changed_.notify_all();
-    changed_.wait(lock, [&] { return closed_ || !message_; });
-    return !closed_;
-  }
-
-  bool handle_next(std::chrono::milliseconds limit, const std::function<void(const std::string&)>& handle) {
-    std::unique_lock lock(mutex_);
-    if (!changed_.wait_for(lock, limit, [&] { return message_.has_value(); })) return false;
-    handle(*message_);
-    message_.reset();
-    changed_.notify_all();
-    return true;
-  }
-
-  void close() {
-    const std::lock_guard lock(mutex_);
-    closed_ = true;
-    changed_.notify_all();
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::optional<std::string> message_;
-  bool closed_ = false;
-};
-
 }  // namespace
 
 struct PageServer::State {
   std::string page;
   std::string url;
   httplib::Server server;
-  Mailbox mailbox;
+  std::function<void(const std::string&)> handle;
   std::atomic<bool> page_gone = false;
   std::atomic<bool> stopped = false;
   std::thread thread;
@@ -73,7 +37,8 @@ struct PageServer::State {
       response.set_content(page, "text/html; charset=utf-8");
     });
     server.Post(path + "event", [this](const httplib::Request& request, httplib::Response& response) {
-      response.status = mailbox.put(request.body) ? 204 : 503;
+      handle(request.body);
+      response.status = 204;
     });
     server.Get(path + "alive", [this](const httplib::Request&, httplib::Response& response) {
       // Text would be compressed, which keeps single bytes back.
@@ -91,9 +56,10 @@ struct PageServer::State {
 PageServer::PageServer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 PageServer::PageServer(PageServer&&) noexcept = default;
 
-Result<PageServer> PageServer::start(std::string page) {
+Result<PageServer> PageServer::start(std::string page, std::function<void(const std::string&)> handle) {
   auto state = std::make_unique<State>();
   state->page = std::move(page);
+  state->handle = std::move(handle);
   const std::string path = fmt::format("/{}/", random_token());
   state->add_handlers(path);
   state->server.set_tcp_nodelay(true);
@@ -110,7 +76,6 @@ Result<PageServer> PageServer::start(std::string page) {
 
 PageServer::~PageServer() {
   if (!state_) return;
-  state_->mailbox.close();
   // stop() before the server runs would be forgotten.
   while (!state_->server.is_running() && !state_->stopped) std::this_thread::yield();
   state_->server.stop();
@@ -118,11 +83,6 @@ PageServer::~PageServer() {
 }
 
 const std::string& PageServer::url() const { return state_->url; }
-
-bool PageServer::handle_next(std::chrono::milliseconds limit,
-                             const std::function<void(const std::string& message)>& handle) {
-  return state_->mailbox.handle_next(limit, handle);
-}
 
 bool PageServer::page_is_gone() const { return state_->page_gone; }
 

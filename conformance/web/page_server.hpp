@@ -1,10 +1,8 @@
-// Serves a page to a browser on this machine, and hands on the page's messages, in the thread that waits for them.
+// Serves a page to a browser on this machine, and hands on the page's messages.
 #pragma once
 
-#include <chrono>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "base/result.hpp"
@@ -13,16 +11,14 @@ namespace hn {
 
 class PageServer {
  public:
-  // On a free port of 127.0.0.1, under a path that nobody can guess.
-  static Result<PageServer> start(std::string page);
+  // On a free port of 127.0.0.1, under a path that nobody can guess. Messages that the page posts to "event" are
+  // answered once they are handled, in a thread of the server.
+  static Result<PageServer> start(std::string page, std::function<void(const std::string& message)> handle);
   PageServer(PageServer&&) noexcept;
   PageServer& operator=(PageServer&&) = delete;
   ~PageServer();  // the browser should be gone by then
 
   const std::string& url() const;
-
-  // Waits for a message that the page posts to "event", and answers it once it is handled. False if none came in time.
-  bool handle_next(std::chrono::milliseconds limit, const std::function<void(const std::string& message)>& handle);
 
   // Whether the page held its connection to "alive", and no longer does.
   bool page_is_gone() const;

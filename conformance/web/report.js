@@ -1,14 +1,16 @@
 // The results: results.json, and the page.
 import { kBadStatuses, kStatuses, measureOf } from "./checks.js";
-import { failuresOf, functionOf } from "./failures.js";
 
 // All of them are in results.json.
-const kMostGroupsShown = 20;
 const kMostCasesShown = 3;
 const kMostOpen = 6;
 
 export function count(results, status) {
   return results.filter((result) => result.status === status).length;
+}
+
+export function functionOf(id) {
+  return id.split(".").slice(0, 2).join(".");
 }
 
 export function bad(results) {
@@ -63,25 +65,37 @@ function wrongCase(result) {
   return element("article", {}, ...parts);
 }
 
-// Equal texts are shown once.
-function wrongGroup(group, open) {
-  const shown = group.results.slice(0, group.ofFunction ? kMostCasesShown : 1);
-  const left = group.results.length - shown.length;
-  const parts = [element("summary", {}, element("span", { class: "bad" }, group.status), ` ${group.text}`),
-                 ...shown.map(wrongCase)];
+const hasValues = ({ status, mismatches }) => status === "fail" && mismatches !== 0;
+
+// The wrong cases in groups: wrong values of a function, or cases with one message.
+function groupsOf(results) {
+  const groups = new Map();
+  for (const result of bad(results)) {
+    const key = hasValues(result) ? functionOf(result.id) : `${result.status}\n${result.message}`;
+    groups.set(key, [...(groups.get(key) ?? []), result]);
+  }
+  return [...groups.values()];
+}
+
+// A group in the words of FailureGroup (run/failures.hpp). Equal texts are shown once.
+function wrongGroup(group, ran, open) {
+  const [{ id, status, message }] = group;
+  const ofFunction = hasValues(group[0]);
+  const all = ofFunction ? ran.filter((result) => functionOf(result.id) === functionOf(id)).length : group.length;
+  const cases = `${all} ${all === 1 ? "case" : "cases"}`;
+  const text = ofFunction ? `${group.length} of ${cases} of ${functionOf(id)}` : `${cases}: ${message.split("\n")[0]}`;
+  const shown = group.slice(0, ofFunction ? kMostCasesShown : 1);
+  const left = group.length - shown.length;
+  const parts = [element("summary", {}, element("span", { class: "bad" }, status), ` ${text}`), ...shown.map(wrongCase)];
   if (left) parts.push(element("p", { class: "faint" }, `${left} more, in results.json.`));
   return element("details", { class: "group", ...(open ? { open: "" } : {}) }, ...parts);
 }
 
-function wrongParts(failures) {
-  const shown = failures.groups.slice(0, kMostGroupsShown);
-  const rest = failures.groups.slice(kMostGroupsShown).map(({ status, text }) => element("li", {}, `${status}: ${text}`));
-  const parts = [element("h2", {}, "Failures, and their places"),
-                 element("p", {}, `${failures.failed} of ${failures.ran} cases are wrong.`),
-                 ...failures.common.map((sentence) => element("p", {}, sentence)),
-                 ...shown.map((group, place) => wrongGroup(group, place < kMostOpen))];
-  if (rest.length) parts.push(element("p", {}, "And, in results.json:"), element("ul", {}, ...rest));
-  return parts;
+function wrongParts(results) {
+  const ran = results.filter(({ status }) => status !== "unsupported");
+  return [element("h2", {}, "Failures, and their places"),
+          element("p", {}, `${bad(results).length} of ${ran.length} cases are wrong.`),
+          ...groupsOf(results).map((group, place) => wrongGroup(group, ran, place < kMostOpen))];
 }
 
 // The largest difference from a golden value, by function.
@@ -137,7 +151,7 @@ const kSentences = {
 
 // Something passed, or there is nothing to report.
 function meaningsOf(results) {
-  const wrong = results.filter(({ status }) => kBadStatuses.includes(status));
+  const wrong = bad(results);
   if (!wrong.length) {
     return ["Hashes, and noise with HN_FIXED, have the same bits here as everywhere, and floats keep to their bounds. " +
             "Shaders need nothing special on this device."];
@@ -202,7 +216,7 @@ export function showResults(suite, info, results, costs) {
   offer(resultsJson(suite, info, results));
   if (count(results, "pass")) place("meaning").append(...meaningsOf(results).map((text) => element("p", {}, text)));
   const found = place("found");
-  if (bad(results).length) found.append(...wrongParts(failuresOf(results, suite.facets())));
+  if (bad(results).length) found.append(...wrongParts(results));
   for (const [status, title] of [["warning", "Warnings"], ["unsupported", "Not supported here"]]) {
     const reasons = byReason(results, status).map(
       ([ids, reason]) => element("section", {}, element("h3", {}, ids), element("p", {}, reason)));

@@ -12,7 +12,6 @@
 #include "base/file.hpp"
 #include "base/json.hpp"
 #include "cases/bugs/bugs.hpp"
-#include "cases/facets.hpp"
 #include "expected/golden.hpp"
 #include "expected/pairing.hpp"
 #include "expected/tolerance.hpp"
@@ -78,7 +77,7 @@ class SuiteWriter {
       if (is_bad(part.error().status)) defect_ = part.error().message;
       part = decided(part.error());
     }
-    Json with_id = {{"id", test.id}, {"facets", facets_json(test.id)}};
+    Json with_id = {{"id", test.id}};
     with_id.update(*part);
     return with_id;
   }
@@ -113,7 +112,6 @@ class SuiteWriter {
     suite["timed"] = report_to.empty() ? timed_json() : Json::array();  // before the tables of what it adds to
     suite["uniforms"] = {{"trips", {{"type", "int"}, {"value", kLoopTrips}}},
                          {"variant_seed", {{"type", "uint"}, {"value", kVariantSeed}}}};
-    suite["facets"] = facets_.values();
     suite["texts"] = texts_.values();
     suite["shaders"] = shaders_.values();
     suite["programs"] = programs_.values();
@@ -312,17 +310,9 @@ class SuiteWriter {
             {"fnv1a64", fmt::format("{:016x}", digest.fnv1a64)}};
   }
 
-  // A number for each text; the page describes the common traits of failures with these texts.
-  Json facets_json(const std::string& id) {
-    Json numbers = Json::array();
-    for (const std::string& text : facets_of(id)) numbers.push_back(facets_.number_of(text));
-    return numbers;
-  }
-
   const SourceSet& sources_;
   const std::filesystem::path& golden_;
   std::optional<std::string> defect_;
-  Table facets_;
   Table texts_;
   Table data_;
   Table shaders_;

@@ -30,11 +30,6 @@ export class Suite {
     this.api = json.api;
   }
 
-  // The facets of the cases by id: texts, as in facets.hpp.
-  facets() {
-    return new Map(this.json.cases.map(({ id, facets }) => [id, facets.map((number) => this.json.facets[number])]));
-  }
-
   // {text, translate}: translate turns the line numbers of a driver's log into files and lines.
   shader(number) {
     const { pieces, paths } = this.json.shaders[number];

@@ -159,7 +159,7 @@ HN_FN hn_float hn_clouds(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_floa
 //   (parameters, period and cost as for hn_fbm)
 //   example     float n = hn_billow(vec3(uv * 8.0, 0.5), 6, 2.0, 0.5, 7u);
 //   returns     [-1, 1]; with fewer than 1 octave -1
-//   error       twice hn_turbulence's
+//   error       twice hn_turbulence's, and a little more
 //   source      as of hn_turbulence
 HN_FN hn_float hn_billow(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_billow(hn_octaves(place, octaves, lacunarity, gain, seed));

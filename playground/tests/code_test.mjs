@@ -9,7 +9,7 @@ import { linkOf, stateOf } from "../links.js";
 import { changed, mapsOf, usualState } from "../model.js";
 import { hasCompiler, kCompiled, wordsOf, wordsOfJavaScript } from "./languages.mjs";
 import { anyStates, simpleStates } from "./states.mjs";
-import { compiled, copiedCode, floatOf, inFolder, kRoot, launched, opened, pixels, run, setState } from "./support.mjs";
+import { copiedCode, floatOf, inFolder, kRoot, launched, opened, pixels, run, setState } from "./support.mjs";
 
 const kThorough = Boolean(process.env.HN_THOROUGH);
 // Eighths of a cell from 0 on, so that both pattern(cell, f) and pattern(p) are exact.
@@ -146,77 +146,56 @@ before(async () => {
 });
 after(() => browser.close());
 
-const kVertex = `#version 300 es
-void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
-
-// The picture of a fragment shader by WebGL2: bytes of colours, or words of a target of words; or the driver's message.
-const drawn = (fragment, words) =>
+// The picture of a fragment shader by WebGL2, in bytes; or the driver's message.
+const drawn = (fragment) =>
   page.evaluate(
-    (texts, width, height, whole) => {
-      const gl = document.createElement("canvas").getContext("webgl2");
-      const program = gl.createProgram();
-      for (const [number, text] of texts.entries()) {
-        const shader = gl.createShader(number ? gl.FRAGMENT_SHADER : gl.VERTEX_SHADER);
-        gl.shaderSource(shader, text);
-        gl.compileShader(shader);
-        if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) return gl.getShaderInfoLog(shader);
-        gl.attachShader(program, shader);
+    async (text, width, height) => {
+      const { gpu } = window.hashnoise;
+      try {
+        const program = await gpu.build(text);
+        gpu.gl.useProgram(program);
+        gpu.gl.uniform2f(gpu.gl.getUniformLocation(program, "resolution"), width, height);
+        gpu.gl.uniform3f(gpu.gl.getUniformLocation(program, "iResolution"), width, height, 1);
+        return Array.from(await gpu.read(program, new ArrayBuffer(0), width, height));
+      } catch (error) {
+        return error.message;
       }
-      gl.linkProgram(program);
-      gl.useProgram(program);
-      gl.uniform2f(gl.getUniformLocation(program, "resolution"), width, height);
-      gl.uniform3f(gl.getUniformLocation(program, "iResolution"), width, height, 1);
-      gl.getError(); // a shader has one of them, or none
-      gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
-      gl.texStorage2D(gl.TEXTURE_2D, 1, whole ? gl.RGBA32UI : gl.RGBA8, width, height);
-      gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
-      const texture = gl.getParameter(gl.TEXTURE_BINDING_2D);
-      gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
-      gl.viewport(0, 0, width, height);
-      gl.drawArrays(gl.TRIANGLES, 0, 3);
-      const read = new (whole ? Uint32Array : Uint8Array)(width * height * 4);
-      const format = whole ? [gl.RGBA_INTEGER, gl.UNSIGNED_INT] : [gl.RGBA, gl.UNSIGNED_BYTE];
-      gl.readPixels(0, 0, width, height, ...format, read);
-      gl.getExtension("WEBGL_lose_context").loseContext();
-      return Array.from(read);
     },
-    [kVertex, fragment],
+    fragment,
     kWidth,
     kHeight,
-    words,
   );
+// The words that a picture has as its bytes.
+const wordsOfBytes = (found) => (Array.isArray(found) ? Array.from(new Uint32Array(Uint8Array.from(found).buffer)) : found);
 
 // The bits of a function of the copied GLSL, where the user's own precision is the lowest; Godot's is the highest.
 async function drawnGlsl(code, state, cell, precision = "mediump") {
-  const found = await drawn(
-    `#version 300 es
+  const found = await drawn(`#version 300 es
 precision ${precision} float;
 precision ${precision} int;
 ${code}
-out highp uvec4 bits;
+out highp vec4 bytes;
 void main() {
   int column = int(gl_FragCoord.x);
   int row = int(gl_FragCoord.y);
-  bits = uvec4(floatBitsToUint(${call("glsl", state, cell)}));
+  highp uint bits = floatBitsToUint(${call("glsl", state, cell)});
+  bytes = vec4((uvec4(bits) >> uvec4(0u, 8u, 16u, 24u)) & 255u) / 255.0;
 }
-`,
-    true,
-  );
-  return Array.isArray(found) ? found.filter((_, at) => at % 4 === 0) : found;
+`);
+  return wordsOfBytes(found);
 }
 
-// The picture of a whole shader in WGSL, from the lower row on: bytes of colours, or words of a target of words; or the
-// messages of the compiler.
-const drawnByWgsl = (text, words) =>
+// The picture of a whole shader in WGSL, from the lower row on, in bytes; or the messages of the compiler.
+const drawnByWgsl = (text) =>
   page.evaluate(
-    async (code, width, height, whole) => {
+    async (code, width, height) => {
       const device = await (await navigator.gpu.requestAdapter()).requestDevice();
       const module = device.createShaderModule({ code });
       const { messages } = await module.getCompilationInfo();
       if (messages.length) return messages.map(({ message }) => message).join("\n");
       const { RENDER_ATTACHMENT, COPY_SRC } = GPUTextureUsage;
       const { UNIFORM, COPY_DST, MAP_READ } = GPUBufferUsage;
-      const format = whole ? "rgba32uint" : "rgba8unorm";
+      const format = "rgba8unorm";
       const target = device.createTexture({ size: [width, height], format, usage: RENDER_ATTACHMENT | COPY_SRC });
       const fragment = { module, targets: [{ format }] };
       const pipeline = await device.createRenderPipelineAsync({ layout: "auto", vertex: { module }, fragment });
@@ -224,7 +203,7 @@ const drawnByWgsl = (text, words) =>
       const view = target.createView();
       const pass = encoder.beginRenderPass({ colorAttachments: [{ view, loadOp: "clear", storeOp: "store" }] });
       pass.setPipeline(pipeline);
-      if (!whole) {
+      if (code.includes("resolution")) {
         const buffer = device.createBuffer({ size: 8, usage: UNIFORM | COPY_DST });
         device.queue.writeBuffer(buffer, 0, new Float32Array([width, height]));
         const entries = [{ binding: 0, resource: { buffer } }];
@@ -232,13 +211,13 @@ const drawnByWgsl = (text, words) =>
       }
       pass.draw(3);
       pass.end();
-      const bytesPerRow = whole ? 16 * width : 256; // a multiple of 256
+      const bytesPerRow = 256;
       const copy = device.createBuffer({ size: bytesPerRow * height, usage: COPY_DST | MAP_READ });
       encoder.copyTextureToBuffer({ texture: target }, { buffer: copy, bytesPerRow }, [width, height]);
       device.queue.submit([encoder.finish()]);
       await copy.mapAsync(GPUMapMode.READ);
       const bytes = copy.getMappedRange();
-      const rowOf = (row) => new (whole ? Uint32Array : Uint8Array)(bytes, (height - 1 - row) * bytesPerRow, width * 4);
+      const rowOf = (row) => new Uint8Array(bytes, (height - 1 - row) * bytesPerRow, width * 4);
       const found = Array.from({ length: height }, (_, row) => Array.from(rowOf(row))).flat();
       device.destroy();
       return found;
@@ -246,7 +225,6 @@ const drawnByWgsl = (text, words) =>
     text,
     kWidth,
     kHeight,
-    words,
   );
 
 // The bits of a function of the copied WGSL. Its colours are compiled with it.
@@ -255,15 +233,14 @@ async function drawnWgsl(code, state, cell) {
   const found = await drawnByWgsl(
     `${code}
 ${kWgslVertex.join("\n")}
-@fragment fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4u {
+@fragment fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
   let column = u32(position.x);
   let row = ${kHeight - 1}u - u32(position.y);
-  return vec4u(select(bitcast<u32>(${call("wgsl", state, cell)}), 0u, ${colour}.x > 2.0));
+  return unpack4x8unorm(select(bitcast<u32>(${call("wgsl", state, cell)}), 0u, ${colour}.x > 2.0));
 }
 `,
-    true,
   );
-  return Array.isArray(found) ? found.filter((_, at) => at % 4 === 0) : found;
+  return wordsOfBytes(found);
 }
 
 // As what a text is copied, how glslang takes it, and what is put around it.
@@ -401,17 +378,6 @@ test("copied code of other languages computes the picture", async () => {
   assert.notDeepEqual(await words(code.replace(", 7)", ", 8)")), await words(code));
 });
 
-test("copied C++ has pattern(p), too", async () => {
-  await setState(page, states[1]);
-  const printed = await compiled(
-    await copiedCode(page, "cpp", false),
-    `#include <cstdio>
-int main() { std::printf("%d", hashnoise::pattern(hashnoise::vec2(2.5f, 1.25f)) == hashnoise::pattern(hashnoise::ivec2(2, 1), hashnoise::vec2(0.5f, 0.25f))); }
-`,
-  );
-  assert.equal(printed, "1");
-});
-
 test("code that is wrong is noticed", async () => {
   const state = states[0];
   await setState(page, state);
@@ -427,7 +393,7 @@ test("code that is wrong is noticed", async () => {
   assert.notDeepEqual(await drawnWgsl(wgsl.replaceAll(", 7u)", ", 8u)"), state, false), shown);
   // The text of tools/pick with other arithmetic.
   await page.evaluate(() => {
-    const { modules } = window.hashnoise.library.pieces.shading;
+    const { modules } = window.hashnoise.library;
     for (const key of Object.keys(modules)) modules[key] = modules[key.replace(" fixed ", " fast ")];
   });
   for (const found of [

@@ -1,7 +1,7 @@
 // The files that are saved, without a browser: read back by other code than wrote them.
 import assert from "node:assert/strict";
 import test from "node:test";
-import { inflateSync } from "node:zlib";
+import { crc32, inflateSync } from "node:zlib";
 import { fileOf, framesOf, heightsOf, linkInFile, nameOfFile, normalsOf } from "../files.js";
 import { linkOf, stateOf } from "../links.js";
 import { changed, possible, rangeOf, settingsOf, usualState } from "../model.js";
@@ -15,7 +15,7 @@ function readPng(bytes) {
     const length = view.getUint32(at);
     const type = String.fromCharCode(...bytes.subarray(at + 4, at + 8));
     found[type] = bytes.subarray(at + 8, at + 8 + length);
-    assert.equal(view.getUint32(at + 8 + length), crc(bytes.subarray(at + 4, at + 8 + length)), `checksum of ${type}`);
+    assert.equal(view.getUint32(at + 8 + length), crc32(bytes.subarray(at + 4, at + 8 + length)), `checksum of ${type}`);
     at += length + 12;
   }
   assert.deepEqual(Object.keys(found), ["IHDR", "tEXt", "IDAT", "IEND"]);
@@ -34,16 +34,6 @@ function readPng(bytes) {
       pixels.push(at < pixel ? line[1 + at] : (line[1 + at] + pixels.at(-pixel)) & 255);
   }
   return { width, height, depth, kind, pixels, comment: Buffer.from(found.tEXt).toString("latin1") };
-}
-// Bit by bit, as the specification has it.
-function crc(bytes) {
-  let word = 0xffffffffn;
-  for (const byte of bytes)
-    for (let bit = 0n; bit < 8n; ++bit) {
-      const low = (word ^ (BigInt(byte) >> bit)) & 1n;
-      word = (word >> 1n) ^ (low ? 0xedb88320n : 0n);
-    }
-  return Number(word ^ 0xffffffffn);
 }
 
 // A picture whose pixel (x, y), counted from below, has the value (97 x - 211 y) / 65536.

@@ -256,21 +256,6 @@ test("Smaller undoes Larger", async () => {
   }
 });
 
-test("nothing is copied before there is a code", async () => {
-  const page = await opened(browser, { viewport: kLaptop });
-  const disabled = (pieces) =>
-    page.evaluate((there) => {
-      const { controls, library } = window.hashnoise;
-      window.pieces ??= library.pieces;
-      library.pieces = there ? window.pieces : {};
-      controls.chooseLanguage("wgsl");
-      return document.getElementById("copy").disabled;
-    }, pieces);
-  assert.equal(await disabled(false), true);
-  assert.equal(await disabled(true), false);
-  await page.close();
-});
-
 test("a button shows that it has copied only if it has", async () => {
   const page = await opened(browser, {
     viewport: kLaptop,

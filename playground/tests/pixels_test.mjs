@@ -83,7 +83,11 @@ async function wordsOfCpp() {
     }
     const names = alike.map((_, number) => `picture${number}`);
     const printers = alike.map((state, number) => printer(state, names[number]));
-    const main = `int main() { ${names.map((name) => `print_${name}();`).join(" ")} }`;
+    const prints = names.map((name) => `print_${name}();`).join(" ");
+    // The form that takes a position has the value of the other one.
+    const [near, cell] = ["hashnoise::vec2(2.5f, 1.25f)", "hashnoise::ivec2(2, 1), hashnoise::vec2(0.5f, 0.25f)"];
+    const same = alike[0].dimensions === 2 ? `hashnoise::picture0::pattern(${near}) == hashnoise::picture0::pattern(${cell})` : "true";
+    const main = `int main() { ${prints} return ${same} ? 0 : 1; }`;
     const printed = (await compiled(texts.join("\n"), [kPlaces, ...printers, main].join("\n"))).trim().split("\n");
     alike.forEach((state, number) => {
       const mine = printed.slice(number * kWidth * kHeight, (number + 1) * kWidth * kHeight);
@@ -321,7 +325,7 @@ test("a changed library is noticed", async () => {
   await broken.evaluate(() => {
     const { library } = window.hashnoise;
     const changed = (text) => text.replaceAll("0x9E3779B9u", "0x9E3779B8u");
-    const { pieces } = library.pieces.shading;
+    const { pieces } = library;
     for (const at of pieces.keys()) pieces[at] = changed(pieces[at]);
   });
   await setState(broken, pictures[0]);

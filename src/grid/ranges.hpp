@@ -1,7 +1,6 @@
-// The ranges that the functions document, and values as 16 bits of such a range: for files, and for arrays of Python.
+// The ranges that the functions document.
 #pragma once
 
-#include <cstdint>
 #include <hashnoise/field.hpp>
 #include <optional>
 #include <string>
@@ -16,20 +15,6 @@ struct Interval {
   double greatest;
   friend bool operator==(const Interval&, const Interval&) = default;
 };
-
-// The least of the interval becomes 0, the greatest 65535, and a number between them the nearest integer; of two
-// equally near the greater one. A number outside becomes the nearer end, and NaN becomes 0. An interval without an
-// extent makes 0 of everything that is not above it.
-inline std::uint16_t word_of(float value, const Interval& interval) {
-  constexpr double kGreatest = 65535.0;
-  const double v = static_cast<double>(value);
-  const double extent = interval.greatest - interval.least;
-  if (!(extent > 0.0)) return v > interval.greatest ? 0xFFFF : 0;
-  // No branches, so that compilers vectorize a loop over it. NaN becomes the least.
-  const double above = v > interval.least ? v : interval.least;
-  const double inside = above < interval.greatest ? above : interval.greatest;
-  return static_cast<std::uint16_t>(static_cast<int>((inside - interval.least) / extent * kGreatest + 0.5));
-}
 
 // The range of a component, as the comment of the function in glsl/hashnoise/ has it, or nothing where that has no
 // numbers: of the derivatives of fbm_d, which depend on the gain and the lacunarity, and of distances in other metrics

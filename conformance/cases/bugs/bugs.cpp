@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/text.hpp"
 #include "cases/bugs/tables.hpp"
 #include "cases/value_checks.hpp"
 #include "expected/compare.hpp"
@@ -22,11 +23,8 @@ std::vector<std::uint32_t> grid_of(const Bug& bug) {
 }
 
 void add_cases(std::vector<Case>& cases, const Bug& bug) {
-  std::string_view profiles = bug.profiles;
-  while (!profiles.empty()) {
-    const auto end = std::min(profiles.find(' '), profiles.size());
-    const Profile& profile = profile_named(profiles.substr(0, end));
-    profiles.remove_prefix(std::min(end + 1, profiles.size()));
+  for (const std::string_view name : split(bug.profiles, ' ')) {
+    const Profile& profile = profile_named(name);
     cases.push_back({{.function = std::string(bug.function.id),
                       .configuration = "any",
                       .arithmetic = std::string(bug.arithmetic()),
@@ -43,12 +41,11 @@ void add_cases(std::vector<Case>& cases, const Bug& bug) {
 
 std::span<const Bug> all_bugs() {
   static const std::vector<Bug> kBugs = [] {
-    std::vector<Bug> bugs;
-    add_integer_bugs(bugs);
-    add_float_bugs(bugs);
-    add_flow_bugs(bugs);
-    add_position_bugs(bugs);
-    return bugs;
+    std::vector<Bug> all;
+    for (const auto& part : {integer_bugs(), float_bugs(), flow_bugs(), position_bugs()}) {
+      all.insert(all.end(), part.begin(), part.end());
+    }
+    return all;
   }();
   return kBugs;
 }
@@ -72,8 +69,7 @@ Outcome judge_bug(const Bug& bug, std::span<const std::uint32_t> outputs) {
       const std::uint32_t got = outputs[i * kOutputWords + column];
       const std::uint32_t expected = bug.points[i].expected[column];
       if (bug.function.outputs[column].type == WordType::f32) {
-        comparison.number(inputs, std::bit_cast<float>(got), static_cast<double>(std::bit_cast<float>(expected)),
-                          bug.allowed, column);
+        comparison.number(inputs, std::bit_cast<float>(got), number_of(expected), bug.allowed, column);
       } else {
         comparison.bits(inputs, got, expected, column);
       }

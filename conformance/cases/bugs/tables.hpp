@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstdint>
 #include <initializer_list>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -11,43 +13,60 @@
 
 namespace hn {
 
-void add_integer_bugs(std::vector<Bug>& bugs);
-void add_float_bugs(std::vector<Bug>& bugs);
-void add_flow_bugs(std::vector<Bug>& bugs);
-void add_position_bugs(std::vector<Bug>& bugs);
+// The parts of all_bugs().
+std::vector<Bug> integer_bugs();
+std::vector<Bug> float_bugs();
+std::vector<Bug> flow_bugs();
+std::vector<Bug> position_bugs();
 
-inline float as_float(std::uint32_t value) { return std::bit_cast<float>(value); }
+// The rule of the specification on a bug, and how far a float may be off by it.
+struct Rule {
+  std::string_view text;
+  bool defined;
+  double allowed;
+};
+constexpr Rule defined(std::string_view text, double allowed = 0.0) { return {text, true, allowed}; }
+constexpr Rule left_open(std::string_view text, double allowed = 0.0) { return {text, false, allowed}; }
 
-// The function of a bug. It needs only the library's names of types.
 using enum WordType;
-inline Function bug_function(std::string_view id, std::vector<Column> inputs, std::vector<Column> outputs,
-                             std::string_view body) {
-  return {.id = id,
-          .file = "config.glsl",
-          .call = {},
-          .body = body,
-          .inputs = std::move(inputs),
-          .outputs = std::move(outputs),
-          .plain = {}};
+using Points = std::vector<BugPoint>;
+inline const std::string_view kUsualProfiles = Bug{}.profiles;
+
+// A bug, whose function needs only the library's names of types.
+inline Bug bug(std::string_view id, std::vector<Column> inputs, std::vector<Column> outputs, std::string_view body,
+               std::string_view reference, const Rule& rule, Points points, std::string_view profiles = kUsualProfiles,
+               std::string_view declarations = "") {
+  return {.function = {.id = id,
+                       .file = "config.glsl",
+                       .call = {},
+                       .body = body,
+                       .inputs = std::move(inputs),
+                       .outputs = std::move(outputs),
+                       .plain = {}},
+          .reference = reference,
+          .specification = rule.text,
+          .defined = rule.defined,
+          .allowed = rule.allowed,
+          .profiles = profiles,
+          .declarations = declarations,
+          .points = std::move(points)};
 }
 
 constexpr std::uint32_t word(std::uint32_t value) { return value; }
 constexpr std::uint32_t word(std::int32_t value) { return static_cast<std::uint32_t>(value); }
 constexpr std::uint32_t word(float value) { return std::bit_cast<std::uint32_t>(value); }
 
-// A point for each of the inputs, with what expected makes of its words.
-template <typename Expected>
-std::vector<BugPoint> points(std::initializer_list<std::vector<std::uint32_t>> inputs, Expected expected) {
-  std::vector<BugPoint> all;
-  for (const auto& words : inputs) all.push_back({words, expected(words)});
-  return all;
+// The words of values of several types.
+template <typename... Values>
+std::vector<std::uint32_t> words(Values... values) {
+  return {word(values)...};
 }
 
-// For a single float input or a single integer, which are written as such.
-template <typename Value, typename Expected>
-std::vector<BugPoint> points_of(std::initializer_list<Value> inputs, Expected expected) {
-  std::vector<BugPoint> all;
-  for (const Value value : inputs) all.push_back({{word(value)}, expected(value)});
+// A point for each of the inputs, which have these types, with what expected makes of them.
+template <typename... Inputs, typename Expected>
+Points points(std::type_identity_t<std::initializer_list<std::tuple<Inputs...>>> inputs, Expected expected) {
+  Points all;
+  for (const auto& values : inputs) all.push_back({std::apply(words<Inputs...>, values), std::apply(expected, values)});
   return all;
 }
 

@@ -53,10 +53,10 @@ class VulkanEvaluator final : public Evaluator {
     info_.gl_version = fmt::format("{}, glslang {}{}", found.version, reference_compiler_version(),
                                    found.validated ? ", with validation layers" : "");
     info_.languages.profiles = {"vulkan", kShaderModel6};
-    if (dxc_) info_.gl_version += fmt::format(", dxc {}", dxc_->version());
+    if (dxc_) info_.gl_version += fmt::format(", dxc {}", dxc_->version);
     if (vkd3d_) {
       info_.languages.profiles.push_back(kShaderModel5);
-      info_.gl_version += fmt::format(", vkd3d-compiler {}", vkd3d_->version());
+      info_.gl_version += fmt::format(", vkd3d-compiler {}", vkd3d_->version);
     }
   }
 
@@ -64,7 +64,7 @@ class VulkanEvaluator final : public Evaluator {
 
   std::string unsupported(const Profile& profile, Stage stage) const override {
     if (profile.name == kShaderModel5 && !vkd3d_) return vkd3d_.error().message;
-    if (profile.name == kShaderModel6 && !dxc_ && Dxc::is_named()) return dxc_.error().message;
+    if (profile.name == kShaderModel6 && !dxc_ && is_dxc_named()) return dxc_.error().message;
     if (auto reason = unsupported_to_run(profile, info_.languages); !reason.empty()) return reason;
     return stage == Stage::compute ? "" : "functions are evaluated in compute shaders here";
   }
@@ -83,17 +83,17 @@ class VulkanEvaluator final : public Evaluator {
 
  private:
   Result<Words> spirv(const ShaderText& text, const Evaluation& evaluation) const {
-    if (evaluation.profile.name == kShaderModel6 && dxc_) return dxc_->spirv(text);
+    if (evaluation.profile.name == kShaderModel6 && dxc_) return dxc_->spirv(dxc_->program, text);
     if (evaluation.profile.name != kShaderModel5) return compiler_.spirv(text, evaluation.profile, evaluation.stage);
     // vkd3d's own preprocessor takes a macro's expansion of an argument for one argument of the next.
     HN_TRY(const auto plain, compiler_.preprocessed(text, evaluation.profile, evaluation.stage));
-    return vkd3d_->spirv(plain);
+    return vkd3d_->spirv(vkd3d_->program, plain);
   }
 
   std::unique_ptr<VulkanDevice> device_;
   const ReferenceCompiler& compiler_;
-  const Result<Dxc> dxc_ = Dxc::find();  // in place of glslang
-  const Result<Vkd3d> vkd3d_ = Vkd3d::find();
+  const Result<HlslCompiler> dxc_ = find_dxc();  // in place of glslang
+  const Result<HlslCompiler> vkd3d_ = find_vkd3d();
   ContextInfo info_;
 };
 

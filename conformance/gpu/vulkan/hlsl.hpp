@@ -11,38 +11,21 @@
 
 namespace hn {
 
-class Dxc {
- public:
-  // The program that the environment variable HN_DXC names, or dxc. An error gives the reason why there is none.
-  static Result<Dxc> find();
-  // Whether the variable is set, so that another compiler must not stand in.
-  static bool is_named();
-  // Compiles a compute shader of shader model 6.0.
-  Result<std::vector<std::uint32_t>> spirv(const ShaderText& shader) const;
-
-  const std::string& version() const { return version_; }  // the first line of its output
-
- private:
-  Dxc(std::string program, std::string version) : program_(std::move(program)), version_(std::move(version)) {}
-  std::string program_;
-  std::string version_;
+struct HlslCompiler {
+  std::string program;
+  std::string version;
+  // Compiles a compute shader by the program, with all of its buffers as storage buffers.
+  Result<std::vector<std::uint32_t>> (*spirv)(const std::string& program, const ShaderText& shader);
 };
 
-class Vkd3d {
- public:
-  // The program that the environment variable HN_VKD3D_COMPILER names, or vkd3d-compiler. An error gives the reason why
-  // there is none that reads HLSL.
-  static Result<Vkd3d> find();
-  // Compiles a compute shader, with all of its buffers as storage buffers.
-  Result<std::vector<std::uint32_t>> spirv(const ShaderText& shader) const;
-
-  const std::string& version() const { return version_; }  // "2.1"
-
- private:
-  Vkd3d(std::string program, std::string version) : program_(std::move(program)), version_(std::move(version)) {}
-  std::string program_;
-  std::string version_;
-};
+// For shader model 6 the program that the environment variable HN_DXC names, or dxc. An error gives the reason why
+// there is none.
+Result<HlslCompiler> find_dxc();
+// Whether the variable is set, so that another compiler must not stand in.
+bool is_dxc_named();
+// For shader model 5 the program that HN_VKD3D_COMPILER names, or vkd3d-compiler. An error gives the reason why there
+// is none that reads HLSL.
+Result<HlslCompiler> find_vkd3d();
 
 // "1.10" from the output of vkd3d-compiler --version; empty if it has no version.
 std::string vkd3d_version(const std::string& text);

@@ -180,11 +180,11 @@ TEST(Vkd3d, OneThatIsNotHereHasAReason) {
   const char* const given = std::getenv("HN_VKD3D_COMPILER");
   const std::string before = given ? given : "";
   setenv("HN_VKD3D_COMPILER", "/nowhere/vkd3d-compiler", 1);
-  const auto missing = Vkd3d::find();
+  const auto missing = find_vkd3d();
   setenv("HN_VKD3D_COMPILER", "false", 1);
-  const auto failing = Vkd3d::find();
+  const auto failing = find_vkd3d();
   setenv("HN_VKD3D_COMPILER", "echo", 1);  // prints "--version"
-  const auto silent = Vkd3d::find();
+  const auto silent = find_vkd3d();
   given ? setenv("HN_VKD3D_COMPILER", before.c_str(), 1) : unsetenv("HN_VKD3D_COMPILER");
   ASSERT_FALSE(missing || failing || silent);
   EXPECT_NE(missing.error().message.find("/nowhere/vkd3d-compiler"), std::string::npos) << missing.error().message;
@@ -196,7 +196,7 @@ TEST(Dxc, OneThatIsNamedAndNotHereHasAReason) {
   const char* const given = std::getenv("HN_DXC");
   const std::string before = given ? given : "";
   setenv("HN_DXC", "/nowhere/dxc", 1);
-  const auto missing = Dxc::find();
+  const auto missing = find_dxc();
   const ReferenceCompiler compiler;
   const auto evaluator = create_vulkan_evaluator(0, compiler);
   ASSERT_TRUE(evaluator) << evaluator.error().text();

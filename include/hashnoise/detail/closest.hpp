@@ -16,25 +16,21 @@ namespace hashnoise::inline HN_I_NAMESPACE::detail {
 
 constexpr std::size_t kLongestWord = 64;  // no name of ours comes near it, and the work grows with its length
 
-// How many typing errors turn the word into the name: a letter too many, too few, wrong, or two exchanged. It is small:
-// the npm package has it as WebAssembly. `room` has (word + 1) * (name + 1) numbers.
-inline int slips_between(const char* word, int word_length, const char* name, int name_length, int* room) {
-  const int line = name_length + 1;
-  int* at = room;  // from the first i letters of the word to the first j of the name
-  for (int i = 0; i <= word_length; ++i) {
-    for (int j = 0; j <= name_length; ++j, ++at) {
-      int slips = i + j;
-      const auto take = [&](int other) HN_I_INLINED { slips = other < slips ? other : slips; };
-      if (i > 0 && j > 0) {
-        take(at[-line] + 1);
-        take(at[-1] + 1);
-        take(at[-line - 1] + (word[i - 1] != name[j - 1]));
-        if (i > 1 && j > 1 && word[i - 1] == name[j - 2] && word[i - 2] == name[j - 1]) take(at[-2 * line - 2] + 1);
+// How many typing errors turn the word into the name: a letter too many, too few, wrong, or two exchanged.
+inline std::size_t slips_between(std::string_view word, std::string_view name) {
+  // From the first i letters of the word to the first j of the name.
+  std::vector<std::vector<std::size_t>> at(word.size() + 1, std::vector<std::size_t>(name.size() + 1));
+  for (std::size_t i = 0; i <= word.size(); ++i) {
+    for (std::size_t j = 0; j <= name.size(); ++j) {
+      at[i][j] = i + j;
+      if (i == 0 || j == 0) continue;
+      at[i][j] = std::min({at[i - 1][j] + 1, at[i][j - 1] + 1, at[i - 1][j - 1] + (word[i - 1] != name[j - 1])});
+      if (i > 1 && j > 1 && word[i - 1] == name[j - 2] && word[i - 2] == name[j - 1]) {
+        at[i][j] = std::min(at[i][j], at[i - 2][j - 2] + 1);
       }
-      *at = slips;
     }
   }
-  return at[-1];
+  return at.back().back();
 }
 
 // The name that a few typing errors turn into the word. Empty if that takes more errors than a third of the letters, or
@@ -42,13 +38,10 @@ inline int slips_between(const char* word, int word_length, const char* name, in
 template <typename Names>
 std::string closest(std::string_view word, const Names& names) {
   std::string best;
-  if (word.size() > kLongestWord) return best;
-  int fewest = std::max(static_cast<int>(word.size()) / 3, 1) + 1;
-  std::vector<int> room((kLongestWord + 1) * (kLongestWord + 1));
+  std::size_t fewest = std::max(word.size() / 3, std::size_t{1}) + 1;
   for (const std::string_view name : names) {
-    if (name.size() > kLongestWord) continue;
-    const int slips = slips_between(word.data(), static_cast<int>(word.size()), name.data(),
-                                    static_cast<int>(name.size()), room.data());
+    if (std::max(word.size(), name.size()) > kLongestWord) continue;
+    const std::size_t slips = slips_between(word, name);
     if (slips >= fewest) continue;
     fewest = slips;
     best = name;

@@ -6,62 +6,10 @@ export interface Settings {
   seed?: number;
   /** After how many cells the field repeats, along all axes or along each; 0 for never. */
   period?: number | ArrayLike<number>;
-  // tools/make catalog: settings
-  /** "perlin" if it is left out, and of fractals what the shader's take: "perlin", "perlin_d" or "value_vector". */
-  noise?: NoiseName;
-  /** For fractals: from 1 to 32; 6 if they are left out. */
-  octaves?: number;
-  /** For fractals: from 0 to 255, and a whole number from 1 with a period; 2 if it is left out. */
-  lacunarity?: number;
-  /** For fractals: from 0 to 1; 0.5 if it is left out. */
-  gain?: number;
-  /** For ping_pong, weighted and eroded: from 0 to 64, 1 and 16; 2, 1 and 1 if it is left out. */
-  strength?: number;
-  /** For warp and warp_progressive, in cells: from 0 to 64; 1 if it is left out. */
-  amplitude?: number;
-  /** For cellular: from 0 to 1; 1 if it is left out. */
-  jitter?: number;
-  /** For cellular; "euclidean" if it is left out. */
-  metric?: MetricName;
-  // tools/make catalog: end
+  // tools/pack npm: settings
 }
 
-// tools/make catalog: names
-export type NoiseName =
-  | "perlin"
-  | "perlin_d"
-  | "value"
-  | "value_d"
-  | "value_cubic"
-  | "simplex"
-  | "simplex_d"
-  | "simplex_smooth"
-  | "cellular"
-  | "curl"
-  | "value_vector"
-  | "random";
-
-export type FractalName =
-  | "fbm"
-  | "turbulence"
-  | "clouds"
-  | "billow"
-  | "ridged"
-  | "hybrid"
-  | "ping_pong"
-  | "weighted"
-  | "fbm_d"
-  | "eroded"
-  | "warp"
-  | "warp_progressive";
-
-export type MetricName =
-  | "euclidean"
-  | "squared"
-  | "manhattan"
-  | "chebyshev"
-  | "hybrid";
-// tools/make catalog: end
+// tools/pack npm: names
 
 /**
  * The coordinates of many points: `{ x, y }`, an array for each axis, all of the same length; or by the joined names,

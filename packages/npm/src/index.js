@@ -10,53 +10,10 @@ const SHAPES = {
   two_distances: () => ["f1", "f2"],
   vector: (dimensions) => AXES.slice(0, dimensions),
 };
-// Functions, in the order of twin.cpp. The noise of a fractal is the one that it takes unless another of its shape is
-// named, and its strength is the name of that number. OWNERS lists which noises or fractals have a setting.
-// tools/make catalog: noises and sums
-const NOISES = {
-  perlin: { dimensions: [1, 2, 3], shape: "value", takes: [] },
-  perlin_d: { dimensions: [1, 2, 3], shape: "slopes", takes: [] },
-  value: { dimensions: [1, 2, 3], shape: "value", takes: [] },
-  value_d: { dimensions: [1, 2, 3], shape: "slopes", takes: [] },
-  value_cubic: { dimensions: [1, 2, 3], shape: "value", takes: [] },
-  simplex: { dimensions: [2, 3], shape: "value", takes: [] },
-  simplex_d: { dimensions: [2, 3], shape: "slopes", takes: [] },
-  simplex_smooth: { dimensions: [2, 3], shape: "value", takes: [] },
-  cellular: { dimensions: [2, 3], shape: "two_distances", takes: ["jitter", "metric"] },
-  curl: { dimensions: [2, 3], shape: "vector", takes: [] },
-  value_vector: { dimensions: [2, 3], shape: "vector", takes: [] },
-  random: { dimensions: [1, 2, 3], shape: "value", takes: [] },
-};
-const FRACTALS = {
-  fbm: { dimensions: [1, 2, 3], shape: "value", noise: "perlin" },
-  turbulence: { dimensions: [1, 2, 3], shape: "value", noise: "perlin" },
-  clouds: { dimensions: [1, 2, 3], shape: "value", noise: "perlin" },
-  billow: { dimensions: [1, 2, 3], shape: "value", noise: "perlin" },
-  ridged: { dimensions: [1, 2, 3], shape: "value", noise: "perlin" },
-  hybrid: { dimensions: [1, 2, 3], shape: "value", noise: "perlin" },
-  ping_pong: { dimensions: [1, 2, 3], shape: "value", noise: "perlin", strength: "strength", usual: 2, most: 64 },
-  weighted: { dimensions: [1, 2, 3], shape: "value", noise: "perlin", strength: "strength", usual: 1, most: 1 },
-  fbm_d: { dimensions: [2, 3], shape: "slopes", noise: "perlin_d" },
-  eroded: { dimensions: [2, 3], shape: "value", noise: "perlin_d", strength: "strength", usual: 1, most: 16 },
-  warp: { dimensions: [2, 3], shape: "vector", noise: "value_vector", strength: "amplitude", usual: 1, most: 64 },
-  warp_progressive: { dimensions: [2, 3], shape: "vector", noise: "value_vector", strength: "amplitude", usual: 1, most: 64 },
-};
-const METRICS = ["euclidean", "squared", "manhattan", "chebyshev", "hybrid"];
-const NUMBERS = {
-  seed: { usual: 0, least: 0, most: 4294967295 },
-  period: { usual: 0, least: 0, most: 2147483647 },
-  jitter: { usual: 1, least: 0, most: 1 },
-  octaves: { usual: 6, least: 1, most: 32 },
-  lacunarity: { usual: 2 },
-  gain: { usual: 0.5, least: 0 },
-};
-const OWNERS = {
-  strength: "ping_pong, weighted and eroded have one",
-  amplitude: "warp and warp_progressive have one",
-  jitter: "cellular has one",
-  metric: "cellular has one",
-};
-// tools/make catalog: end
+// NOISES, FRACTALS, METRICS, NUMBERS and OWNERS: the functions, in the order of twin.cpp. The noise of a fractal is the one
+// that it takes unless another of its shape is named, and its strength is the name of that number. OWNERS lists which
+// noises or fractals have a setting.
+// tools/pack npm: constants
 const KNOWN = ["noise", "fractal", "seed", "period", "octaves", "lacunarity", "gain", "strength", "amplitude", "jitter", "metric"];
 const OF_FRACTALS = ["octaves", "lacunarity", "gain"];
 // Settings by their names in other libraries and before 1.0, without capitals and underscores; or what takes their place.

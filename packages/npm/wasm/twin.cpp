@@ -10,6 +10,7 @@
 #undef HN_I_INLINE
 #define HN_I_INLINE inline
 #include <hashnoise/lanes.hpp>
+#include <type_traits>
 
 namespace hashnoise {
 namespace HN_LANES {
@@ -45,9 +46,10 @@ Batch batch;
 // Noises. Numbers are passed one by one, so that they stay in registers.
 
 using Numbers = Float[kComponents];
-using Kernel1 = void (*)(Int cell, Int fraction, Int period, Uint seed, Numbers& n);
-using Kernel2 = void (*)(ivec2 cell, ivec2 fraction, ivec2 period, Uint seed, Numbers& n);
-using Kernel3 = void (*)(ivec3 cell, ivec3 fraction, ivec3 period, Uint seed, Numbers& n);
+template <int D>
+using Kernel = void (*)(CellOf<D> cell, CellOf<D> fraction, CellOf<D> period, Uint seed, Numbers& n);
+template <int D>
+using Place = decltype(hn_place(CellOf<D>(), PlaceOf<D>()));
 
 HN_I_INLINE void put(Numbers& n, Float v) { n[0] = v; }
 HN_I_INLINE void put(Numbers& n, vec2 v) {
@@ -66,131 +68,54 @@ HN_I_INLINE void put(Numbers& n, vec4 v) {
   n[3] = v.w;
 }
 
-#define TWIN_NOISE(IVec, name, ...)                                                      \
-  [](IVec cell, IVec fraction, IVec period, Uint seed, Numbers& n) {                     \
-    put(n, hn_##name(hn_tile(hn_i_place(cell, fraction, IVec()), period), __VA_ARGS__)); \
-  }
-#define TWIN_LINE(name, ...) TWIN_NOISE(Int, name, __VA_ARGS__)
-#define TWIN_PLANE(name, ...) TWIN_NOISE(ivec2, name, __VA_ARGS__)
-#define TWIN_SPACE(name, ...) TWIN_NOISE(ivec3, name, __VA_ARGS__)
-
-// By their numbers in index.js.
-// tools/make catalog: noises
-// clang-format off
-const Kernel1 kLine[] = {
-    TWIN_LINE(perlin, seed),
-    TWIN_LINE(perlin_d, seed),
-    TWIN_LINE(value, seed),
-    TWIN_LINE(value_d, seed),
-    TWIN_LINE(value_cubic, seed),
-    nullptr,
-    nullptr,
-    nullptr,
-    nullptr,
-    nullptr,
-    nullptr,
-    TWIN_LINE(random, seed),
-};
-const Kernel2 kPlane[] = {
-    TWIN_PLANE(perlin, seed),
-    TWIN_PLANE(perlin_d, seed),
-    TWIN_PLANE(value, seed),
-    TWIN_PLANE(value_d, seed),
-    TWIN_PLANE(value_cubic, seed),
-    TWIN_PLANE(simplex, seed),
-    TWIN_PLANE(simplex_d, seed),
-    TWIN_PLANE(simplex_smooth, seed),
-    TWIN_PLANE(cellular, settings.jitter, settings.metric, seed),
-    TWIN_PLANE(curl, seed),
-    TWIN_PLANE(value_vector, seed),
-    TWIN_PLANE(random, seed),
-};
-const Kernel3 kSpace[] = {
-    TWIN_SPACE(perlin, seed),
-    TWIN_SPACE(perlin_d, seed),
-    TWIN_SPACE(value, seed),
-    TWIN_SPACE(value_d, seed),
-    TWIN_SPACE(value_cubic, seed),
-    TWIN_SPACE(simplex, seed),
-    TWIN_SPACE(simplex_d, seed),
-    TWIN_SPACE(simplex_smooth, seed),
-    TWIN_SPACE(cellular, settings.jitter, settings.metric, seed),
-    TWIN_SPACE(curl, seed),
-    TWIN_SPACE(value_vector, seed),
-    TWIN_SPACE(random, seed),
-};
-// clang-format on
-// tools/make catalog: end
-
-template <int D>
-auto kernel() {
-  if constexpr (D == 1) {
-    return kLine[settings.noise];
-  } else if constexpr (D == 2) {
-    return kPlane[settings.noise];
-  } else {
-    return kSpace[settings.noise];
-  }
+// Nothing for a noise that these dimensions do not have.
+template <int D, typename Noise>
+constexpr Kernel<D> kernel(Noise noise) {
+  if constexpr (std::is_convertible_v<Noise, Kernel<D>>) return noise;
+  return nullptr;
 }
+#define TWIN_CALL(name, ...) \
+  put(n, hn_##name(hn_tile(hn_i_place(cell, fraction, decltype(cell)()), period), __VA_ARGS__))
+#define TWIN_NOISE(name, ...)                                    \
+  kernel<D>([](auto cell, auto fraction, auto period, Uint seed, \
+               Numbers& n) -> decltype(TWIN_CALL(name, __VA_ARGS__)) { TWIN_CALL(name, __VA_ARGS__); })
+
+// By their numbers in index.js: kNoises<D> has the kernels of noises, and Sum the names of sums. twin.py makes it.
+#include "tables.inc"
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Sums, in one loop. A noise without a period is one whose period is 0, so only the way to the next octave differs in a
 // tile.
 
-// By their numbers in index.js.
-// tools/make catalog: sums
-// clang-format off
-enum Sum {
-  kFbm,
-  kTurbulence,
-  kClouds,
-  kBillow,
-  kRidged,
-  kHybrid,
-  kPingPong,
-  kWeighted,
-  kFbmD,
-  kEroded,
-  kWarp,
-  kWarpProgressive,
-};
-
 // Once for all dimensions: what adds to octaves would be there for each.
 [[gnu::noinline]] hn_i_octave_sum with_value(hn_i_octave_sum s, Float n) {
+  const float& strength = settings.strength;
   switch (static_cast<Sum>(settings.sum)) {
-    case kFbm: return hn_i_add_noise(s, n);
-    case kTurbulence: return hn_i_add_turbulence(s, n);
-    case kClouds: return hn_i_add_noise(s, n);
-    case kBillow: return hn_i_add_billow(s, n);
-    case kRidged: return hn_i_add_ridged(s, n);
-    case kHybrid: return hn_i_add_hybrid(s, n);
-    case kPingPong: return hn_i_add_ping_pong(s, n, settings.strength);
-    case kWeighted: return hn_i_add_weighted(s, n, settings.strength);
-    case kFbmD: return s;
-    case kEroded: return s;
-    case kWarp: return s;
-    case kWarpProgressive: return s;
+#define HN_CATALOG_STEP(Id, name, added, ...) \
+  case k##Id:                                 \
+    return added;
+#include "../../../src/grid/catalog.inc"
+    case kFbmD:
+    case kEroded:
+    case kWarp:
+    case kWarpProgressive:
+      return s;
   }
 }
 
 Int finished(Int mean) {
   switch (static_cast<Sum>(settings.sum)) {
-    case kFbm: return mean;
-    case kTurbulence: return mean;
-    case kClouds: return hn_i_density(mean);
-    case kBillow: return hn_i_billows(mean);
-    case kRidged: return hn_i_bounded(mean);
-    case kHybrid: return hn_i_bounded(mean);
-    case kPingPong: return hn_i_bounded(mean);
-    case kWeighted: return hn_i_bounded(mean);
-    case kFbmD: return mean;
-    case kEroded: return mean;
-    case kWarp: return mean;
-    case kWarpProgressive: return mean;
+#define HN_CATALOG_STEP(Id, name, added, made) \
+  case k##Id:                                  \
+    return made;
+#include "../../../src/grid/catalog.inc"
+    case kFbmD:
+    case kEroded:
+    case kWarp:
+    case kWarpProgressive:
+      return mean;
   }
 }
-// clang-format on
-// tools/make catalog: end
 
 bool is_warp() { return settings.sum == kWarp || settings.sum == kWarpProgressive; }
 
@@ -200,11 +125,8 @@ HN_I_INLINE vec2 shift_of(hn_octaves2, const Numbers& n) { return vec2(n[0], n[1
 HN_I_INLINE vec3 shift_of(hn_octaves3, const Numbers& n) { return vec3(n[0], n[1], n[2]); }
 
 template <int D>
-using Place = decltype(hn_place(CellOf<D>(), PlaceOf<D>()));
-
-template <int D>
 void noise(const Place<D>& place, Uint seed, Numbers& n) {
-  kernel<D>()(place.cell, place.fraction, place.period, seed, n);
+  kNoises<D>[settings.noise](place.cell, place.fraction, place.period, seed, n);
 }
 
 template <int D>

@@ -17,7 +17,7 @@ import numpy as np
 from . import __version__, _core
 from ._bake_files import FORMATS, LONGEST_SIDE, MOST_CHANNELS, PICTURES, check_path, files_of, open_image_io, write
 from ._bake_values import FUNCTIONS, Component, Expression, Function, Stop, Values
-from ._evaluate import METRICS, checked_threads, ruled_number, suggestion
+from ._evaluate import METRICS, checked_threads, ruled_number
 from ._grids import MOST_POINTS
 
 NAME = "hashnoise bake"
@@ -111,20 +111,13 @@ def options():
 
 def parsed(arguments):
     """The options, each checked. Raises Stop."""
-    parser = options()
     words = []
     for word in map(str, arguments):
         if words and words[-1] in SIGNED:
             words[-1] += f"={word}"
         else:
             words.append(word)
-    given, rest = parser.parse_known_args(words)
-    for word in rest:
-        if word.startswith("-"):
-            known = [name for rows in OPTIONS.values() for name, *_ in rows]
-            word = word.partition("=")[0]
-            raise Stop(2, f'there is no option "{word}"{suggestion(word, known)}; see --help')
-        raise Stop(2, f'"{word}" is one argument too many; see --help')
+    given = options().parse_args(words)
     if not given.out:
         raise Stop(2, "--out is missing, the name of the file, as in -o heights.png")
     given.out = Path(given.out)

@@ -64,17 +64,12 @@ def whole(path):
 
 def check_path(path):
     """Refuses a path that no file can be written to, before the work rather than after it."""
-    if path.is_dir():
-        problem = "it is a folder; name a file in it"
-    elif not path.parent.exists():
-        problem = f"there is no folder {path.parent}; make it, or name a file in another"
-    elif (path.exists() and not path.is_file()) or not path.parent.is_dir():
-        problem = "no file can be made there: it is no regular file"
-    elif not os.access(path if path.exists() else path.parent, os.W_OK):
-        problem = "no file can be made there: you may not write to it"
-    else:
-        return
-    raise Stop(2, f"--out {path}: {problem}")
+    if not path.parent.is_dir():
+        raise Stop(2, f"--out {path}: there is no folder {path.parent}; make it, or name a file in another")
+    if path.exists() and not path.is_file():
+        raise Stop(2, f"--out {path}: it is {'a folder; name a file in it' if path.is_dir() else 'no regular file'}")
+    if not os.access(path if path.exists() else path.parent, os.W_OK):
+        raise Stop(2, f"--out {path}: you may not write to it")
 
 
 def _write_raw(path, given, values, texts):

@@ -11,8 +11,8 @@ import numpy as np
 
 import hashnoise
 
-from ._evaluate import AXES, suggestion
-from ._grids import field_of, options_of
+from ._evaluate import AXES, fill, suggestion
+from ._grids import field_of, options_of, words_of
 from ._noises import NOISES
 from ._sums import SUMS
 
@@ -89,9 +89,9 @@ class Function:
     def __call__(self, axes, shape):
         values = np.empty((len(self.components), *shape), np.float32)
         if self._as_floats:
-            self._field.points(positions(axes), [], values, self._threads)
+            fill(self._field, positions(axes), [], values, self._threads)
         else:
-            self._field.points([fraction for _, fraction in axes], [cell for cell, _ in axes], values, self._threads)
+            fill(self._field, [fraction for _, fraction in axes], [cell for cell, _ in axes], values, self._threads)
         return values
 
 
@@ -170,14 +170,6 @@ class Expression:
                 return file.read()
         except OSError as error:
             raise Stop(2, f"--source: cannot read {path}: {error.strerror}") from None
-
-
-def words_of(values, least, greatest):
-    """The least of the range becomes 0, the greatest 65535, as in src/grid/ranges.hpp. `values` are float64."""
-    if not greatest > least:
-        return np.where(values > greatest, 65535, 0).astype(np.uint16)
-    inside = np.fmin(np.fmax(values, least), greatest)  # NaN becomes the least
-    return ((inside - least) / (greatest - least) * 65535 + 0.5).astype(np.uint16)
 
 
 @dataclass

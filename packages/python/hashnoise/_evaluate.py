@@ -18,10 +18,9 @@ METRICS = {"euclidean": 1, "squared": 2, "manhattan": 3, "chebyshev": 4, "hybrid
 AXES = "xyzw"
 
 _FLOAT32 = np.dtype(np.float32)
-_FLOAT64 = np.dtype(np.float64)
 _INT32 = np.dtype(np.int32)
-_INT64 = np.dtype(np.int64)
 _UINT16 = np.dtype(np.uint16)
+_BUFFER = 1 << 18  # points of arrays that do not lie in a row, which NumPy copies together
 _MOST_SINGLE = 2.0**128 - 2.0**103  # from here on a number is infinite as a float32
 _OF_GRIDS = (_FLOAT32, np.dtype(np.float16), _UINT16)
 
@@ -57,17 +56,29 @@ def evaluated(function, least, coordinates, points, cell, out, threads, *, noise
         result = checked_out(function, out, wanted)
         if masks and not isinstance(out, np.ma.MaskedArray):
             raise TypeError(f"{function}: out must be a masked array, since a coordinate is one")
-        arrays = [array.copy() if np.may_share_memory(array, out) else array for array in arrays]
-        cells = [array.copy() if np.may_share_memory(array, out) else array for array in cells]
     values = np.asarray(result)  # without a mask
-    threads = checked_threads(function, threads)
-    try:
-        field.points(arrays, cells, values[np.newaxis] if components == 1 else values, threads)
-    except ValueError as error:
-        raise ValueError(f"{function}: {error}") from None
+    fill(field, arrays, cells, values[np.newaxis] if components == 1 else values, checked_threads(function, threads))
     if masks or isinstance(out, np.ma.MaskedArray):
         return _with_mask(result, masks, is_number=out is None and wanted == ())
     return float(result) if out is None and wanted == () else result
+
+
+def fill(field, coordinates, cells, planes, threads):
+    """Writes the field at points to planes of float32. The arrays are of any numbers, and broadcast to a plane."""
+    if not planes.size:
+        return
+    planes = [planes[number, ...] for number in range(len(planes))]  # arrays, also of one point
+    inputs = [*((array, _FLOAT32) for array in coordinates), *((array, _INT32) for array in cells)]
+    dtypes = [*(dtype for _, dtype in inputs), *[_FLOAT32] * len(planes)]
+    access = ["readonly"] * len(inputs) + ["writeonly"] * len(planes)
+    with np.errstate(over="ignore"):
+        # NumPy 1.23 reads a wrong number of an array that has no axes and another type.
+        arrays = [array if array.ndim else array.astype(dtype) for array, dtype in inputs]
+        with np.nditer([*arrays, *planes], ("external_loop", "buffered", "growinner", "copy_if_overlap"),
+                       [(kind, "contig", "aligned", "nbo") for kind in access], dtypes, casting="unsafe",
+                       buffersize=_BUFFER) as walk:
+            for rows in walk:
+                field.points(rows[:len(coordinates)], rows[len(coordinates):-len(planes)], rows[-len(planes):], threads)
 
 
 def functions_of(module, kind):
@@ -110,7 +121,7 @@ def make_field(function, dimensions, noise, fractal, options):
         if value is not None:
             setattr(settings, name, _CHECKS[name](function, name, value, dimensions))
     try:
-        return _core.Field(dimensions, settings)
+        return getattr(_core, f"Field{dimensions}")(settings)
     except ValueError as error:
         raise ValueError(f"{function}: {error}") from None
 
@@ -351,7 +362,7 @@ def _coordinate(function, name, value, masks):
     array = _array(function, name, value, "fiub", f"{name} must be a number or an array of numbers, not of", masks)
     if array.dtype == object:
         array = np.array([real_number(function, name, number) for number in array.flat]).reshape(array.shape)
-    return array if array.dtype == _FLOAT32 or array.dtype == _FLOAT64 else array.astype(_FLOAT32)
+    return array
 
 
 def _array(function, name, value, kinds, wanted, masks):
@@ -414,10 +425,10 @@ def _cells(function, cell, dimensions, masks):
         if isinstance(part, int):
             ruled_number(function, "cell", part)
         array = _array(function, "cell", part, "iu", f"the cells along {axis} must be whole numbers, not", masks)
-        if array.dtype != _INT32 and array.size and not least <= array.min() <= array.max() <= most:
+        if array.size and not least <= array.min() <= array.max() <= most:
             raise ValueError(f"{function}: the cells along {axis} must be from {least} to {most}, and are from "
                              f"{array.min()} to {array.max()}")
-        arrays.append(array if array.dtype in (_INT32, _INT64) else array.astype(_INT64))
+        arrays.append(array)
     return arrays
 
 
@@ -481,11 +492,11 @@ def _single(function, name, value, dimensions):
 
 
 def _instruction_set(function, name, value, dimensions):
-    if isinstance(value, str) and value in _core.instruction_sets():
-        return value
-    raise ValueError(f"{function}: instruction_set must be one of this processor's, which are "
-                     f"{', '.join(_core.instruction_sets())}; not {_shown(value)}"
-                     f"{suggestion(value, _core.instruction_sets())}")
+    known = _core.instruction_sets()
+    if isinstance(value, str) and value in known:
+        return known.index(value)
+    raise ValueError(f"{function}: instruction_set must be one of this processor's, which are {', '.join(known)}; not "
+                     f"{_shown(value)}{suggestion(value, known)}")
 
 
 def _shown(value):

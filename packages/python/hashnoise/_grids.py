@@ -1,5 +1,10 @@
 """Uniform grids, and their choices."""
 
+import functools
+import math
+import os
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 
 from . import _core, _noises, _sums
@@ -21,6 +26,7 @@ from ._evaluate import (
 )
 
 MOST_POINTS = _core.rules["size"][1]
+_PART = 1 << 15  # points of a grid that are converted at a time: they stay in a processor's caches
 
 
 @suggesting
@@ -104,16 +110,52 @@ def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None
     values = np.empty(shape, dtype) if out is None else checked_out("grid", out, shape, dtype)
     planar = np.asarray(values)[np.newaxis] if planes == 1 else np.asarray(values)
     threads = checked_threads("grid", threads)
+    fill = field.grid if cell is None else functools.partial(field.cell_grid, cell)
+    fill = functools.partial(fill, origin, step)
     try:
-        if cell is None:
-            extent = field.grid(origin, step, size, first, planar, ranges, threads)
+        if planar.dtype == np.float32 and planar.flags.c_contiguous and planar.flags.aligned:
+            extent = fill(size, first, planar, threads)
         else:
-            extent = field.cell_grid(cell, origin, step, size, first, planar, ranges, threads)
+            extent = _fill_by_parts(fill, size, first, planar, ranges, threads)
     except ValueError as error:
         raise ValueError(f"grid: {error}") from None
     if isinstance(values, np.ma.MaskedArray):
         values.mask = np.ma.nomask  # all of it has been computed
     return (values, extent) if return_range else values
+
+
+def _fill_by_parts(fill, size, first, planes, ranges, threads):
+    """Planes of any numbers, in any order in memory. Returns the least and the greatest value."""
+    points = math.prod(size)
+    axis = max(range(len(size)), key=lambda axis: (size[axis] > 1, axis))
+    each = max(_PART * size[axis] // max(points, 1), 1)
+
+    def fill_part(begin):
+        part, place = [*size], [*first]
+        part[axis] = min(each, size[axis] - begin)
+        place[axis] += begin
+        values = np.empty((len(planes), *part[::-1]), np.float32)
+        extent = fill(part, place, values, 1)
+        there = planes[(..., slice(begin, begin + part[axis]), *[slice(None)] * axis)]
+        if ranges:
+            values = [words_of(plane.astype(np.float64), *ends) for plane, ends in zip(values, ranges)]
+        with np.errstate(over="ignore"):  # of float16
+            there[...] = values
+        return extent
+
+    with ThreadPoolExecutor(threads or (os.cpu_count() if points > _PART else 1)) as pool:
+        least, greatest = zip(*pool.map(fill_part, range(0, max(size[axis], 1), each)))
+    return min(least), max(greatest)
+
+
+def words_of(values, least, greatest):
+    """The nearest of 65,536 numbers; of two as near the greater one. `values` are float64.
+
+    The least of the range becomes 0, the greatest 65535, and a value outside the nearer end."""
+    if not greatest > least:
+        return np.where(values > greatest, 65535, 0).astype(np.uint16)
+    inside = np.fmin(np.fmax(values, least), greatest)  # NaN becomes the least
+    return ((inside - least) / (greatest - least) * 65535 + 0.5).astype(np.uint16)
 
 
 @suggesting

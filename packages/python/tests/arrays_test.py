@@ -5,11 +5,12 @@ from __future__ import annotations
 import threading
 import time
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 
 import hashnoise
 import numpy
 
-SHAPE = (90, 130)  # more points than are copied at a time
+SHAPE = (390, 710)  # more points than are copied at a time
 
 
 def words(values, least, greatest):
@@ -29,25 +30,6 @@ class Arrays(unittest.TestCase):
         self.assertEqual((got.dtype, got.shape), (numpy.float32, expected.shape))
         self.assertEqual(got.tobytes(), numpy.ascontiguousarray(expected).tobytes())
 
-    def test_each_point_alone(self):
-        for row, column in ((0, 0), (17, 3), (89, 129)):
-            x, y = self.x[row, column], self.y[row, column]
-            self.assertEqual(hashnoise.perlin(x, y, seed=3), self.values[row, column])
-            self.assertEqual(hashnoise.perlin_d(x, y, seed=3).tolist(), self.planes[:, row, column].tolist())
-
-    def test_strides(self):
-        for name, cut in (("columns", numpy.s_[:, ::3]), ("rows", numpy.s_[::2]), ("backwards", numpy.s_[::-1, ::-1]),
-                          ("a corner", numpy.s_[5:80, 7:99]), ("a column", numpy.s_[:, 4])):
-            with self.subTest(name):
-                self.assert_same(hashnoise.perlin(self.x[cut], self.y[cut], seed=3), self.values[cut])
-                self.assert_same(hashnoise.perlin_d(self.x[cut], self.y[cut], seed=3), self.planes[(slice(None), *
-                                 (cut if isinstance(cut, tuple) else (cut,)))])
-
-    def test_order(self):
-        self.assert_same(hashnoise.perlin(self.x.T, self.y.T, seed=3), self.values.T)
-        self.assert_same(hashnoise.perlin_d(self.x.T, self.y.T, seed=3), self.planes.transpose(0, 2, 1))
-        self.assert_same(hashnoise.perlin(numpy.asfortranarray(self.x), self.y, seed=3), self.values)
-
     def test_a_result_lies_as_the_coordinates_do(self):
         for name, x, y, is_transposed in (("transposed", self.x.T, self.y.T, True),
                                           ("as in Fortran", *map(numpy.asfortranarray, (self.x, self.y)), True),
@@ -65,33 +47,6 @@ class Arrays(unittest.TestCase):
         for order in ((2, 1, 0), (1, 0, 2), (0, 2, 1)):
             self.assert_same(hashnoise.perlin(*(axis.transpose(order) for axis in volume)), expected.transpose(order))
 
-    def test_fields_of_records(self):
-        """Their numbers are at any byte."""
-        records = numpy.zeros(SHAPE, [("kind", "u1"), ("x", "f4"), ("y", "f8")])
-        records["x"], records["y"] = self.x, self.y
-        self.assert_same(hashnoise.perlin(records["x"], records["y"], seed=3), self.values)
-
-    def test_kinds_of_numbers(self):
-        for kind in ("f8", ">f4", ">f8", "g"):
-            with self.subTest(kind):
-                self.assert_same(hashnoise.perlin(self.x.astype(kind), self.y.astype(kind), seed=3), self.values)
-        whole = numpy.arange(-60, 60)
-        expected = hashnoise.value(whole.astype(numpy.float32), 0.5, seed=3)
-        for kind in ("i1", "i2", "i4", "i8", "f2", ">i4"):
-            with self.subTest(kind):
-                self.assert_same(hashnoise.value(whole.astype(kind), 0.5, seed=3), expected)
-        for kind in ("u1", "u2", "u4", "u8"):
-            with self.subTest(kind):
-                self.assert_same(hashnoise.value(whole[60:].astype(kind), 0.5, seed=3), expected[60:])
-        self.assert_same(hashnoise.value([True, False], 0.5, seed=3), expected[[61, 60]])
-        self.assert_same(hashnoise.value(whole.tolist(), 0.5, seed=3), expected)
-
-    def test_float64_is_rounded_to_the_nearest(self):
-        x = numpy.linspace(0, 9, 5001)
-        self.assert_same(hashnoise.perlin(x), hashnoise.perlin(x.astype(numpy.float32)))
-        self.assert_same(hashnoise.perlin(x, x[:30, None]),
-                         hashnoise.perlin(x.astype(numpy.float32), x[:30, None].astype(numpy.float32)))
-
     def test_broadcasting(self):
         random = numpy.random.default_rng(2)
         for shapes in (((130,), (90, 1)), ((90, 1), (130,)), ((90, 130), ()), ((), (90, 130)), ((1,), (130,)),
@@ -102,38 +57,6 @@ class Arrays(unittest.TestCase):
                 whole = [numpy.ascontiguousarray(array) for array in numpy.broadcast_arrays(*arrays)]
                 self.assert_same(hashnoise.perlin(*arrays), hashnoise.perlin(*whole))
                 self.assert_same(hashnoise.perlin_d(*arrays), hashnoise.perlin_d(*whole))
-
-    def test_views_of_broadcast_arrays(self):
-        x = numpy.broadcast_to(self.x[0], SHAPE)
-        self.assertFalse(x.flags.writeable)
-        self.assert_same(hashnoise.perlin(x, self.y, seed=3), hashnoise.perlin(x.copy(), self.y, seed=3))
-
-    def test_numbers(self):
-        for x, y in ((0.5, 0.25), (1, 0.25), (numpy.float32(0.5), numpy.int16(2)), (numpy.array(0.5), 0.25)):
-            with self.subTest(x=x, y=y):
-                value = hashnoise.perlin(x, y, seed=3)
-                self.assertIs(type(value), float)
-                self.assertEqual(value, hashnoise.perlin([x], y, seed=3)[0])
-                self.assertEqual(hashnoise.perlin_d(x, y, seed=3).shape, (3,))
-        out = numpy.empty((), numpy.float32)
-        self.assertIs(hashnoise.perlin(0.5, 0.25, seed=3, out=out), out)
-        self.assertEqual(out, hashnoise.perlin(0.5, 0.25, seed=3))
-
-    def test_no_points(self):
-        for shape in ((0,), (3, 0), (0, 3)):
-            self.assertEqual(hashnoise.perlin(numpy.zeros(shape), 0.5).shape, shape)
-            self.assertEqual(hashnoise.perlin_d(numpy.zeros(shape), 0.5).shape, (3, *shape))
-        self.assertEqual(hashnoise.grid("perlin", (0, 5), step=1).shape, (5, 0))
-        self.assertEqual(hashnoise.grid("perlin_d", (5, 0), step=1).shape, (3, 0, 5))
-
-    def test_planes_can_be_unpacked(self):
-        value, dx, dy = hashnoise.perlin_d(self.x, self.y, seed=3)
-        self.assert_same(value, self.values)
-        self.assertEqual(hashnoise.components("perlin_d", 2), ("value", "dx", "dy"))
-        step = numpy.float32(1 / 1024)
-        slope = (hashnoise.perlin(self.x + step, self.y, seed=3) - self.values) / step
-        self.assertLess(numpy.abs(slope - dx).max(), 0.05)
-        self.assertEqual(dy.shape, SHAPE)
 
     def test_points(self):
         """Their last axis has the coordinates; of numbers on a line it has one."""
@@ -168,43 +91,24 @@ class Arrays(unittest.TestCase):
         self.assert_same(out, self.values)
         self.assert_same(hashnoise.perlin_d(points=points, seed=3), self.planes)
 
-    def test_one_to_four_coordinates(self):
-        for axes in range(1, 5):
-            self.assertEqual(hashnoise.perlin_d(*[self.x] * axes).shape, (axes + 1, *SHAPE))
-
 
 class Cells(unittest.TestCase):
     def test_kinds_of_numbers(self):
-        random = numpy.random.default_rng(3)
-        cells = random.integers(-2**31, 2**31, (2, 9000))
-        places = random.uniform(0, 1, (2, 9000)).astype(numpy.float32)
-        expected = hashnoise.perlin_d(*places, cell=tuple(cells.astype(numpy.int32)), seed=4)
-        for name, other in (("int64", cells), ("big-endian", cells.astype(">i8")),
-                            ("columns", numpy.asfortranarray(cells))):
-            with self.subTest(name):
-                values = hashnoise.perlin_d(*places, cell=tuple(other), seed=4)
-                self.assertEqual(values.tobytes(), expected.tobytes())
-        positive = cells & (2**31 - 1)
-        expected_of_positive = hashnoise.perlin_d(*places, cell=tuple(positive), seed=4)
-        for kind in (numpy.uint32, numpy.uint64):
-            with self.subTest(kind.__name__):
-                values = hashnoise.perlin_d(*places, cell=tuple(positive.astype(kind)), seed=4)
-                self.assertEqual(values.tobytes(), expected_of_positive.tobytes())
-        halves = hashnoise.perlin_d(*places[:, ::2], cell=tuple(cells[:, ::2]), seed=4)
-        self.assertEqual(halves.tobytes(), expected[:, ::2].tobytes())
+        """Cells along two axes are broadcast to a plane."""
+        cells = numpy.random.default_rng(3).integers(0, 2**31, 600)
+        expected = hashnoise.perlin_d(0.5, 0.25, cell=(cells, -cells[:, None]), seed=4)
+        for kind in ("i4", "i8", ">i8", "u4", "u8"):
+            with self.subTest(kind):
+                found = hashnoise.perlin_d(0.5, 0.25, cell=(cells.astype(kind), -cells[:, None]), seed=4)
+                self.assertEqual(found.tobytes(), expected.tobytes())
+        one = hashnoise.perlin_d(0.5, 0.25, cell=(int(cells[5]), -int(cells[7])), seed=4)
+        self.assertEqual(one.tobytes(), expected[:, 7, 5].tobytes())
 
     def test_near_the_origin_they_are_positions(self):
         x = numpy.arange(-40, 40, 0.25, dtype=numpy.float32)
         cell = numpy.floor(x)
         values = hashnoise.fbm(x - cell, 0.5, cell=(cell.astype(int), -3), arithmetic="fixed")
         self.assertEqual(values.tobytes(), hashnoise.fbm(x, -2.5, arithmetic="fixed").tobytes())
-
-    def test_broadcasting(self):
-        cells = numpy.arange(70)
-        values = hashnoise.perlin(0.5, numpy.float32(0.25), cell=(cells, cells[:, None] - 2**31), seed=4)
-        whole = numpy.meshgrid(cells, cells - 2**31)
-        self.assertEqual(values.tobytes(), hashnoise.perlin(
-            numpy.full((70, 70), 0.5), numpy.full((70, 70), 0.25), cell=tuple(whole), seed=4).tobytes())
 
     def test_one_axis_needs_no_tuple(self):
         self.assertEqual(hashnoise.perlin(0.5, cell=7), hashnoise.perlin(0.5, cell=(7,)))
@@ -215,24 +119,12 @@ class Out(unittest.TestCase):
     def setUp(self):
         random = numpy.random.default_rng(1)
         self.x, self.y = random.uniform(-50, 50, (2, *SHAPE)).astype(numpy.float32)
-        self.values = hashnoise.perlin(self.x, self.y, seed=3)
         self.planes = hashnoise.perlin_d(self.x, self.y, seed=3)
 
-    def test_it_is_filled_and_returned(self):
-        out = numpy.empty(SHAPE, numpy.float32)
-        self.assertIs(hashnoise.perlin(self.x, self.y, seed=3, out=out), out)
-        self.assertEqual(out.tobytes(), self.values.tobytes())
-
     def test_strides(self):
-        large = numpy.full((3, 200, 300), 7, numpy.float32)
-        for name, cut in (("a corner", numpy.s_[:90, :130]), ("every second", numpy.s_[10:190:2, 10:270:2]),
-                          ("backwards", numpy.s_[89::-1, 130:0:-1])):
+        large = numpy.full((3, 800, 1500), 7, numpy.float32)
+        for name, cut in (("every second", numpy.s_[10:790:2, 10:1430:2]), ("backwards", numpy.s_[389::-1, 710:0:-1])):
             with self.subTest(name):
-                large[...] = 7
-                hashnoise.perlin(self.x, self.y, seed=3, out=large[1][cut])
-                self.assertEqual(large[1][cut].tobytes(), self.values.tobytes())
-                large[1][cut] = 7
-                self.assertTrue((large == 7).all(), "something beside it was written")
                 hashnoise.perlin_d(self.x, self.y, seed=3, out=large[(slice(None), *cut)])
                 self.assertEqual(large[(slice(None), *cut)].tobytes(), self.planes.tobytes())
                 large[(slice(None), *cut)] = 7
@@ -249,21 +141,13 @@ class Out(unittest.TestCase):
                 hashnoise.perlin(x[first], self.y[first], seed=3, out=x[second])
                 self.assertEqual(x[second].tobytes(), expected.tobytes())
 
-    def test_grids(self):
-        expected = hashnoise.grid("perlin_d", (40, 30), step=0.1)
-        out = numpy.empty((3, 30, 40), numpy.float32)
-        self.assertIs(hashnoise.grid("perlin_d", (40, 30), step=0.1, out=out), out)
-        self.assertEqual(out.tobytes(), expected.tobytes())
-        pixels = numpy.empty((30, 40, 3), numpy.float32)
-        hashnoise.grid("perlin_d", (40, 30), step=0.1, out=pixels.transpose(2, 0, 1))
-        self.assertEqual(pixels.transpose(2, 0, 1).tobytes(), expected.tobytes())
-
     def test_grids_in_any_order(self):
         for size in ((400, 300), (3, 500), (500, 3), (1, 1), (130,), (40, 30, 20), (9, 8, 7, 6)):
             expected, extent = hashnoise.grid("perlin_d", size, step=0.1, return_range=True)
             large = numpy.full((len(size) + 1, *(2 * n + 3 for n in size[::-1])), 7, numpy.float32)
             cut = (slice(None), *(slice(1, 2 * n + 1, 2) for n in size[::-1]))
-            for name, out in (("transposed", numpy.empty(expected.shape[::-1], numpy.float32).T),
+            for name, out in (("as usual", numpy.empty(expected.shape, numpy.float32)),
+                              ("transposed", numpy.empty(expected.shape[::-1], numpy.float32).T),
                               ("pixels", numpy.moveaxis(numpy.empty((*size[::-1], len(size) + 1), "f4"), -1, 0)),
                               ("backwards", numpy.empty(expected.shape, numpy.float32)[..., ::-1]),
                               ("every second", large[cut]),
@@ -352,17 +236,6 @@ class Grids(unittest.TestCase):
                          planes.astype(numpy.float16).tobytes())
         self.assertEqual(hashnoise.grid("fbm", (9, 0), step=0.05, dtype="uint16").shape, (0, 9))
 
-    def test_every_float16(self):
-        """A line through 0 has as values all that a float16 may be between -1 and 1."""
-        for step in (2.0**-26, 2.0**-20, 2.0**-12, 0.0371):
-            values = hashnoise.grid("perlin", 40_001, step=step, origin=-20_000 * step)
-            self.assertEqual(hashnoise.grid("perlin", 40_001, step=step, origin=-20_000 * step, dtype="f2").tobytes(),
-                             values.astype(numpy.float16).tobytes())
-        # Larger values: squared distances in cells are at most 5.
-        values = hashnoise.grid("cellular", (99, 99), step=0.1, metric="squared")
-        self.assertEqual(hashnoise.grid("cellular", (99, 99), step=0.1, metric="squared", dtype="f2").tobytes(),
-                         values.astype(numpy.float16).tobytes())
-
     def test_words(self):
         for name, dimensions, least, greatest in (("ridged", 2, 0, 1), ("perlin", 3, -1, 1), ("value", 1, -1, 1)):
             size = (41, 31, 21)[:dimensions]
@@ -441,16 +314,6 @@ class Threads(unittest.TestCase):
 
     def test_many_threads_of_python(self):
         expected = hashnoise.grid("simplex", (200, 200), step=0.1).tobytes()
-        wrong = []
-
-        def compute():
-            for _ in range(20):
-                if hashnoise.grid("simplex", (200, 200), step=0.1).tobytes() != expected:
-                    wrong.append(True)
-
-        threads = [threading.Thread(target=compute) for _ in range(4)]
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            thread.join()
-        self.assertEqual(wrong, [])
+        with ThreadPoolExecutor(4) as pool:
+            found = set(pool.map(lambda _: hashnoise.grid("simplex", (200, 200), step=0.1).tobytes(), range(80)))
+        self.assertEqual(found, {expected})

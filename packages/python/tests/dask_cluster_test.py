@@ -7,6 +7,7 @@ import doctest
 import importlib.util
 import io
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -199,19 +200,11 @@ class Example(unittest.TestCase):
         self.assertEqual(part.values.tobytes(), expected.tobytes())
 
     def test_memory_does_not_grow_with_the_terrain(self):
-        small, large = (self.example.measure(size, {"octaves": 1}) for size in (4096, 12288))
-        self.assertLess(large["memory"], 1.5 * small["memory"] + 50e6)
-
-    def test_the_table(self):
-        table = self.example.table(((300, {}), (300, {"dtype": "float32"})))
-        self.assertIn("| 300 m | float32 | 11 | fixed | ", table)
-        text = f"# Page\n{self.example.BEGIN}old\n{self.example.END}rest\n"
-        self.assertEqual(self.example.with_table(text, table), text.replace("old\n", table))
-
-    def test_a_page_without_its_marks_is_noticed(self):
-        for text in ("", self.example.BEGIN, self.example.END + self.example.BEGIN):
-            with self.assertRaisesRegex(ValueError, "the page must have the marks"):
-                self.example.with_table(text, "table")
+        printed = [subprocess.run([sys.executable, "-B", EXAMPLE, "--size", str(size), "--out", self.scratch / "of.zarr"],
+                                  check=True, capture_output=True, text=True).stdout for size in (4096, 8192)]
+        small, large = (float(re.search(r"(\d+) MB of memory$", text.rstrip())[1]) for text in printed)
+        self.assertGreater(small, 50)
+        self.assertLess(large, 1.25 * small + 50)
 
 
 class Page(unittest.TestCase):
@@ -225,13 +218,6 @@ class Page(unittest.TestCase):
             with self.subTest(block):
                 # The large terrain is written small.
                 exec(compile(block.replace("200_000", "2_000"), PAGE.name, "exec"), {"__name__": "__main__"})
-
-    def test_its_table_is_there(self):
-        module = example()
-        table = PAGE.read_text(encoding="utf-8").partition(module.BEGIN)[2].partition(module.END)[0]
-        for size, options in module.MEASURED:
-            self.assertRegex(table, rf"(?m)^\| {size:,} m \| {options.get('dtype', 'uint16')} \| "
-                                    rf"{options.get('octaves', 11)} \| {options.get('arithmetic', 'fixed')} \| \d")
 
     def test_examples_of_docstrings(self):
         results = doctest.testmod(hashnoise.dask, extraglobs={"hashnoise": hashnoise, "numpy": numpy})

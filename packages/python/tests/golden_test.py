@@ -102,25 +102,17 @@ class Reported(unittest.TestCase):
         self.file = golden.read("noise2d.perlin_d", "lattice+fixed")
         self.results = golden.computed(self.file, "fixed")
 
-    def test_nothing(self):
-        self.assertEqual(golden.different_bits(self.file, self.results), [])
-
-    def test_a_bit(self):
-        self.results.view(numpy.uint32)[1, 7] ^= 1
-        self.assertEqual(len(golden.different_bits(self.file, self.results)), 1)
-        self.assertIn("row 8: dx", golden.different_bits(self.file, self.results)[0])
-
-    def test_the_sign_of_a_zero(self):
-        row = numpy.flatnonzero(self.file.results["value"] == 0)[0]
-        self.results[0, row] = -self.results[0, row]
-        self.assertEqual(len(golden.different_bits(self.file, self.results)), 1)
-
-    def test_no_number(self):
-        self.results[2, 3] = numpy.nan
-        self.assertEqual(len(golden.different_bits(self.file, self.results)), 1)
-        self.assertEqual(len(golden.too_far(self.file, self.results)), 1)
-
-    def test_components_that_are_exchanged(self):
+    def test_each_wrong_number(self):
+        bit, nothing, zero = (self.results.copy() for _ in range(3))
+        bit.view(numpy.uint32)[1, 7] ^= 1
+        nothing[2, 3] = numpy.nan
+        zero[0, numpy.flatnonzero(self.file.results["value"] == 0)[0]] *= -1  # the sign of a zero
+        for results, said in ((bit, ["row 8: dx"]), (nothing, ["row 4: dy"]), (zero, ["value"]), (self.results, [])):
+            found = golden.different_bits(self.file, results)
+            self.assertEqual(len(found), len(said))
+            for one, words in zip(found, said):
+                self.assertIn(words, one)
+        self.assertEqual(len(golden.too_far(self.file, nothing)), 1)
         self.assertGreater(len(golden.different_bits(self.file, self.results[::-1])), 100)
 
     def test_a_component_that_is_missing(self):

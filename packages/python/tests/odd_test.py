@@ -42,6 +42,10 @@ class NoNumbers(unittest.TestCase):
         self.assertEqual(values[:, ~none].tobytes(), right[:, ~none].tobytes())
         self.assertTrue(numpy.isfinite(right).all())
 
+    def test_numbers(self):
+        for wrong in (*NONE, 1e300):  # which is infinite as a float32
+            self.assertTrue(numpy.isnan(hashnoise.perlin(wrong, 0.5)))
+
     def test_a_number_out_of_none_is_noticed(self):
         for none in ([], [1, 3], [1]):
             with self.subTest(none), self.assertRaises(AssertionError):
@@ -57,14 +61,6 @@ class NoNumbers(unittest.TestCase):
                         coordinates[axis][[1, 4]] = wrong
                         none = numpy.isin(numpy.arange(5), (1, 4))
                         self.expect(name, coordinates, none, arithmetic=arithmetic)
-
-    def test_numbers(self):
-        for (name, axes), arithmetic in itertools.product(FUNCTIONS, ARITHMETICS):
-            for wrong in NONE:
-                with self.subTest(name, axes=axes, arithmetic=arithmetic, wrong=wrong):
-                    self.assertTrue(numpy.isnan(called(name, [wrong] * axes, arithmetic=arithmetic)).all())
-        self.assertTrue(numpy.isnan(hashnoise.perlin(float("nan"), 0.5, arithmetic="fixed")))
-        self.assertTrue(numpy.isnan(hashnoise.perlin(1e300, 0.5)))  # infinite as a float32
 
     def test_forms(self):
         """Each has kernels of its own."""
@@ -219,7 +215,7 @@ class Kinds(unittest.TestCase):
     def test_types_of_numbers(self):
         for dtype in ("f2", "f4", "f8", "g", ">f4", ">f8", "i1", "u2", "i8", "u8", ">i4", "?"):
             with self.subTest(dtype):
-                x = numpy.array([0, 1, 1, 0]).astype(dtype)
+                x = (numpy.arange(-700, 700) / 97).astype(dtype)
                 self.assertEqual(hashnoise.value(x).tobytes(), hashnoise.value(x.astype("f4")).tobytes())
         self.assertEqual(hashnoise.value(numpy.array([1, 2], "M8[s]").astype("i8")).shape, (2,))
         for wrong in (numpy.array([1j]), numpy.array(["a"]), numpy.array([None]), numpy.array([1, 2], "M8[s]"),

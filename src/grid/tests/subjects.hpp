@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -114,7 +115,9 @@ inline void draw_settings(Settings& s, int dimensions, bool tiled, Draw draw, Ch
   if (s.phase) s.phase = chance.of({0.0f, 0.25f, 1.0f / 3.0f, -0.7f, 12345.625f, chance.between(-2.0f, 2.0f)});
   if (s.fractal.empty()) {
     if (row_of(s.noise).has_jitter()) s.jitter = chance.of({1.0f, 1.0f, 0.0f, 0.5f, chance.between(0.0f, 1.0f)});
-    if (row_of(s.noise).has_metric() && !s.phase) s.metric = static_cast<Metric>(chance.whole(1, 5));
+    if (row_of(s.noise).has_metric() && !s.phase) {
+      s.metric = static_cast<Metric>(chance.whole(1, static_cast<int>(std::size(grid::kMetricNames))));
+    }
     s.wave.clear();
     if (row_of(s.noise).has_wave() && !chance.one_in(5)) {
       for (int axis = 0; axis < dimensions; ++axis) {

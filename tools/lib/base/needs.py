@@ -8,11 +8,12 @@ import sys
 
 from base import ending
 
+VERSION = (3, 11)
 
-def python(major, minor, *words):
-    """3.9 for what users call, and 3.11 for what works on the project: needs_test.py holds the files to that. The words
-    are those of the command line without which less would do."""
-    if sys.version_info >= (major, minor):
+
+def python(*words):
+    """The words are the command line's, where a command of the shell has several."""
+    if sys.version_info >= VERSION:
         ending.with_children()
         return
     program, name = os.path.split(sys.argv[0] or "-c")
@@ -20,8 +21,7 @@ def python(major, minor, *words):
         name = " ".join(words) or os.path.basename(program)
         another = "The first python3 of the PATH is taken."
     else:
-        name = " ".join((name,) + words)
         another = "Another one is taken like this: python3.12 tools/%s" % name
     sys.stderr.write("tools/%s needs Python %d.%d or later, and this is %d.%d (%s). %s\n"
-                     % (name, major, minor, *sys.version_info[:2], sys.executable, another))
+                     % (name, *VERSION, *sys.version_info[:2], sys.executable, another))
     sys.exit(4)

@@ -74,14 +74,7 @@ class Made(unittest.TestCase):
                     self.assertRegex(made["fbm2d.glsl"], rf"(?m)^HN_FN hn_float hn_i_{function.name}\(hn_octaves2 o")
 
     def test_rows_of_the_suite(self):
-        fbm, ping_pong, warp = (next(sum_ for sum_ in read().sums if sum_.name == name)
-                                for name in ("fbm", "ping_pong", "warp"))
-        ids = [row.id for row in functions.of_sum(ping_pong)]
-        # In 4D there is no room for a strength beside the cell, the fraction and the period.
-        self.assertEqual([id for id in ids if "4" in id],
-                         ["fbm.ping_pong4", "fbm.ping_pong4_cell", "fbm.ping_pong4_period"])
-        self.assertEqual([id for id in ids if "1" in id], ["fbm.ping_pong1", "fbm.ping_pong1_cell_period"])
-        self.assertIn("fbm.fbm2_detail", [row.id for row in functions.of_sum(fbm)])
+        warp = next(sum_ for sum_ in read().sums if sum_.name == "warp")
         body = ("hn_vec2 p = vec2(float_of(a.x), float_of(a.y)); hn_vec2 n = hn_warp(p, int(a.z), float_of(a.w), float_of(b.x), "
                 "float_of(b.y), SEED(b.z)); return uvec4(bits_of(n.x), bits_of(n.y), 0u, 0u);")
         row = next(functions.of_sum(warp))
@@ -95,11 +88,16 @@ class Made(unittest.TestCase):
         self.assertTrue(suite.of_bodies([row]).endswith(f'COLUMN("seed", u32)), {body})\n'))
 
     def test_ids_of_what_a_derivative_belongs_to(self):
-        of = {row.id: suite.plain(row) for row in functions.read_functions()}
+        of = {row.id: row.plain for row in functions.read_functions()}
         for id_, plain in (("noise2d.perlin_d_cell", "noise2d.perlin_cell"), ("noise4d.value_d_value", "noise4d.value"),
                            ("noise4d.perlin_d_cell_value", "noise4d.perlin_cell"), ("fbm_d.eroded2_cell", "fbm.fbm2_cell"),
-                           ("noise2d.perlin_d_phase", "noise2d.perlin_phase"), ("noise2d.perlin", "")):
+                           ("noise2d.perlin_d_phase", "noise2d.perlin_phase"), ("noise2d.perlin", ""), ("fbm.fbm2", "")):
             self.assertEqual(of[id_], plain)
+
+    def test_a_sum_by_a_new_step_is_bounded_by_its_mean_alone(self):
+        ridged = dataclasses.replace(next(sum_ for sum_ in read().sums if sum_.name == "ridged"), step="crests")
+        self.assertIn(", true, crests, bounded)", suite.facts_of(ridged))
+        self.assertIn(", false, crests, as_it_is)", suite.facts_of(dataclasses.replace(ridged, mean="")))
 
     def test_files_of_the_suite_are_written_once(self):
         with tempfile.TemporaryDirectory() as name:
@@ -165,9 +163,11 @@ class Wrong(unittest.TestCase):
                 ("noises.toml", rf"{perlin}dimensions = .*\n", "dimensions = [1, 5]\n",
                  "perlin: dimensions are [1, 5], and have to be in [1, 4]"),
                 ("noises.toml", rf"{perlin}dimensions", "new = 1\ndimensions", "perlin has a key 'new', which means nothing"),
-                ("noises.toml", rf'{perlin}(dimensions = .*\n)shape = "value"', r'\1shape = "round"',
+                ("noises.toml", rf"{perlin}(dimensions = .*\n)", r'\1shape = "round"\n',
                  "perlin: shape is 'round', and has to be one of value, slopes, "),
                 ("noises.toml", r"(?<=^\[perlin\.options\]\n)phase", "phrase", "perlin: a noise has no option phrase"),
+                ("noises.toml", r'^plain = "perlin"\n', "", "perlin_d: what has derivatives has a plain, and nothing else"),
+                ("noises.toml", r'^plain = "perlin"$', 'plain = "merlin"', "perlin_d: plain is 'merlin', which is no noise"),
                 ("noises.toml", r"(?<=^\[curl\.ranges\]\n)axis = .*", "axis = [[-1, 1]]",
                  "curl: the ranges of axis have to be one for each dimension"),
                 ("noises.toml", rf"{perlin}dimensions = ", "dimensions = ] ", "catalog/noises.toml: Invalid value"),
@@ -193,9 +193,9 @@ class Wrong(unittest.TestCase):
                  "warp: it sums noises of the shape vector, and cellular is none"),
                 ("sums.toml", r"(?<=^\[ping_pong\.strength\]\n)((?:.*\n)+?)default = 2", r"\1default = 65",
                  "ping_pong.strength: the default is not in [0, 64]"),
-                ("settings.toml", r"(?<=^\[gain\]\n)kind = .*", 'kind = "odd"',
-                 "catalog/settings.toml: gain: kind is 'odd', and has to be one of whole, real"),
-                ("settings.toml", r"(?<=^\[gain\]\n)((?:.*\n)+?)fixed = .*", r"\1fixed = [1]",
+                ("settings.toml", r"(?<=^\[gain\]\n)", 'kind = "odd"\n',
+                 "catalog/settings.toml: gain: kind is 'odd', and has to be one of whole"),
+                ("settings.toml", r"(?<=^\[gain\]\n)((?:.*\n)*?)fixed = .*", r"\1fixed = [1]",
                  "catalog/settings.toml: gain: fixed has to be two numbers, and is [1]"),
                 ("settings.toml", r"^\[metrics\].*\nnames = .*", "", "catalog/settings.toml: metrics has to be a table")):
             with self.subTest(message=message):

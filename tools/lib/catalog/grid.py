@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from pathlib import Path
 
 from base.tree import ROOT
@@ -94,7 +95,8 @@ def guards(catalog: Catalog) -> str:
 def files(catalog: Catalog) -> dict[Path, str]:
     head = ["// Made by tools/make catalog: noises, sums and settings. Define one of these macros, and include this "
             "file.\n"]
-    head += [f"//   {line}\n" for macro, arguments in MACROS.items() for line in wrapped(f"{macro}{arguments}")]
+    head += [f"//   {line}\n" for macro, arguments in MACROS.items() for line in
+             textwrap.wrap(f"{macro}{arguments}", 109, subsequent_indent="    ", break_on_hyphens=False)]
     begin = [f"#ifndef {macro}\n#define {macro}(...)\n#endif\n" for macro in MACROS]
     rows = [*(row("HN_CATALOG_NOISE", *of_function(noise), takes_of(noise)) for noise in catalog.noises),
             *(ranges(noise) for noise in catalog.noises), *map(of_sum, catalog.sums),
@@ -104,13 +106,3 @@ def files(catalog: Catalog) -> dict[Path, str]:
     end = [f"#undef {macro}\n" for macro in MACROS]
     header, text = with_section(HEADER, "noises and sums", guards(catalog))
     return {header: text, PATH: "".join([*head, "// clang-format off\n", *begin, *rows, *end, "// clang-format on\n"])}
-
-
-def wrapped(line: str) -> list[str]:
-    """Lines of comment; those after the first are indented."""
-    lines, rest = [], line
-    while len(rest) > 110:
-        at = rest.rindex(" ", 0, 110)
-        lines.append(rest[:at])
-        rest = "    " + rest[at + 1:]
-    return [*lines, rest]

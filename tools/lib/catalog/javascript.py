@@ -3,22 +3,19 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping, Sequence
+import re
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from base.pieces import is_deleted
 from base.tree import ROOT
 from catalog.grid import in_camel_case
-from catalog.model import Catalog, Function, Noise, Sum
-from catalog.sections import with_section
+from catalog.model import Catalog, Function, Noise, Sum, read
 from catalog.tables.functions import STRENGTHS
 from catalog.tables.markdown import table
 from catalog.tables.markdown import with_section as with_table
 
-TWIN = "packages/npm/wasm/twin.cpp"
-FIELDS = "packages/npm/src/index.js"
-TYPES = "packages/npm/src/index.d.ts"
 PAGE = "docs/guide/javascript.md"
 PLAYGROUND = ROOT / "playground" / "catalog.js"
 MOST_DIMENSIONS = 3  # of the twin
@@ -87,7 +84,7 @@ def parts_of(noise: Noise) -> list[str]:
     return [part for part in PARTS if part in noise.options]
 
 
-def noises_and_sums(twin: Twin) -> str:
+def constants(twin: Twin) -> str:
     """The constants of index.js."""
     def of_noise(noise: Noise) -> dict[str, Any]:
         return {"dimensions": dimensions_of(noise, MOST_DIMENSIONS), "shape": noise.shape, "takes": parts_of(noise)}
@@ -151,42 +148,12 @@ def types_of_names(twin: Twin) -> str:
                      for type_, of_type in names.items())
 
 
-def in_this_form(text: str) -> str:
-    return f"// clang-format off\n{text}// clang-format on\n"
-
-
-def kernels(twin: Twin) -> str:
-    """The tables of twin.cpp: for each number of dimensions the noises, up to the last that there is."""
-    made = []
-    for dimensions, (table_, macro) in enumerate((("kLine", "TWIN_LINE"), ("kPlane", "TWIN_PLANE"),
-                                                  ("kSpace", "TWIN_SPACE")), 1):
-        found = [", ".join([noise.name, *(f"settings.{part}" for part in parts_of(noise)), "seed"])
-                 if noise.is_in(dimensions) else "" for noise in twin.noises]
-        last = max(i for i, arguments in enumerate(found) if arguments)
-        made += [f"const Kernel{dimensions} {table_}[] = {{\n",
-                 *(f"    {f'{macro}({arguments})' if arguments else 'nullptr'},\n" for arguments in found[:last + 1]),
-                 "};\n"]
-    return in_this_form("".join(made))
-
-
-def sums(twin: Twin) -> str:
-    """The numbers of sums, and what they do."""
-    def lines(before: str, text: Callable[[Sum], str], after: str) -> str:
-        return "".join([before, *map(text, twin.sums), after])
-
-    def case(sum_: Sum, value: str) -> str:
-        return f"    case k{in_camel_case(sum_.name)}: return {value};\n"
-
-    def added(sum_: Sum) -> str:
-        return case(sum_, sum_.adds("s", "n", "settings.strength") if sum_.is_of_values else "s")
-
-    return in_this_form("\n".join([
-        lines("enum Sum {\n", lambda sum_: f"  k{in_camel_case(sum_.name)},\n", "};\n"),
-        lines("// Once for all dimensions: what adds to octaves would be there for each.\n"
-              "[[gnu::noinline]] hn_i_octave_sum with_value(hn_i_octave_sum s, Float n) {\n"
-              "  switch (static_cast<Sum>(settings.sum)) {\n", added, "  }\n}\n"),
-        lines("Int finished(Int mean) {\n  switch (static_cast<Sum>(settings.sum)) {\n",
-              lambda sum_: case(sum_, sum_.makes("mean")), "  }\n}\n")]))
+def tables_of_module(twin: Twin) -> str:
+    """The file that twin.cpp includes: the kernels of the noises, and the numbers of the sums."""
+    calls = (", ".join([noise.name, *(f"settings.{part}" for part in parts_of(noise)), "seed"]) for noise in twin.noises)
+    kernels = "".join(f"TWIN_NOISE({call}),\n" for call in calls)
+    names = ", ".join(f"k{in_camel_case(sum_.name)}" for sum_ in twin.sums)
+    return f"template <int D>\nconst Kernel<D> kNoises[] = {{\n{kernels}}};\nenum Sum {{ {names} }};\n"
 
 
 def settings_of_page(twin: Twin) -> str:
@@ -214,17 +181,19 @@ def settings_of_page(twin: Twin) -> str:
          f'`"{twin.metrics[0]}"`')])
 
 
-def package(twin: Twin) -> dict[Path, str]:
-    with_settings = with_section(TYPES, "settings", types_of_settings(twin))[1]
-    page = (ROOT / PAGE).read_text(encoding="utf-8")
-    page = with_table(PAGE, page, "tools/make catalog: settings", settings_of_page(twin))
+def page(twin: Twin) -> str:
+    text = (ROOT / PAGE).read_text(encoding="utf-8")
+    text = with_table(PAGE, text, "tools/make catalog: settings", settings_of_page(twin))
     absent = code([function.name for function in twin.absent])
-    page = with_table(PAGE, page, "tools/make catalog: noises that are not there",
+    return with_table(PAGE, text, "tools/make catalog: noises that are not there",
                       f"Noises that did not fit into {MOST_BYTES // 1000} kB: {absent}.\n")
-    with_kernels = with_section(TWIN, "noises", kernels(twin))[1]
-    return dict([with_section(FIELDS, "noises and sums", noises_and_sums(twin)),
-                 with_section(TYPES, "names", types_of_names(twin), with_settings),
-                 with_section(TWIN, "sums", sums(twin), with_kernels), (ROOT / PAGE, page)])
+
+
+def as_packed(text: str) -> str:
+    """A file of packages/npm/src as the package has it: with what stands behind lines such as `// tools/pack npm: names`."""
+    twin = Twin(read())
+    parts = {"constants": constants, "settings": types_of_settings, "names": types_of_names}
+    return re.sub(r"^ *// tools/pack npm: (\w+)\n", lambda line: line[0] + parts[line[1]](twin), text, flags=re.MULTILINE)
 
 
 # ---------------------------------------------------------------------------------------------------------------------
@@ -251,11 +220,11 @@ def may_draw(noise: Noise, option: str) -> bool:
 
 
 def playground(catalog: Catalog) -> str:
-    slopes = {noise.name for noise in catalog.noises if noise.shape == "slopes"}
+    steep = {noise.plain for noise in catalog.noises if noise.shape == "slopes"}
 
     def of_noise(noise: Noise) -> dict[str, Any]:
         return {"dimensions": dimensions_of(noise, 4), **{option: True for option in noise.options if may_draw(noise, option)},
-                **({"steep": True} if f"{noise.name}_d" in slopes else {}),
+                **({"steep": True} if noise.name in steep else {}),
                 **({"range": noise.ranges["value"][0]} if "value" in noise.ranges else {}), "about": shown(noise)}
 
     def of_sum(sum_: Sum) -> dict[str, Any]:
@@ -275,5 +244,5 @@ def playground(catalog: Catalog) -> str:
 
 
 def files(catalog: Catalog) -> dict[Path, str]:
-    of_package = {} if is_deleted("npm") else package(Twin(catalog))
+    of_package = {} if is_deleted("npm") else {ROOT / PAGE: page(Twin(catalog))}
     return of_package if is_deleted("playground") else {**of_package, PLAYGROUND: playground(catalog)}

@@ -5,17 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from tomllib import loads
 from typing import Any, Optional
 
 from base.tree import ROOT
 
-try:
-    from tomllib import loads
-except ImportError:  # before Python 3.11
-    from catalog.tables.toml import loads
-
 CATALOG = ROOT / "catalog"
 SHAPES = ("value", "slopes", "two_distances", "three_distances", "distance_with_slopes", "vector", "value_and_quadrature")
+WITH_DERIVATIVES = "slopes", "distance_with_slopes"
 WITH_VALUE = "value", "slopes", "value_and_quadrature"  # shapes with a component of that name
 AXES = "xyzw"
 OWN = "own"  # the noise of a sum that leaves no choice
@@ -63,6 +60,7 @@ class Function:
     families: Families | None  # None: its rows stand there by hand
     brief: str  # for the README
     use: str  # for the pages
+    plain: str  # the function without derivatives; "" of one without them
 
     def sentence(self) -> str:
         return self.about.format(dimensions=self.dimensions_in_words())
@@ -185,8 +183,8 @@ class Entry:
             raise CatalogError(f"{self.where}: {key} is {value!r}, which is of the wrong type")
         return value
 
-    def one_of(self, key: str, names: tuple[str, ...]) -> str:
-        value: str = self.take(key, str)
+    def one_of(self, key: str, names: tuple[str, ...], *default: str) -> str:
+        value: str = self.take(key, str, *default)
         if value not in names:
             raise CatalogError(f"{self.where}: {key} is {value!r}, and has to be one of {', '.join(names)}")
         return value
@@ -210,10 +208,11 @@ def _function(entry: Entry, name: str) -> dict[str, Any]:
     if "{dimensions}" not in about:
         raise CatalogError(f"{entry.where}: about needs {{dimensions}}, which becomes \"in 2D and 3D\" and so on")
     options = entry.take("options", dict, {})
-    return {"name": name, "first": first, "last": last, "shape": entry.one_of("shape", SHAPES), "about": about,
+    return {"name": name, "first": first, "last": last, "shape": entry.one_of("shape", SHAPES, "value"), "about": about,
             "more": entry.take("more", str, ""), "returns": entry.take("returns", str),
             "source": entry.take("source", str), "example": entry.take("example", str, ""), "options": options,
-            "families": _families(entry, name), "brief": entry.take("brief", str), "use": entry.take("use", str)}
+            "families": _families(entry, name), "brief": entry.take("brief", str), "use": entry.take("use", str),
+            "plain": entry.take("plain", str, "")}
 
 
 def _families(entry: Entry, name: str) -> Families | None:
@@ -263,10 +262,10 @@ def _sum(name: str, keys: Any, noises: Mapping[str, Noise]) -> Sum:
     named = ("noise", strength.name) if strength else ("noise",)
     if isinstance(value, str) and value not in named:
         raise CatalogError(f"{entry.where}: range is {value!r}, and has to be two numbers or {' or '.join(named)}")
-    of = entry.one_of("of", (*SHAPES, OWN))
-    made = Sum(**common, of=of, noise=entry.one_of("noise", tuple(noises)) if of != OWN else "",
+    of = entry.one_of("of", (*SHAPES, OWN), "value")
+    made = Sum(**common, of=of, noise=entry.one_of("noise", tuple(noises), "perlin") if of != OWN else "",
                range=entry.pair("range", value) if isinstance(value, list) else value, strength=strength,
-               step=entry.take("step", str, ""), mean=entry.one_of("mean", MEANS) if "mean" in entry.keys else "",
+               step=entry.take("step", str, ""), mean=entry.one_of("mean", MEANS, ""),
                adds_words=entry.take("adds", str, ""), error=entry.take("error", str, ""))
     if bool(made.step) != (made.shape == "value" and made.takes_noise):
         raise CatalogError(f"{entry.where}: a sum that is a value has a step, and no other has one")
@@ -279,7 +278,7 @@ def _sum(name: str, keys: Any, noises: Mapping[str, Noise]) -> Sum:
 def _setting(name: str, keys: Any) -> Setting:
     entry = Entry("settings.toml", name, keys)
     number = (int, float)
-    is_whole = entry.one_of("kind", ("whole", "real")) == "whole"
+    is_whole = bool(entry.one_of("kind", ("whole", ""), ""))
     least, most = entry.take("least", number, None), entry.take("most", number, None)
     fixed = entry.take("fixed", list, [least, most])
     if len(fixed) != 2:
@@ -304,4 +303,9 @@ def read(folder: Path = CATALOG) -> Catalog:
     metrics = Entry("settings.toml", "metrics", settings.pop("metrics", None))
     names = tuple(metrics.take("names", list))
     metrics.end()
+    for function in (*noises.values(), *sums):
+        if (function.shape in WITH_DERIVATIVES or getattr(function, "of", "") == "slopes") != bool(function.plain):
+            raise CatalogError(f"catalog: {function.name}: what has derivatives has a plain, and nothing else")
+        if function.plain and function.plain not in (*noises, *(sum_.name for sum_ in sums)):
+            raise CatalogError(f"catalog: {function.name}: plain is {function.plain!r}, which is no noise and no sum")
     return Catalog(tuple(noises.values()), sums, {name: _setting(name, keys) for name, keys in settings.items()}, names)

@@ -95,13 +95,10 @@ def _options(function: Function, catalog: Catalog) -> tuple[_Option, ...]:
 
 def _own_options(function: Function, catalog: Catalog) -> Iterable[_Option]:
     """Options that not all functions have."""
-    return _of_sum(function, catalog) if isinstance(function, Sum) else _of_noise(function, catalog)
-
-
-def _of_noise(noise: Function, catalog: Catalog) -> Iterable[_Option]:
-    """Options that not every noise has."""
+    if isinstance(function, Sum):
+        return _of_sum(function, catalog)
     known = (_WAVE, _PHASE, _setting("jitter", catalog), _Option("metric", f'"{catalog.metrics[0]}"', "_Metric"))
-    return (option for option in known if option.name in noise.options)
+    return (option for option in known if option.name in function.options)
 
 
 def _of_sum(function: Sum, catalog: Catalog) -> Iterable[_Option]:

@@ -15,7 +15,7 @@ from pathlib import Path
 from catalog.grid import row
 from catalog.model import Catalog, Noise, Sum, read
 from catalog.tables.configurations import Configuration, families, read_configurations
-from catalog.tables.functions import OCTAVE_SUMS, Column, Function, read_functions
+from catalog.tables.functions import Column, Function, read_functions
 
 HEAD = "// Made by tools/lib/catalog/suite.py.\n"
 # Nothing of the library is declared with the sine gradient that is of one of these.
@@ -36,21 +36,6 @@ def flag(value: bool) -> str:
     return str(value).lower()
 
 
-def plain(function: Function) -> str:
-    """The id that the noise would have whose derivative, or whose value beside it, a function is; of an octave sum, the
-    sum of octaves without slopes. In four dimensions value and derivative are two rows: perlin_d_value and perlin_d.
-    The sums of noises with derivatives are in a file of their own: fbm_d.fbm_d2 and fbm_d.eroded2 belong to
-    fbm.fbm2."""
-    if function.family in OCTAVE_SUMS:
-        return f"fbm.fbm{function.name[len(function.bound):]}"
-    parts = function.name.split("_")
-    if "d" not in parts:
-        return ""
-    parts = parts[:-1] if parts[-1] == "value" and parts[-2:-1] else parts
-    parts.remove("d")
-    return f"{function.file}.{'_'.join(parts)}"
-
-
 def columns(some: Iterable[Column]) -> str:
     return ", ".join(f'{{"{column.name}", {column.type}}}' for column in some)
 
@@ -58,7 +43,7 @@ def columns(some: Iterable[Column]) -> str:
 def of_functions(catalog: Catalog, functions: Sequence[Function]) -> str:
     """Initialisers of Function (library/functions.hpp)."""
     noises = {noise.name: noise for noise in catalog.noises}
-    ids, sums = {function.id for function in functions}, {sum_.name for sum_ in catalog.sums if sum_.families}
+    sums = {sum_.name for sum_ in catalog.sums if sum_.families}
 
     def one(function: Function) -> str:
         noise = noises.get(function.bound)
@@ -66,8 +51,8 @@ def of_functions(catalog: Catalog, functions: Sequence[Function]) -> str:
                   "bound": f'"{function.bound}"', "call": f'"{function.bench}"', "body": f'"{function.body}"',
                   "inputs": f"{{{columns(function.inputs)}}}", "outputs": f"{{{columns(function.outputs)}}}",
                   "axes": function.axes * function.has_axes,
-                  "plain": f'"{plain(function) if plain(function) in ids else ""}"',
-                  "configurations": mask(function), "has_unseeded": flag(function.has_unseeded),
+                  "plain": f'"{function.plain}"', "configurations": mask(function),
+                  "has_unseeded": flag(function.has_unseeded),
                   "is_continuous": flag(not (noise and noise.jumps)),
                   "is_never_negative": flag(bool(noise and is_never_negative(noise))),
                   "is_sum_of_noise": flag(function.bound in sums), "is_offset": flag(function.sets == "offset")}
@@ -118,10 +103,9 @@ def of_sums(catalog: Catalog) -> str:
 
 def facts_of(sum_: Sum) -> str:
     least, greatest = sum_.range if isinstance(sum_.range, tuple) else (-1, 1)
-    is_bounded = bool(sum_.mean) or sum_.step not in ("", "noise", "turbulence", "eroded")
     step, mean = step_and_mean(sum_)
     return row("OCTAVE_SUM", sum_.name, sum_.noise, sum_.strength.most if sum_.strength else 0, least, greatest,
-               flag(is_bounded), step, mean)
+               flag(bool(sum_.mean)), step, mean)
 
 
 def step_and_mean(sum_: Sum) -> tuple[str, str]:
@@ -136,6 +120,8 @@ def files() -> dict[str, str]:
     of_cmake = "".join(f'  "{" ".join([one.name, *one.macros])}"\n' for one in configurations)
     return {"library/functions.inc": of_functions(catalog, functions), "library/bodies.inc": of_bodies(functions),
             "library/configurations.inc": of_configurations(configurations), "library/sums.inc": of_sums(catalog),
+            "library/metrics.inc": "".join([HEAD, "// Define METRIC(name, number), and include this file.\n", *(
+                row("METRIC", name, number) for number, name in enumerate(catalog.metrics, 1)), "#undef METRIC\n"]),
             "library/families.inc": HEAD + "".join(f"{name},\n" for name in families()),
             "configurations.cmake": f"set(configurations\n{of_cmake})\n"}
 

@@ -28,7 +28,7 @@ both. Another renderer has other numbers."""
 ALL = """A ratio is that to Perlin/Float of as many dimensions: the median over the rounds, after the time of an empty
 shader is taken off both. The spread is half the distance between the quartiles. Instructions are those of a whole fragment
 shader that evaluates the function once per pixel and writes it as grey; empty2 and empty3 are the shader without it.
-SPIR-V after spirv-opt -O, NVIDIA's from the program binary."""
+SPIR-V after spirv-opt -O."""
 
 
 def read(path: Path) -> Record:
@@ -44,9 +44,8 @@ def print_comparison(before: Record, now: Record) -> dict[str, Change]:
     """The changes, by subject."""
     known, found = (record.quantities(one.rows, KEY, *VALUE) for one in (before, now))
     compared = {id: change for (id,), change in record.compare(known, found).items()}
-    if before.facts.get("renderer", "") != now.facts["renderer"]:
-        print("The baseline was measured on another renderer: "
-              f"{before.facts.get('renderer', 'an unknown one')}, not {now.facts['renderer']}")
+    if before.facts.get("by") != now.facts["by"]:
+        print(f"The baseline was measured by another renderer: {before.facts.get('by')}, not {now.facts['by']}")
     print(f"{len(compared)} subjects compared; {len(known) - len(compared)} of the baseline were not measured now")
     for id, change in compared.items():
         if change.is_more:
@@ -96,13 +95,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         before = read(options.baseline) if options.baseline else None
     except ValueError as error:
         parser.error(str(error))
-    status = conform.bench(str(HN_CONFORM), options.out, others)
-    if status not in (0, 1) or not (options.out / conform.BENCH).is_file():
+    status, facts = conform.bench(str(HN_CONFORM), options.out, others)
+    if not facts:
         return status
     now = read(options.out / conform.BENCH)
     compared = print_comparison(before, now) if before else {}
-    page.write(options.out / "index.html", Path(__file__).with_name("tables.html"), facts=now.facts,
-               title=f"Costs of hashnoise on {now.facts['renderer']}", sections=sections(now, compared),
+    page.write(options.out / "index.html", Path(__file__).with_name("tables.html"), facts=facts,
+               title=f"Costs of hashnoise on {facts['renderer']}", sections=sections(now, compared),
                problems=[(row["id"], row["problem"]) for row in now.rows if row["problem"]])
     print(options.out / "index.html")
     return 1 if any(change.is_more for change in compared.values()) else status

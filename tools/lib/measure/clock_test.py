@@ -9,7 +9,7 @@ from base.testing import Case, called
 from measure import clock
 
 HEAD = "id,dimensions,call,ratio,spread,evaluations_per_second,compile_ms,spirv,problem"
-FACTS = "# date: 2026-01-02T03:04:05Z\n# renderer: Voodoo <2>\n# no counts from nvidia here: it is not NVIDIA's\n"
+FACTS = "# date: 2026-01-02T03:04:05Z\n# renderer: Voodoo <2>\n"
 
 
 def costing(id: str, axes: int, cost: float, call: str = "") -> str:
@@ -66,7 +66,7 @@ class Page(Clock):
             self.assertNotIn(absent, frames)
         places = [all_rows.index(part) for part in ("perlin.lattice</th>", "perlin.fnv1</th>", "broken&lt;2&gt;</th>")]
         self.assertEqual(places, sorted(places))
-        for part in ("Voodoo &lt;2&gt;", "2026-01-02T03:04:05Z", "no counts from nvidia here", "a.glsl:1: &lt;no&gt;"):
+        for part in ("Voodoo &lt;2&gt;", "2026-01-02T03:04:05Z", "a.glsl:1: &lt;no&gt;"):
             self.assertIn(part, page)
         self.assertNotIn("<2>", page)
         self.assertNotIn("A frame of", self.page(costing("hash.word.fnv1", 2, 2)))
@@ -76,12 +76,12 @@ class Baseline(Clock):
     def test_slower_is_status_1_and_no_slower_is_0(self) -> None:
         earlier = self.write(self.out.parent / "earlier.csv", costing("a", 2, 2), costing("b", 2, 2),
                              costing("gone", 2, 1), FAILED)
-        earlier.write_text(earlier.read_text().replace("Voodoo", "Rage"))
+        earlier.write_text(earlier.read_text().replace("renderer: Voodoo", "by: Rage"))
         status, out = self.measure("--baseline", str(earlier), "--driver", "x",
                                       rows=(costing("a", 2, 2), costing("b", 2, 8), costing("new", 2, 1), FAILED))
         self.assertEqual(status, 1)
         self.assertEqual(self.passed, ["bench", "--out", str(self.out), "--driver", "x"])
-        self.assertIn("another renderer: Rage <2>, not Voodoo <2>", out)
+        self.assertIn("another renderer: Rage <2>, not Voodoo <2>\n", out)
         self.assertIn("2 subjects compared; 1 of the baseline were not measured now", out)
         self.assertEqual([line for line in out.splitlines() if line.startswith("SLOWER")],
                          ["SLOWER b: 2.000 +- 0.125, was 0.500 +- 0.031"])

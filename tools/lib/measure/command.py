@@ -9,7 +9,7 @@ sys.path[0] = str(Path(__file__).resolve().parents[1])
 
 from base import needs  # noqa: E402
 
-needs.python(3, 11)
+needs.python()
 
 folder = Path(__file__).resolve().parent / sys.argv[1]
 sys.exit(importlib.import_module(f"measure.{sys.argv[1]}{'.command' * folder.is_dir()}").main(sys.argv[2:]))

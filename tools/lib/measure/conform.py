@@ -5,11 +5,11 @@ from __future__ import annotations
 import argparse
 import signal
 import subprocess
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from base.tree import GLSL
-from measure import stamps
+from measure import record, stamps
 
 BENCH = "bench.csv"
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
@@ -36,9 +36,11 @@ def library(options: Sequence[str]) -> Path:
     return parser.parse_known_args(options)[0].glsl
 
 
-def bench(program: str, out: Path, options: Sequence[str]) -> int:
-    """Leaves bench.csv. The status of hn-conform bench."""
+def bench(program: str, out: Path, options: Sequence[str]) -> tuple[int, Mapping[str, str]]:
+    """Leaves bench.csv. The status of hn-conform bench, and all that it states of this machine."""
     status = run([program, "bench", "--out", str(out), *options])
-    if status in (0, 1) and (out / BENCH).is_file():
-        stamps.stamp(out / BENCH, library=library(options))
-    return status
+    if status not in (0, 1) or not (out / BENCH).is_file():
+        return status, {}
+    facts = record.read(out / BENCH).facts
+    stamps.stamp(out / BENCH, library=library(options))
+    return status, facts

@@ -159,4 +159,4 @@ def main(arguments: Sequence[str] | None = None) -> int:
         words += ["--filter", f"{ours}.lattice"]
     for one in against(paths):
         words += ["--against", one]
-    return conform.bench(program, options.out, words)
+    return conform.bench(program, options.out, words)[0]

@@ -38,9 +38,10 @@ SOURCES = ("glsl", "include", "src/grid")
 TEXT = "text"  # the column
 NONE = "none"  # in it: the row has nothing of the library
 TEXTS = re.compile(rf"[0-9a-f]{{8}}|{NONE}|unknown")  # the last where nobody can find out what was measured
-FACTS = ("date", "hashnoise", "by")
-SHOWN = 4  # rows of a record by --check
+FACTS = ("date", "by", "hashnoise")
 NEEDS = "needs"  # a fact: hardware that is not here
+KEPT = (*FACTS, "note", "rounds", NEEDS)  # of the facts that a command knows
+SHOWN = 4  # rows of a record by --check
 WORDS = re.compile(r"\bhn_(?!bench)\w+|\bHN_\w+")
 # Of C++ and CMake, and what each version has otherwise.
 COMMENT = re.compile(r"//.*|(?s:/\*.*?\*/)|^ *# .*|^#define HN_(?:VERSION_|I_NAMESPACE).*", re.MULTILINE)
@@ -227,6 +228,7 @@ class Kind(NamedTuple):
 
 KINDS = {"bench.csv": Kind("clock", of_subject), "peers.csv": Kind("peers", of_subject),
          "costs.csv": Kind("gpu", of_subject), "operations.csv": Kind("gpu", None), "chips.csv": Kind("gpu", None),
+         "stripes.csv": Kind("gpu", None),
          "compile.csv": Kind("compile", of_shader), "uniform.csv": Kind("uniform", of_distribution),
          **{f"{name}.csv": Kind("paper", of_paper) for name in ("table", "statistics", "period", "bandwidth")},
          "judged.csv": Kind("noise", of_names), "hashes.csv": Kind("hashes", of_names),
@@ -250,17 +252,15 @@ def of_library() -> str:
 
 
 def stamp(path: Path, by: str = "", library: Path = GLSL, kind: str = "") -> None:
-    """Adds the texts of rows that were measured just now, the day, the version and what measured them. The kind is the
-    usual name of the file, if it has another."""
+    """Adds the texts of rows that were measured just now, the day, the version and what measured them, and leaves out what
+    is of this machine alone. The kind is the usual name of the file, if it has another."""
     found = record.read(path)
     by = by or ", ".join(filter(None, (found.facts.get(name, "") for name in ("renderer", "OpenGL"))))
     facts = {"date": time.strftime("%Y-%m-%d", time.gmtime()), "by": by,
              "hashnoise": of_library() if library == GLSL else f"the text in {library}"} | found.facts
-    if library == GLSL:
-        facts.pop("library", None)  # it has the same, and where it is here
     of_row = KINDS[kind or path.name].digest
     rows = [row if row.get(TEXT) or not of_row else {**row, TEXT: of_row(row, library)} for row in found.rows]
-    record.write(path, rows, facts=facts)
+    record.write(path, rows, facts={name: facts[name] for name in KEPT if facts.get(name)})
 
 
 def keep(path: Path, rows: Iterable[Mapping[str, object]], by: str, facts: Mapping[str, object] | None = None,

@@ -52,11 +52,11 @@ def ids(noise: str) -> list[str]:
     return [f"{noise}{n}" if noise.startswith("table.") else f"noise{n}d.perlin.{noise}" for n in (2, 3)]
 
 
-def cost_table(rows: Costs, count: str, whose: str) -> str:
-    """The ratios, and the instructions of a column of bench.csv."""
+def cost_table(rows: Costs, *counts: str) -> str:
+    """The ratios, and the columns of bench.csv that are named."""
     lines = [[NOISES.get(noise, f"`{noise}`"), *(f"{float(rows[id]['ratio']):.2f}" for id in ids(noise)),
-              *(rows[id][count] for id in ids(noise))] for noise in ROWS]
-    return table(("noise", "2D", "3D", f"instructions {whose}, 2D", "3D"), lines)
+              *(rows[id][count] for count in counts for id in ids(noise))] for noise in ROWS]
+    return table(("noise", "2D", "3D", *["instructions of SPIR-V, 2D", "3D"] * len(counts)), lines)
 
 
 def form_table(rows: Costs) -> str:
@@ -132,9 +132,8 @@ def tables() -> Iterator[tuple[str, str, str]]:
     """Made parts of pages: the page, the name of the marks, and the table."""
     rows = costs(CPU)
     yield from ((page, f"tools/make pages: {name}", made + stamps.note(of)) for page, name, made, of in (
-        (MEASURING, "costs", cost_table(rows, "spirv", "of SPIR-V"), "llvmpipe/bench.csv"),
-        (MEASURING, "costs on a GPU",
-         cost_table(costs(GPU), "nvidia", "of NVIDIA's assembly"), "h100/bench.csv"),
+        (MEASURING, "costs", cost_table(rows, "spirv"), "llvmpipe/bench.csv"),
+        (MEASURING, "costs on a GPU", cost_table(costs(GPU)), "h100/bench.csv"),
         (MEASURING, "costs by compilers", of_gpus.chip_table(of_gpus.costs()), "gpu/costs.csv"),
         (KNOBS, "costs of arithmetics", of_gpus.arithmetics_quote(of_gpus.costs()), "gpu/costs.csv"),
         (DEFAULT_HASH, "costs of the hash", of_gpus.titled_table(of_gpus.costs(), of_gpus.HASHED),

@@ -6,7 +6,6 @@ import importlib
 import sys
 from collections.abc import Sequence
 
-from base import needs
 from base.usage import near
 from ship import packing
 from ship.recipes import RECIPES
@@ -32,7 +31,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"tools/pack: {wrong}; tools/pack --help lists them", file=sys.stderr)
         return 2
     recipe = RECIPES[name]
-    needs.python(*recipe.python, name)
     if others == ["help"]:
         others = ["--help"]
     if recipe.command:

@@ -22,7 +22,6 @@ class Recipe(NamedTuple):
     options: dict[str, Option] = {}
     is_zip: bool = False                 # always: the files are for a folder that a user has
     command: str = ""                    # the module of its own command line
-    python: tuple[int, int] = (3, 9)
 
     @property
     def zip_name(self) -> str:
@@ -78,5 +77,5 @@ RECIPES = {name: recipe for name, recipe in {
         "the add-on for Godot 4.4 and later", "hashnoise-godot", is_zip=True,
         more="It has addons/hashnoise/ as a project has it: the parts of the library, each as one .gdshaderinc, and an "
         "example."),
-    "release": Recipe("all that a release has, from a clean tree", command="ship.release.command", python=(3, 11)),
+    "release": Recipe("all that a release has, from a clean tree", command="ship.release.command"),
 }.items() if Path(__file__).with_name(name).is_dir()}

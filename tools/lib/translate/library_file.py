@@ -12,7 +12,6 @@ import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from catalog.tables import glsl
 from translate.settings import GRADIENTS, HASHES
 
 ARITHMETICS = ("fast", "fixed", "precise")
@@ -60,8 +59,6 @@ def check_name(parser: argparse.ArgumentParser, name: str, library: Path) -> Non
     names = sorted(path.name for path in library.glob("*.glsl"))
     if name in names:
         return
-    if files := glsl.files_of(name, library):
-        parser.error(f"{name} is a function, and not a file: it is in {', '.join(files)}")
     if f"{name}.glsl" in names:
         near = [f"{name}.glsl"]
     else:

@@ -4,8 +4,8 @@ import cellular3d from "hashnoise/glsl/cellular3d";
 import fbm2d from "hashnoise/glsl/fbm2d";
 import perlin2d from "hashnoise/glsl/perlin2d";
 import raw from "hashnoise/hashnoise.glsl?raw";
-import { Field } from "hashnoise";
 import { registerChunks } from "hashnoise/three";
+import { furthest, gray, SIDE } from "./furthest.js";
 import included from "./golden.glsl";
 import { height, heights } from "../blocks/heights.js";
 import { here, tile } from "../blocks/world.js";
@@ -76,24 +76,8 @@ void main() {
   return inputs.map((_, i) => Array.from(results.subarray(4 * i, 4 * i + 4)));
 }
 
-const SIDE = 64;
-
 /** Linear light as a canvas shows it, as three.js converts it: sRGB. */
 const shown = (v) => (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055);
-
-/** How far the gray of a picture is from 0.5 + fbm as light, in steps of 8 bits, where that is farthest. */
-function furthest(pixels, flipped) {
-  const field = new Field(2, { fractal: "fbm", octaves: 6, seed: 7 });
-  let most = 0;
-  for (let y = 0; y < SIDE; ++y) {
-    for (let x = 0; x < SIDE; ++x) {
-      const gray = 0.5 + field.at(((x + 0.5) / SIDE) * 8, ((y + 0.5) / SIDE) * 8);
-      const row = flipped ? SIDE - 1 - y : y;
-      most = Math.max(most, Math.abs(pixels[4 * (SIDE * row + x)] - 255 * shown(Math.min(Math.max(gray, 0), 1))));
-    }
-  }
-  return most;
-}
 
 /** Draws a material of the documentation. */
 function ofMaterial(material) {
@@ -103,7 +87,7 @@ function ofMaterial(material) {
   const gl = renderer.getContext();
   const pixels = new Uint8Array(4 * SIDE * SIDE);
   gl.readPixels(0, 0, SIDE, SIDE, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-  return furthest(pixels, false);
+  return furthest(pixels, (u, v) => shown(gray(u, v)));
 }
 
 /** How far the gray of the documentation's land, seen from above, is from that of its heights. */
@@ -119,14 +103,8 @@ async function ofLand(made) {
   renderer.setRenderTarget(null);
   const pixels = new Uint8Array(4 * SIDE * SIDE);
   renderer.readRenderTargetPixels(target, 0, 0, SIDE, SIDE, pixels);
-  let most = Math.abs(ball.position.y - 1 - height(ball.position.x, ball.position.z));
-  for (let z = 0; z < SIDE; ++z) {
-    for (let x = 0; x < SIDE; ++x) {
-      const gray = Math.min(Math.max(0.5 + height(x + 0.5 - 32, 32 - (z + 0.5)) / 8, 0), 1);
-      most = Math.max(most, Math.abs(pixels[4 * (SIDE * z + x)] - 255 * gray));
-    }
-  }
-  return most;
+  const off = furthest(pixels, (u, v) => 0.5 + height(SIDE * u - 32, 32 - SIDE * v) / 8);
+  return Math.max(off, Math.abs(ball.position.y - 1 - height(ball.position.x, ball.position.z)));
 }
 
 const fromFile = (fragmentShader) => new THREE.ShaderMaterial({ vertexShader: ofString.vertexShader, fragmentShader });

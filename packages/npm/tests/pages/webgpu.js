@@ -8,6 +8,7 @@ import { material as ofNodes } from "../blocks/nodes.js";
 import { material as wrongNodes } from "../faulty/nodes.js";
 import { code } from "../blocks/wgsl.js";
 import { code as wrongCode } from "../faulty/wgsl.js";
+import { furthest, gray, SIDE } from "./furthest.js";
 
 const renderer = new WebGPURenderer({ forceWebGL: location.search === "?webgl" });
 await renderer.init();
@@ -40,24 +41,8 @@ async function evaluate(id, arithmetic, floats, integers, seeds) {
   return Array.from(new Float32Array(await renderer.getArrayBufferAsync(result.value)).subarray(0, count));
 }
 
-const SIDE = 64;
-const field = new Field(2, { fractal: "fbm", octaves: 6, seed: 7 });
 const cells = new Field(2, { noise: "cellular", seed: 3 });
-const gray = (u, v) => 0.5 + field.at(u * 8, v * 8);
 const grayOfCode = (u, v) => gray(u, v) + 0.2 * cells.at(u * 4, v * 4);
-
-/** How far the red of a picture is from that of a function, in steps of 8 bits, where that is farthest. */
-function furthest(pixels, stride, of, downward) {
-  let most = 0;
-  for (let y = 0; y < SIDE; ++y) {
-    for (let x = 0; x < SIDE; ++x) {
-      const v = (y + 0.5) / SIDE;
-      const value = of((x + 0.5) / SIDE, downward ? 1 - v : v);
-      most = Math.max(most, Math.abs(pixels[stride * y + 4 * x] - 255 * Math.min(Math.max(value, 0), 1)));
-    }
-  }
-  return most;
-}
 
 async function ofMaterial(material) {
   const { RenderTarget, LinearSRGBColorSpace } = await import("three/webgpu");
@@ -70,7 +55,7 @@ async function ofMaterial(material) {
   const pixels = await renderer.readRenderTargetPixelsAsync(target, 0, 0, SIDE, SIDE);
   renderer.setRenderTarget(null);
   // Rows are from the top in WebGPU, and from the bottom in WebGL.
-  return furthest(pixels, pixels.length / SIDE, gray, renderer.backend.isWebGPUBackend === true);
+  return furthest(pixels, gray, { stride: pixels.length / SIDE, downward: renderer.backend.isWebGPUBackend === true });
 }
 
 /** A shader of the documentation, without three.js. */
@@ -101,7 +86,7 @@ struct Corner { @builtin(position) position: vec4f, @location(0) uv: vec2f }
   encoder.copyTextureToBuffer({ texture }, { buffer, bytesPerRow: 256 }, [SIDE, SIDE]);
   device.queue.submit([encoder.finish()]);
   await buffer.mapAsync(GPUMapMode.READ);
-  return furthest(new Uint8Array(buffer.getMappedRange()), 256, grayOfCode, true);
+  return furthest(new Uint8Array(buffer.getMappedRange()), grayOfCode, { downward: true });
 }
 
 globalThis.hashnoise = {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -79,7 +79,7 @@ def _group(name: str, keys: Any, families: tuple[str, ...], further: dict[str, t
         for hash_ in hashes:
             made = Configuration(hash_, gradient, arithmetic, tuple(
                 family for family in families if family in (default if hash_ == DEFAULT_HASH else of_each)))
-            yield Configuration(hash_, gradient, arithmetic, made.families, further.pop(made.name, ()))
+            yield replace(made, further=further.pop(made.name, ()))
 
 
 @functools.cache

@@ -19,7 +19,6 @@ from catalog.tables.configurations import families
 FILE = "functions.toml"
 NOISES = ("gradient_noise", "lattice_noise", "extended_gradient_noise", "octahedral_noise", "extended_lattice_noise",
           "simplex_noise", "cellular", "extended_cellular")
-OCTAVE_SUMS = ("octave_sum", "extended_octave_sum", "octahedral_octave_sum")
 TYPES = ("u32", "i32", "f32", "f64")
 STRENGTHS = ("strength", "amplitude")
 SPREADS = ("spread", "spread_value", "spread_sum")  # forms without a seed
@@ -118,7 +117,7 @@ def of_words(type_: str, words: list[str]) -> str:
 class Function:
     id: str
     family: str  # functions whose values depend on the same knobs
-    bound: str  # "exact", "sine", a noise or a sum
+    bound: str  # "exact", "sine", or the noise or sum that it is: perlin_d of noise2d.perlin_d_cell
     takes: tuple[str, ...]
     gives: tuple[str, ...]
     type: str  # of its results
@@ -133,6 +132,7 @@ class Function:
     bench_seed: str = "0u"
     strength: str = ""  # the usual one
     experimental: bool = False  # not frozen from 1.0 on
+    plain: str = ""  # the id of the row whose derivative, or whose value beside it, this is; of a sum, without slopes
 
     @property
     def file(self) -> str:
@@ -211,22 +211,6 @@ class Function:
         return "phase" in self.takes
 
     @property
-    def has_wave(self) -> bool:
-        return "wave" in self.takes
-
-    @property
-    def has_jitter(self) -> bool:
-        return "jitter" in self.takes
-
-    @property
-    def has_radius(self) -> bool:
-        return "radius" in self.takes
-
-    @property
-    def has_metric(self) -> bool:
-        return "metric" in self.takes
-
-    @property
     def has_seed(self) -> bool:
         """Whether a seed is behind all that it takes."""
         return self.form not in ("words", "items", "zero", "place", *SPREADS)
@@ -241,15 +225,10 @@ class Function:
         return self.bound == "exact"
 
     @property
-    def noise(self) -> str:
-        """The noise that it is, as perlin for noise2d.perlin_cell, and perlin_d for one with derivatives."""
-        return self.bound
-
-    @property
     def component(self) -> int | None:
         """Which component of a vector it has with its derivatives: as 1 for noise2d.value_vector_d_y. The noise of such
         a function is a component's."""
-        of_a_vector = self.returns.startswith("hn_derivatives") and self.calls != f"hn_{self.noise}"
+        of_a_vector = self.returns.startswith("hn_derivatives") and self.calls != f"hn_{self.bound}"
         return "xyz".index(self.members[0][-1]) if of_a_vector else None
 
     # --- The function of the library ---
@@ -367,11 +346,13 @@ def of_noise(noise: Noise) -> Iterator[Function]:
     for dimensions in range(noise.first, noise.last + 1):
         is_usual = dimensions in (2, 3)
         start = f"noise{dimensions}d.{noise.name}" if noise.shape != "vector" else f"{noise.name}.{noise.name}{dimensions}"
+        plain = f"noise{dimensions}d.{noise.plain}"
         usual = families.usual if is_usual else families.others
         tiles = families.tiles if is_usual else families.others
         for end, result in results(noise, dimensions).items():
             def of_form(form: str, family: str, *takes: str, **more: Any) -> Function:
-                every = {"bound": noise.name, "includes": f"{noise.name}{dimensions}d.glsl", "calls": f"hn_{noise.name}"}
+                every = {"bound": noise.name, "includes": f"{noise.name}{dimensions}d.glsl", "calls": f"hn_{noise.name}",
+                         "plain": f"{plain}{form}" if noise.plain else ""}
                 return Function(f"{start}{form}{end}", family=family, takes=takes, type="f64", dimensions=dimensions,
                                 **{**every, **result, **more})
 
@@ -391,7 +372,7 @@ def of_noise(noise: Noise) -> Iterator[Function]:
             if "phase" in noise.options and is_usual:
                 options = ["phase", *["jitter"] * ("jitter" in noise.options)]
                 phase = {"bound": f"{noise.name}_phase", "calls": noise.called_with_phase,
-                         "includes": f"{noise.name.removesuffix('_d')}_phase{dimensions}d.glsl"}
+                         "includes": f"{noise.plain or noise.name}_phase{dimensions}d.glsl"}
                 family = tiles if "jitter" in options else families.others
                 yield of_form("_phase", family, "position", *options, **phase)
                 if "jitter" not in options:  # a period of 0 is none
@@ -413,6 +394,7 @@ def of_sum(sum_: Sum) -> Iterator[Function]:
         def of_form(form: str, family: str, *takes: str) -> Function:
             return Function(f"{file}.{sum_.name}{dimensions}{form}", family, sum_.name, takes, type="f64",
                             dimensions=dimensions, includes=f"{file}{dimensions}d.glsl", calls=f"hn_{sum_.name}",
+                            plain=f"{sum_.plain}.{sum_.plain}{dimensions}{form}" if sum_.plain else "",
                             strength=repr(float(sum_.strength.default)) if sum_.strength else "", **result)
 
         further = families.tiles if is_usual else families.others
@@ -445,20 +427,22 @@ def _of_row(group: str, name: str, keys: Mapping[str, Any], dimensions: int | No
     def texts(key: str) -> tuple[str, ...]:
         return tuple(entry.take(key, list))
 
-    id_, takes = text("id", "{group}.{name}{n}"), texts("takes")
+    id_, takes, calls = text("id", "{group}.{name}{n}"), texts("takes"), text("calls")
     if unknown := {*takes} - PARTS.keys():
         raise CatalogError(f"{entry.where}: nothing is known of {min(unknown)}, which it takes")
-    sets = entry.one_of("sets", ("nearest", "offset")) if "sets" in entry.keys else ""
+    sets = entry.one_of("sets", ("nearest", "offset", ""), "")
     gives = (f"{sets[0]}*",) if sets else texts("gives")
-    type_ = {"nearest": "i32", "offset": "f64"}[sets] if sets else entry.one_of("type", TYPES)
+    type_ = {"nearest": "i32", "offset": "f64"}[sets] if sets else entry.one_of("type", TYPES, "f64")
     member, component = entry.take("member", str, ""), entry.take("component", str, "")
     members = tuple(f"{member}.{axis}" for axis in AXES[:len(gives)]) if member else ()
     if component:
         firsts = ["value", *expanded(gives, dimensions or 1)[1:]]
         members = tuple(f"{one}.{component}" for one in firsts)
-    row = Function(id_, entry.one_of("family", families()), text("bound"), takes, gives, type_, dimensions or 1, text("includes"),
-                   text("calls"), text("returns", ""), members, sets, entry.take("seeded", bool, False), text("bench", None),
-                   experimental=entry.take("experimental", bool, False))
+    own = calls.removeprefix("hn_")
+    row = Function(id_, entry.one_of("family", families()), text("bound", own), takes, gives, type_, dimensions or 1,
+                   text("includes", f"{own}{n}d.glsl"), calls, text("returns", ""), members, sets,
+                   entry.take("seeded", bool, False), text("bench", None),
+                   experimental=entry.take("experimental", bool, False), plain=text("plain", ""))
     entry.end()
     return row
 

@@ -11,13 +11,12 @@ from base.tree import GLSL, glsl_files
 
 LIBRARY = GLSL
 FUNCTION = re.compile(r"^HN_FN\s+\w+\s+(hn_(?!i_)\w+)\(((?:[^()]|\([^()]*\))*)\)\s*\{", re.MULTILINE)
-# Definitions of public functions, outside of comments, directives and bodies.
-ANY_FUNCTION = re.compile(r"\b(hn_(?!i_)\w+)\s*\([^;{}]*\{")
+# Definitions of public functions in any form: words and a name, and a body.
+ANY_FUNCTION = re.compile(r"^ *(?:\w+ +)+(hn_(?!i_)\w+)\([^;{]*\{", re.MULTILINE)
 OF_SUMS = re.compile(r'^#include "octaves(\d)d\.glsl"$', re.MULTILINE)  # in the files of sums
 OF_THE_PLANE = re.compile(r"// Generated for .* dimensions from the lines above\.")  # names the origin of overloads
 EXAMPLE = re.compile(r"^   example  +(\S.*(?:\n {6,}\S.*)*)", re.MULTILINE)  # of a call, in a comment
 STATEMENTS = re.compile(r"(?:^   \S+ \S.*;(?: *//.*)?$\n?)+", re.MULTILINE)  # between the sentences of a comment
-NO_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE | re.DOTALL)
 
 
 @dataclass(frozen=True)
@@ -139,29 +138,12 @@ def files_of(function: str, library: Path = LIBRARY) -> list[str]:
     return _files(library).get(function, [])
 
 
-def _blank(text: str) -> str:
-    return re.sub(r"[^\n]", " ", text)
-
-
-def file_scope(text: str) -> str:
-    """The text with blanks for comments, directives and bodies, so that the rest stays in its place."""
-    depth, kept = 0, []
-    for part in re.split("([{}])", NO_CODE.sub(lambda match: _blank(match[0]), text)):
-        depth -= part == "}"
-        kept.append(part if depth == 0 else _blank(part))
-        depth += part == "{"
-    return "".join(kept)
-
-
-@functools.lru_cache(maxsize=None)  # the tests of completeness change one file of many
-def _overlooked(text: str) -> list[tuple[int, str]]:
-    """The lines and names of those in the text of a file."""
-    known = {match.start(1) for match in FUNCTION.finditer(text)}
-    return [(text.count("\n", 0, match.start(1)) + 1, match[1]) for match in ANY_FUNCTION.finditer(file_scope(text))
-            if match.start(1) not in known]
-
-
 def overlooked(library: Path = LIBRARY) -> list[str]:
     """The public functions that declarations() does not find, with their places."""
-    return [f"{path}:{line}: {name}" for path in glsl_files(library).values()
-            for line, name in _overlooked(path.read_text(encoding="utf-8"))]
+    found = []
+    for path in glsl_files(library).values():
+        text = path.read_text(encoding="utf-8")
+        known = {match.start(1) for match in FUNCTION.finditer(text)}
+        found += [f"{path}:{text.count(chr(10), 0, match.start(1)) + 1}: {match[1]}"
+                  for match in ANY_FUNCTION.finditer(text) if match.start(1) not in known]
+    return found

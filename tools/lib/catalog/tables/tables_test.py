@@ -9,14 +9,15 @@ import unittest
 from collections.abc import Callable
 from pathlib import Path
 
-from base.tree import glsl_files
 from catalog.model import CATALOG, CatalogError
 from catalog.tables import glsl
-from catalog.tables.configurations import families, read_configurations
+from catalog.tables.configurations import read_configurations
 from catalog.tables.functions import read_functions
 
 
 class Tables(unittest.TestCase):
+    """tools.check.complete compares the overloads of all rows with the library, and golden files have their columns."""
+
     def refused(self, read: Callable, file: str, old: str, new: str, message: str) -> None:
         """The messages for a copy of the catalog with one file changed."""
         with tempfile.TemporaryDirectory() as name:
@@ -27,100 +28,6 @@ class Tables(unittest.TestCase):
             (folder / file).write_text(text.replace(old, new), encoding="utf-8")
             with self.assertRaisesRegex(CatalogError, rf"catalog(?:/{file})?: .*{message}"):
                 read(folder)
-
-    def test_functions(self) -> None:
-        functions = {function.id: function for function in read_functions()}
-        self.assertEqual({function.family for function in functions.values()} - set(families()), set())
-        for id, form, axes, family in (("hash.word", "words", 1, "hash"), ("hash.vec4", "words", 4, "hash"),
-                                       ("hash.unorm", "words", 1, "independent"), ("hash.lattice1", "point", 1, "hash"),
-                                       ("gradient.sine3", "point", 3, "sine_gradient"),
-                                       ("noise2d.perlin", "position", 2, "gradient_noise"),
-                                       ("noise3d.perlin_cell", "cell", 3, "gradient_noise"),
-                                       ("noise4d.perlin_d_cell_period", "cell", 4, "octahedral_noise"),
-                                       ("noise1d.perlin_period", "position", 1, "octahedral_noise"),
-                                       ("hash.pcg3d", "words", 3, "independent"),
-                                       ("numbers.rehash", "items", 1, "independent"),
-                                       ("numbers.shuffle", "items", 1, "independent"),
-                                       ("position.cell3", "place", 3, "independent"),
-                                       ("position.perlin2", "place_of_noise", 2, "extended_gradient_noise"),
-                                       ("noise3d.cellular_cell_full", "cell", 3, "extended_cellular"),
-                                       ("noise2d.cell_border_nearest", "position", 2, "extended_cellular"),
-                                       ("noise2d.phasor", "position", 2, "simplex_noise"),
-                                       ("noise2d.phasor_cell_period", "cell", 2, "simplex_noise"),
-                                       ("noise3d.phasor_cell", "cell", 3, "simplex_noise"),
-                                       ("fbm.fbm2_period", "sum", 2, "extended_octave_sum"),
-                                       ("fbm.ping_pong3_cell_period", "sum", 3, "extended_octave_sum"),
-                                       ("fbm.weighted2_cell", "sum", 2, "extended_octave_sum"),
-                                       ("fbm.fbm3_detail", "sum", 3, "extended_octave_sum"),
-                                       ("fbm.fbm2_footprint", "sum", 2, "extended_octave_sum"),
-                                       ("fbm.clouds3", "sum", 3, "octave_sum"),
-                                       ("fbm.ridged4_cell_period", "sum", 4, "octahedral_octave_sum"),
-                                       ("fbm_d.eroded3_cell", "sum", 3, "octahedral_octave_sum"),
-                                       ("warp.warp_progressive2_cell_period", "sum", 2, "extended_octave_sum")):
-            function = functions[id]
-            self.assertEqual((function.form, function.axes, function.family), (form, axes, family), id)
-        cell, word = functions["noise3d.perlin_cell"], functions["hash.word"]
-        self.assertEqual((cell.noise, cell.calls), ("perlin", "hn_perlin"))
-        self.assertEqual(cell.overloads, (("place3", "uint"),))
-        self.assertEqual((word.calls, word.overloads), ("hn_hash", (("uint",),)))
-        self.assertEqual(functions["numbers.shuffle"].overloads, (("uint", "uint", "uint"),))
-        self.assertEqual(functions["hash.pcg3d"].overloads, (("uvec3",),))
-        self.assertEqual(functions["noise2d.perlin_cell_period"].overloads, (("place2", "uint"),))
-        self.assertEqual(functions["noise4d.value_d"].overloads, (("vec4",), ("vec4", "uint")))
-        self.assertEqual(functions["noise4d.value_d_value"].noise, "value_d")
-        self.assertEqual((functions["position.perlin2"].calls, functions["position.perlin2"].types),
-                         ("hn_perlin", ("place2",)))
-        self.assertEqual(functions["noise2d.cellular_full"].overloads, (("vec2", "float", "int", "uint"),))
-        self.assertEqual(functions["noise3d.cell_border_cell_offset"].overloads,
-                         (("place3", "float", "uint", "out ivec3", "out vec3"),))
-        self.assertEqual(functions["noise2d.phasor"].overloads, (("vec2", "vec2", "float", "uint"),))
-        self.assertEqual(functions["noise3d.phasor_cell"].overloads, (("place3", "vec3", "float", "uint"),))
-        self.assertEqual([functions[id].has_wave for id in ("noise3d.phasor", "noise3d.simplex_phase")], [True, False])
-        self.assertEqual([functions[f"noise2d.cellular_{form}"].sets for form in ("full", "nearest", "cell_offset")],
-                         ["", "nearest", "offset"])
-        self.assertEqual(functions["fbm.fbm2"].types, ("vec2", "int", "float", "float"))
-        self.assertEqual(functions["fbm.fbm2"].settings, ("octaves", "lacunarity", "gain"))
-        self.assertEqual(functions["fbm.ridged3_cell"].overloads, (("place3", "int", "float", "float", "uint"),))
-        self.assertEqual(functions["fbm.ping_pong2_cell_period"].overloads,
-                         (("place2", "int", "float", "float", "float", "uint"),))
-        self.assertEqual(functions["fbm.fbm1_cell_period"].overloads,
-                         (("place1", "int", "float", "float", "uint"),))
-        self.assertEqual(functions["warp.warp2"].settings, ("octaves", "lacunarity", "gain", "amplitude"))
-        self.assertEqual(functions["fbm_d.fbm_d3"].calls, "hn_fbm_d")
-        self.assertEqual(functions["fbm.fbm2_detail"].overloads, (("vec2", "float", "float", "float", "uint"),))
-        self.assertEqual(functions["fbm.fbm3_footprint"].overloads,
-                         (("vec3", "float", "int", "float", "float", "uint"),))
-        self.assertEqual([functions[id].has_cell for id in ("fbm.fbm2", "fbm.weighted3_cell", "noise2d.perlin_cell",
-                                                            "hash.word")], [False, True, True, False])
-        self.assertEqual([functions[id].exact for id in ("hash.word", "gradient.lattice2", "gradient.sine2",
-                                                              "noise2d.cellular_nearest")],
-                         [True, True, False, False])
-
-    def test_sums_with_settings_of_their_own_and_components(self) -> None:
-        functions = {function.id: function for function in read_functions()}
-        self.assertEqual(functions["noise2d.gullies"].overloads,
-                         (("vec2", "vec2", "int", "float", "float", "float", "uint"),))
-        self.assertEqual(functions["noise2d.gullies_cell_period_footprint"].overloads,
-                         (("place2", "float", "vec2", "int", "float", "float", "float", "uint"),))
-        self.assertEqual([functions[f"noise3d.{name}"].component for name in (
-            "value_vector_d_z", "perlin_vector_d_cell_period_y", "value_vector_d_x", "value_d", "phasor_d")],
-            [2, 1, 0, None, None])
-        self.assertEqual(functions["noise3d.perlin_worley"].overloads,
-                         (("vec3", "int", "float", "float"), ("vec3", "int", "float", "float", "uint")))
-
-    def test_columns_of_candidates_and_checks(self) -> None:
-        functions = {function.id: function for function in read_functions()}
-        for id_, form, axes, overloads in (
-                ("hash.self_check", "zero", 1, (("uint",),)),
-                ("scatter.point3", "candidate", 3, (("place3", "uint"), ("ivec3", "uint"))),
-                ("scatter.scattered2", "candidate", 2, (("place2", "float", "uint"), ("ivec2", "float", "uint")))):
-            function = functions[id_]
-            self.assertEqual((function.form, function.axes, function.overloads), (form, axes, overloads))
-            self.assertEqual((function.sets, function.has_radius), ("", "scattered" in id_))
-
-    def test_hex_tiling_has_a_seed_at_a_position(self) -> None:
-        functions = {function.id: function for function in read_functions()}
-        self.assertEqual(functions["noise2d.hex_weights"].overloads, (("vec2", "uint"),))
 
     def test_wrong_rows(self) -> None:
         for old, new, message in (
@@ -245,7 +152,3 @@ HN_FN hn_float hn_one(hn_vec2 p) { return 0.0f; }
 
         self.assertEqual(marked(self.folder), ["hn_one"])
         self.assertEqual(marked(glsl.LIBRARY), [])
-
-    def test_the_bodies_of_the_library_are_closed(self) -> None:
-        for path in glsl_files().values():
-            self.assertTrue(glsl.file_scope(path.read_text() + "// end\nend").endswith("end"), path)

@@ -49,7 +49,7 @@ class Names(unittest.TestCase):
     def test_each_is_there_and_nothing_else(self) -> None:
         self.assertEqual(lost(self.table, ROOMS), set())
         started = {started for started, _ in self.table.values()}
-        self.assertEqual(started, {"shell", "python", "numpy,scipy", "jinja2,numpy,scipy"})
+        self.assertEqual(started, {"shell", "python", "numpy,scipy", "moderngl,numpy,scipy", "jinja2,moderngl,numpy,scipy"})
 
     def test_a_lost_one_is_noticed(self) -> None:
         self.assertEqual(lost({*self.table, "taste"}, ROOMS), {"taste"})

@@ -180,7 +180,7 @@ class Setup(Machine):
         (self.root / "ctest").chmod(0o755)
         self.environment = {**os.environ, "PYTHONPATH": f"{TOOLS / 'lib'}:{self.root}",
                             "PATH": f"{self.root}:{os.environ['PATH']}"}
-        for command in ([sys.executable, "-c", f"from base import needs; needs.python(3, 9); {text}"],
+        for command in ([sys.executable, "-c", f"from base import needs; needs.python(); {text}"],
                         [TOOLS / "lib" / "base" / "scientific-python", "-m", "job"],
                         [sys.executable, "-B", "-m", "check.tests.command", self.root]):
             with self.subTest(command):

@@ -147,7 +147,7 @@ def noises_without_entries(tree: Tree) -> Iterator[str]:
     bounds = {(row.noise, row.dimensions) for row in table.read(tree.at(BOUNDS))}
     contract = tree.text("docs/reference/contract.md")
     for function in tree.noises:
-        noise = function.noise
+        noise = function.bound
         if noise not in oracle.names():
             yield lacks(function, f"write in {ORACLE} its exact and its fixed value, from docs/reference/contract.md")
         if (noise, function.axes) not in bounds:
@@ -158,23 +158,25 @@ def noises_without_entries(tree: Tree) -> Iterator[str]:
                         f"{function.axes} dimensions, and what its value is")
 
 
-OF_SUMS = (  # of a sum of values what it has in which file, and by which mark
-    ("tools/lib/proof/oracle/sums.py", '"{name}": ', "its exact and its fixed value, from docs/reference/contract.md"),
-    ("tools/lib/proof/bounds/steps.py", '"{step}": ', "its computation and its errors in integers"),
-    ("conformance/sums/bounds.cpp", "case SumStep::{step}:", "its errors in floats, proven"))
+def of_sum(sum_: catalog.model.Sum) -> Iterator[tuple[str, str, str]]:
+    """The parts of its proof and of the oracle: the file, a mark in it, and the content."""
+    module = "sums" if sum_.is_of_values else "jacobians"  # with slopes, or of vectors
+    yield (f"tools/lib/proof/oracle/{module}.py", f'"{sum_.name}": ',
+           "its exact and its fixed value, from docs/reference/contract.md")
+    yield "conformance/sums/bounds.cpp", f"case SumStep::{sum_.step or sum_.name}:", "its errors, proven"
+    if not sum_.is_of_values:
+        yield "tools/lib/proof/bounds/jacobians.py", f'"{sum_.name}": ', "its errors in integers"
 
 
 def sums_without_entries(tree: Tree) -> Iterator[str]:
     for sum_ in catalog.model.read(tree.root / "catalog").sums:
-        for file, mark, what in OF_SUMS if sum_.takes_noise else ():
-            if not sum_.is_of_values:  # with slopes, or of vectors
-                file, mark = re.sub(r"\w+\.py", "jacobians.py", file), mark.replace("step}\"", "name}\"")
-            if mark.format(name=sum_.name, step=sum_.step or sum_.name) not in tree.text(file):
+        for file, mark, what in of_sum(sum_) if sum_.takes_noise else ():
+            if mark not in tree.text(file):
                 yield f"catalog/sums.toml: {sum_.name}: write in {file} {what}"
 
 
 def noises_without_comments(tree: Tree) -> Iterator[str]:
-    noises = {function.calls: function.noise for function in tree.noises}
+    noises = {function.calls: function.bound for function in tree.noises}
     headings: dict[Path, set[str]] = {}
     for declared in tree.declarations:
         if declared.name in noises and declared.comment:
@@ -199,15 +201,15 @@ def files_without_a_text_to_read(tree: Tree) -> Iterator[str]:
 
 
 def entries_without_a_noise(tree: Tree) -> Iterator[str]:
-    noises = {function.noise for function in tree.noises}
-    # Functions built on noise may have bounds of their own: hn_curl has. Vectors with derivatives have those of their
-    # components, under their name.
-    known = {"oracle": noises, "bounds": noises | {function.bound for function in tree.functions} |
-             {function.calls.removeprefix("hn_") for function in tree.functions if function.component is not None}}
-    for of, place, names in (("oracle", ORACLE, oracle.names()), (
-            "bounds", BOUNDS.relative_to(ROOT), {row.noise: None for row in table.read(tree.at(BOUNDS))})):
+    noises = {function.bound for function in tree.noises}
+    # Functions built on noise are not of a family of noises: hn_curl is not. Vectors with derivatives have bounds of
+    # their components, under their name.
+    known = noises | {function.bound for function in tree.functions} | {
+        function.calls.removeprefix("hn_") for function in tree.functions if function.component is not None}
+    for place, names in ((ORACLE, oracle.names()), (
+            BOUNDS.relative_to(ROOT), {row.noise: None for row in table.read(tree.at(BOUNDS))})):
         for name in names:
-            if name not in known[of]:
+            if name not in known:
                 yield f"{place}: no function is the noise {name}: give it an entry in catalog/, or delete its own"
 
 

@@ -127,10 +127,9 @@ DELETIONS = (
      (r"noise3d\.perlin: .*bounds\.inc has no perlin in 3D: write in .*, and run tools/make bounds",)),
     *((((path, mark, ""),), (rf"^catalog/sums\.toml: {name}: write in {path} {what}",)) for name, path, mark, what in (
         ("ridged", "tools/lib/proof/oracle/sums.py", '"ridged": ', "its exact and its fixed value"),
-        ("ping_pong", "tools/lib/proof/bounds/steps.py", '"ping_pong": ', "its computation"),
         ("weighted", "conformance/sums/bounds.cpp", "case SumStep::weighted:", "its errors"),
         ("eroded", "tools/lib/proof/oracle/jacobians.py", '"eroded": ', "its exact and its fixed value"),
-        ("warp", "tools/lib/proof/bounds/jacobians.py", '"warp": ', "its computation"),
+        ("warp", "tools/lib/proof/bounds/jacobians.py", '"warp": ', "its errors in integers"),
         ("warp_progressive", "conformance/sums/bounds.cpp", "case SumStep::warp_progressive:", "its errors"))),
     # Settings
     (((SETTINGS, r'"noise4d.value"', '"noise2d.perlin", "noise2d.merlin"'),),

@@ -41,32 +41,27 @@ class NoProgram(Exception):
     """The file that computes the values does not."""
 
 
-class Library:
-    """The library's values, as hn-frozen computes it."""
+def sums_of(program: Path, count: int, functions: Sequence[str] = ()) -> dict[Key, Sums]:
+    """The library's values, as hn-frozen computes them."""
+    try:
+        done = subprocess.run([program, str(count), *functions], capture_output=True, text=True, check=False)
+    except OSError as error:
+        raise NoProgram(f"{program} does not run: {error.strerror}; tools/test -N builds it") from error
+    if done.returncode != 0:
+        raise NoProgram(f"{program} ended with status {done.returncode}: {done.stderr.strip()}")
+    return table.parse_sums(done.stdout)
 
-    def __init__(self, program: Path) -> None:
-        self.program = program
 
-    def sums(self, count: int, functions: Sequence[str] = ()) -> dict[Key, Sums]:
-        try:
-            done = subprocess.run([self.program, str(count), *functions], capture_output=True, text=True, check=False)
-        except OSError as error:
-            raise NoProgram(f"{self.program} does not run: {error.strerror}; tools/test -N builds it") from error
-        if done.returncode != 0:
-            raise NoProgram(f"{self.program} ended with status {done.returncode}: {done.stderr.strip()}")
-        return table.parse_sums(done.stdout)
-
-    def entries(self, keys: set[Key], since: str) -> dict[Key, Entry]:
-        """New ones, of all points. One function at a time, so that whoever waits sees how far it is."""
-        made = {}
-        functions = sorted({function for function, _ in keys})
-        for number, function in enumerate(functions, 1):
-            print(f"\r{number} of {len(functions)}: {function:40}", end="", file=sys.stderr, flush=True)
-            first, every = self.sums(FIRST, [function]), self.sums(ALL, [function])
-            made |= {key: Entry(since, first[key], every[key]) for key in first if key in keys}
-        if functions:
-            print(file=sys.stderr)
-        return made
+def new_entries(program: Path, keys: set[Key], since: str) -> dict[Key, Entry]:
+    """One function at a time, so that whoever waits sees how far it is."""
+    made = {}
+    functions = sorted({function for function, _ in keys})
+    for number, function in enumerate(functions, 1):
+        print(f"\r{number} of {len(functions)}: {function:40}", end="" if number < len(functions) else "\n",
+              file=sys.stderr, flush=True)
+        first, every = (sums_of(program, count, [function]) for count in (FIRST, ALL))
+        made |= {key: Entry(since, {FIRST: first[key], ALL: every[key]}) for key in first if key in keys}
+    return made
 
 
 def experimental() -> frozenset[str]:
@@ -74,35 +69,34 @@ def experimental() -> frozenset[str]:
     return frozenset(function.id for function in read_functions() if function.experimental)
 
 
-def added(entries: Mapping[Key, Entry], library: Library, of: str) -> tuple[dict[Key, Entry], list[str]]:
+def added(entries: Mapping[Key, Entry], program: Path, of: str) -> tuple[dict[Key, Entry], list[str]]:
     """The entries with those that are missing, and what hinders that."""
-    first = library.sums(FIRST)
+    first = sums_of(program, FIRST)
     stays = {key for key in first.keys() | entries.keys() if key[0] not in experimental()}
     settled = {key for key, entry in entries.items() if key in stays and not entry.is_frozen}
     wrong = [*table.changed(entries, first, FIRST), *table.gone(entries, first)]
     if wrong:
         return {}, wrong
     missing = first.keys() - entries.keys()
-    made = library.entries(settled | (missing & stays), of) | library.entries(missing - stays, PROVISIONAL)
-    wrong = list(table.changed({key: entries[key] for key in settled}, {key: made[key].all for key in settled}, ALL))
-    return {**entries, **made}, wrong
+    made = new_entries(program, settled | (missing & stays), of) | new_entries(program, missing - stays, PROVISIONAL)
+    anew = {key: made[key].sums[ALL] for key in settled}
+    return {**entries, **made}, list(table.changed(entries, anew, ALL))
 
 
 def is_named(key: Key, names: Sequence[str]) -> bool:
     return any(fnmatchcase(key[0], name) for name in names)
 
 
-def replaced(entries: Mapping[Key, Entry], library: Library,
+def replaced(entries: Mapping[Key, Entry], program: Path,
              names: Sequence[str]) -> tuple[dict[Key, Entry], list[str]]:
     """The entries with those of some functions made anew; and which names there are not."""
-    known = set(library.sums(1))
-
+    known = set(sums_of(program, 1))
     unknown = [f"there is no function {name}" for name in names
                if not any(fnmatchcase(function, name) for function, _ in known | entries.keys())]
     if unknown:
         return {}, unknown
     kept = {key: entry for key, entry in entries.items() if not is_named(key, names)}
-    return kept | library.entries({key for key in known if is_named(key, names)}, PROVISIONAL), []
+    return kept | new_entries(program, {key for key in known if is_named(key, names)}, PROVISIONAL), []
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -121,7 +115,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         parser.error("--all goes with --check")
     if bool(given.names) != given.provisional:
         parser.error("a NAME goes with --provisional, and --provisional with a NAME")
-    library = Library(given.program)
     try:
         missing = [path for path in (given.table, INTERFACE) if not path.exists()]
         if given.check and missing:
@@ -134,11 +127,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
                          "how a mistake is corrected")
         if given.check:
             count = ALL if given.all else FIRST
-            wrong = table.problems(entries, library.sums(count), count, version(), experimental())
+            wrong = table.problems(entries, sums_of(given.program, count), count, version(), experimental())
         elif given.provisional:
-            entries, wrong = replaced(entries, library, given.names)
+            entries, wrong = replaced(entries, given.program, given.names)
         else:
-            entries, wrong = added(entries, library, version())
+            entries, wrong = added(entries, given.program, version())
         wrong += interface.changed(names, rows)
         wrong += interface.stale(names, rows) if given.check else []
         for message in wrong:

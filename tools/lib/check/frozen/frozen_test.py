@@ -222,8 +222,8 @@ class Committed(unittest.TestCase):
             of_function[function].append(entry)
         for function, those in of_function.items():
             for count in (FIRST, ALL):
-                sums = [entry.sums(count) for entry in those]
+                points, values = zip(*(entry.sums[count] for entry in those))
                 with self.subTest(function, count=count):
-                    self.assertEqual(len({one.points for one in sums}), 1)
-                    self.assertEqual(len({one.values for one in sums}), len(sums))
-                    self.assertNotIn("00000000", [one.values for one in sums])
+                    self.assertEqual(len({*points}), 1)
+                    self.assertEqual(len({*values}), len(values))
+                    self.assertNotIn("00000000", values)

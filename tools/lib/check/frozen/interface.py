@@ -15,6 +15,7 @@ from pathlib import Path
 
 from base.pieces import PIECES, is_deleted
 from base.tree import BOUNDS, GLSL, ROOT, TOOLS, glsl_files
+from catalog import javascript as of_javascript
 from catalog import model
 from catalog.tables.functions import read_functions
 from catalog.tables.glsl import declarations
@@ -132,7 +133,7 @@ def javascript() -> Iterator[Row]:
     exports = json.loads(text_at("packages", "npm", "package.json"))["exports"]
     yield from (("javascript", f"hashnoise{path.removeprefix('.')}", "import") for path in exports)
     for path in sorted((ROOT / "packages" / "npm" / "src").rglob("*.d.ts")):
-        text = re.sub(r"(?s)/\*.*?\*/|//[^\n]*", "", path.read_text(encoding="utf-8"))
+        text = re.sub(r"(?s)/\*.*?\*/|//[^\n]*", "", of_javascript.as_packed(path.read_text(encoding="utf-8")))
         yield from (("javascript", *found) for found in re.findall(r"^export declare function (\w+)(.*);$", text, re.M))
         for type_, names in re.findall(r"^export type (\w+) =([^;]+);", text, re.M):
             yield from (("javascript", f"{type_} {name}", "") for name in re.findall(r"\w+", names))

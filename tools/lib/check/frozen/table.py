@@ -21,12 +21,7 @@ REMEDY = ("A frozen value must not change. If you meant it to, give what is new 
 Key = tuple[str, str]  # a function and a setting
 
 
-@dataclass(frozen=True)
-class Sums:
-    """Checksums of the inputs at some points, and of the results."""
-
-    points: str
-    values: str
+Sums = tuple[str, str]  # checksums of the inputs at some points, and of the results
 
 
 @dataclass(frozen=True)
@@ -34,15 +29,11 @@ class Entry:
     """The frozen values of a function with a setting."""
 
     since: str
-    first: Sums
-    all: Sums
+    sums: Mapping[int, Sums]  # at FIRST points, and at ALL
 
     @property
     def is_frozen(self) -> bool:
         return self.since != PROVISIONAL
-
-    def sums(self, count: int) -> Sums:
-        return {FIRST: self.first, ALL: self.all}[count]
 
 
 def parsed_version(text: str) -> tuple[int, ...]:
@@ -62,7 +53,7 @@ def parse(text: str) -> dict[Key, Entry]:
         key = (row[0], row[1])
         if key in entries:
             raise ValueError(f"line {number}: {row[0]} with {row[1]} has a line already")
-        entries[key] = Entry(row[2], Sums(row[3], row[4]), Sums(row[5], row[6]))
+        entries[key] = Entry(row[2], {FIRST: (row[3], row[4]), ALL: (row[5], row[6])})
     if not entries:
         raise ValueError("it has no entry")
     return entries
@@ -81,27 +72,25 @@ def text_of(entries: Mapping[Key, Entry]) -> str:
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(COLUMNS)
     for key, entry in sorted(entries.items()):
-        writer.writerow((*key, entry.since, entry.first.points, entry.first.values, entry.all.points, entry.all.values))
+        writer.writerow((*key, entry.since, *entry.sums[FIRST], *entry.sums[ALL]))
     return out.getvalue()
 
 
 def parse_sums(text: str) -> dict[Key, Sums]:
     """hn-frozen's output."""
-    return {(row[0], row[1]): Sums(row[2], row[3]) for row in csv.reader(io.StringIO(text))}
+    return {(row[0], row[1]): (row[2], row[3]) for row in csv.reader(io.StringIO(text))}
 
 
 def changed(entries: Mapping[Key, Entry], computed: Mapping[Key, Sums], count: int) -> Iterator[str]:
     """The entries that changed among those computed at so many points, and at the end what to do."""
     remedy = False
-    for key, sums in sorted(computed.items()):
-        if key not in entries:
-            continue
-        entry, name = entries[key], f"{key[0]} with {key[1]}"
+    for key in sorted(computed.keys() & entries.keys()):
+        (points, values), entry, name = computed[key], entries[key], f"{key[0]} with {key[1]}"
         since = f"frozen since {entry.since}" if entry.is_frozen else "provisional"
-        if sums.points != entry.sums(count).points:
+        if points != entry.sums[count][0]:
             yield (f"{name}: the points are others than those of its entry, which is {since}. Let the function have "
                    "the points that it had (conformance/expected/points.cpp)")
-        elif sums.values != entry.sums(count).values:
+        elif values != entry.sums[count][1]:
             yield (f"{name}: of {count} points some have other values than those of its entry, which is {since}"
                    + ("" if entry.is_frozen else ". If they are meant to change, run tools/make freeze --provisional"))
             remedy = remedy or entry.is_frozen

@@ -14,7 +14,7 @@ Exit status: 0 nothing found, 1 something found, 2 bad usage, 4 it could not be 
 
 from base import needs
 
-needs.python(3, 11, "test", "fuzz")
+needs.python("test", "fuzz")
 
 import argparse  # noqa: E402
 import os  # noqa: E402

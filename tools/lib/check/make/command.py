@@ -25,7 +25,6 @@ import subprocess
 import sys
 from collections.abc import Iterable, Sequence
 
-from base import needs
 from base.tree import TOOLS
 from base.usage import near
 from check.make import graph
@@ -47,7 +46,6 @@ def refused(kind: str, word: str, known: Iterable[str]) -> int:
 
 def run(part: Part, options: Sequence[str]) -> int:
     """The part's own command."""
-    needs.python(*part.python)
     if part.scientific:
         status = subprocess.run([TOOLS / "lib" / "base" / "scientific-python", "-m", part.module, *options], check=False,
                                 env={**os.environ, "HN_COMMAND": f"make {part.name}"}).returncode

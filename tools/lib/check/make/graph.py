@@ -135,6 +135,8 @@ def build(part: Part, anew: bool = True) -> None:
     if not part.program:
         return
     if not (folder / "CMakeCache.txt").is_file():
+        if anew:
+            print(f"{part.name}: it runs {part.program}; tools/test -N builds that and all else first", flush=True)
         if not anew or subprocess.run([TOOLS / "test", "-N"], stdout=subprocess.DEVNULL, check=False).returncode != 0:
             raise NotBuilt(f"it runs {part.program}, which tools/test -N builds")
     done = subprocess.run(["cmake", "--build", folder, "--target", part.program], capture_output=True, text=True,
@@ -210,7 +212,9 @@ def graph(parts: Sequence[Part]) -> str:
         return shlex.quote(str(text)).replace("$", "$$")
 
     text = GRAPH.format(lib=word(modules.LIB), python=word(sys.executable))
-    for name, others in needs(parts).items():
+    needed, by_program = needs(parts), {part.name for part in parts if part.program}
+    # Parts that need a build come last: ninja begins with the first of the file.
+    for name, others in sorted(needed.items(), key=lambda item: item[0] in by_program):
         before = " ".join(f"{other.name}.made" for other in others)
         text += (f"build {name}.look: look always{' || ' + before if before else ''}\n  part = {name}\n"
                  f"build {name}.made: make {name}.look\n  part = {name}\n")

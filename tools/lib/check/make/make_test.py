@@ -330,3 +330,6 @@ class Help(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         for part in MADE:
             self.assertIn(f"{part.name}.made: make\n", done.stdout)
+        order = [part.program for name in re.findall(r"^build (\S+)\.made", graph.graph(MADE), re.MULTILINE)
+                 for part in MADE if part.name == name]
+        self.assertEqual(order, sorted(order, key=bool), "what needs a build comes last")

@@ -22,7 +22,6 @@ class Part(NamedTuple):
     check: tuple[str, ...] = ("--check",)  # with which it looks at the part; empty if nobody looks
     sample: bool = False  # that look takes a sample
     program: str = ""  # a target of CMake that it runs
-    python: tuple[int, int] = (3, 11)
     scientific: bool = False  # it needs numpy
     by_name: bool = False  # it is made only where it is named
 
@@ -44,12 +43,11 @@ PARTS = tuple(part for part in (
          ("catalog/*.toml", "glsl/hashnoise/config.glsl", "conformance/web/address.js", "CHANGELOG.md"),
          ("README.md", "docs/guide/javascript.md", "docs/reference/noises.md", "docs/reference/fractals.md",
           "glsl/hashnoise/fbm2d.glsl", "glsl/hashnoise/octaves2d.glsl", "include/hashnoise/detail/functions_of_glsl.h",
-          "packages/npm/src/index.*", "packages/npm/wasm/twin.cpp", "packages/python/hashnoise/*.py*",
-          "playground/catalog.js", "src/grid/catalog.inc", *LINES)),
+          "packages/python/hashnoise/*.py*", "playground/catalog.js", "src/grid/catalog.inc", *LINES)),
     Part("dimensions", "files of glsl/ that only include others, and what other dimensions have of the plane's text",
          "a second", "translate.dimensions.command", (),
          # config.glsl is by hand, and the products above this part are made of it.
-         ("glsl/hashnoise/[!c]*.glsl", "glsl/hashnoise/c[!o]*.glsl", "glsl/hashnoise/detail/*"), python=(3, 9)),
+         ("glsl/hashnoise/[!c]*.glsl", "glsl/hashnoise/c[!o]*.glsl", "glsl/hashnoise/detail/*")),
     Part("pages", "pictures, numbers and tables of pages", "half a minute", "ship.pages.command",
          (*PAGES, *LIBRARY, *RECORDS, "tools/lib/ship/pages/*.[ch]pp", "tools/lib/ship/*/files.py",
           "tools/lib/measure/tables.py", "catalog/*.toml", "packages/blender/nodes.py"),
@@ -73,12 +71,12 @@ PARTS = tuple(part for part in (
           "packages/python/hashnoise/*.pyi"),
          ("conformance/expected/frozen.csv", "conformance/expected/interface.csv"), sample=True, program="hn-frozen"),
     Part("snippets", "docs/reference/snippets: functions to paste", "half a minute", "translate.pick.pages",
-         ("glsl/hashnoise/**/*.glsl",), ("docs/reference/snippets/*.md",), python=(3, 9)),
+         ("glsl/hashnoise/**/*.glsl",), ("docs/reference/snippets/*.md",)),
     Part("faults", "docs/measured/faults.md: which cases notice what drivers got wrong", "ten minutes", "check.faults.command",
          ("conformance/cases/bugs/*", "conformance/fault/*"), ("docs/measured/faults.md",),
          check=("--check", "--sample", "4"), sample=True, program="hn-conform"),
     Part("vectors", "build/vectors: rows of golden files, for ports", "half a minute", "proof.vectors.command", (),
-         ("build/vectors/*.json",), python=(3, 9), by_name=True, check=()),
+         ("build/vectors/*.json",), by_name=True, check=()),
     Part("measured", "what records of measurements are of another text; --check looks, too, and nothing is measured",
          "seconds", "measure.stamps", (*LIBRARY, *RECORDS, "catalog/*.toml"), (), by_name=True),
     Part("site", "a site of the pages, with what Sphinx needs from PyPI", "minutes", "ship.website.command", (),

@@ -29,7 +29,7 @@ even the unchanged library.
 
 from base import needs
 
-needs.python(3, 11, "test", "mutants")
+needs.python("test", "mutants")
 
 import argparse  # noqa: E402
 import json  # noqa: E402

@@ -5,8 +5,6 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from measure.gpu import llvm
-
 
 class Vendor(NamedTuple):
     """A compiler, and the names of its statistics: a driver's own (VK_KHR_pipeline_executable_properties), or those of
@@ -20,7 +18,7 @@ class Vendor(NamedTuple):
     kinds: tuple[str, ...]  # what else is counted
     registers: str
     spills: tuple[str, ...]
-    target: llvm.Target | None = None  # of a compiler that takes LLVM's text
+    target: str = ""  # LLVM's, of a compiler that takes what LLVM writes
 
 
 class Chip(NamedTuple):
@@ -46,10 +44,10 @@ APPLE = Vendor("Apple", "asahi", "asahi", "ALU", "cycles", "Instructions", ("FSC
 # ALU (integers, comparisons, minima) and for IMAD, and fewer for XU (roots, powers, floors, conversions).
 PTXAS = Vendor("NVIDIA", "ptxas", "", "Issue slots", "issue slots", "Issue slots",
                ("FP", "ALU", "IMAD", "XU", "moves", "uniform", "memory", "branches", "Loops"), "Registers",
-               ("Spilled bytes",), llvm.NVPTX)
+               ("Spilled bytes",), "nvptx64-nvidia-cuda")
 IGC = Vendor("Intel", "ocloc", "", "Passes", "passes for 16 lanes", "Instructions",
              ("floats", "integers", "products", "math", "moves", "memory", "branches", "Loops"), "Registers",
-             ("Spilled bytes",), llvm.SPIR)
+             ("Spilled bytes",), "spir64-unknown-unknown")
 
 CHIPS = (
     Chip("turing", "NVIDIA TU104, Turing", NVIDIA, "NOUVEAU_CHIPSET=0x164"),
@@ -81,8 +79,6 @@ CHIPS = (
 )
 # One of each compiler, for tables.
 SHOWN = ("ampere", "sm90", "navi31", "adreno740", "m1", "acm")
-# In the package, and of no use here: its GPUs are older than Vulkan.
-UNUSED_SHIMS = frozenset({"radeon"})
 
 
 def chip_named(name: str) -> Chip:

@@ -6,10 +6,10 @@
     tools/measure gpu --list-chips
 
 Mesa's drivers for NVIDIA, AMD, Adreno and Apple compile shaders without a GPU, for a stand-in of the kernel. NVIDIA's
-ptxas and Intel's IGC need none; they get the same shaders by way of LLVM. Of each shader, which is one call in a
+ptxas and Intel's IGC need none; they get the same shaders by way of SPIRV-Cross, Clang and LLVM. Of each shader, which is one call in a
 fragment shader, less the empty shader, the record has cycles or instructions, registers and spills. The default is
 every function with each arithmetic, on every chip. It needs hn-conform on the PATH or built (tools/measure clock builds
-it), and spirv-dis. DIR gets costs.csv and chips.csv; docs/measured/results/gpu has such files, and tools/make pages
+it), clang and spirv-cross. DIR gets costs.csv and chips.csv; docs/measured/results/gpu has such files, and tools/make pages
 makes tables of them. docs/measured/measuring.md explains them.
 
 Exit status: 0 done, 1 something costs more than in the baseline, 2 bad usage, 3 there are no drivers for a chip, and
@@ -35,13 +35,13 @@ from base.tree import GLSL, ROOT, hn_conform
 from base.usage import Parser
 from measure import record as records
 from measure import stamps
-from measure.gpu import drivers, record, stripes
+from measure.gpu import drivers, record
 from measure.gpu.chips import CHIPS, Chip
 from measure.gpu.compiling import Compiled, Device, compile_all
 from measure.gpu.drivers import Drivers
 from measure.gpu.kernels import compile_all as compile_kernels
 from measure.gpu.kernels import translated
-from measure.peers import PEERS, add_options, against, given
+from measure.peers import add_options, against, given
 
 ARITHMETICS = ("*.lattice", "*.lattice+precise", "*.lattice+fixed", "*.any")
 DRIVERS = ROOT / "build" / "gpu-drivers"
@@ -94,13 +94,13 @@ def measure(chips: Sequence[Chip], found: Drivers, hn_conform: str, files: dict[
     """The device and the shaders of each chip, and why others have none."""
     devices, shaders, skipped = {}, {}, []
     progress = Progress(len(chips) * len(files))
-    kernels = translated(files) if any(chip.vendor.target for chip in chips) else None
+    texts = translated(files) if any(chip.vendor.target for chip in chips) else {}
 
     def one(chip: Chip) -> None:
         started = time.monotonic()
         try:
             if chip.vendor.target:
-                device, results = compile_kernels(found, chip, kernels, progress.step)
+                device, results = compile_kernels(found, chip, texts, progress.step)
             else:
                 device, results = compile_all(found.compiler(chip, [hn_conform, "shader-statistics"]),
                                               found.environment(chip), list(files.values()), progress.step)
@@ -130,9 +130,8 @@ def run(options: argparse.Namespace) -> int:
     options.out.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
         arguments = [word for glob in options.filter or ARITHMETICS for word in ("--filter", glob)]
-        foreign = (*options.against, *against(given(options, PEERS)),
-                   *stripes.against(given(options, stripes.PEERS), Path(scratch)))
-        arguments += [word for one in foreign for word in ("--against", one)]
+        for one in (*options.against, *against(given(options))):
+            arguments += ["--against", one]
         arguments += ["--glsl", str(options.glsl)]  # the program may be older than the text here
         dimensions = compile_spirv(hn_conform, Path(scratch), arguments)
         files = {id: Path(scratch) / "spirv" / f"{id}.spv" for id in dimensions}
@@ -164,8 +163,7 @@ def list_chips(folder: Path) -> int:
     for chip in CHIPS:
         print(f"{chip.name:11} {chip.title}")
     try:
-        for shim in drivers.find(folder).unused_shims():
-            print(f"{shim} is in {folder}, and no chip here is of it: tools/lib/measure/gpu/chips.py wants a row")
+        drivers.find(folder)
     except Missing as why:
         print(f"None can be measured yet: {why}")
     return 0
@@ -181,7 +179,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                         help="another copy of the library: of glsl/hashnoise/")
     parser.add_argument("--against", action="append", metavar="NAME=FILE:EXPRESSION", default=[],
                         help="also another shader file, as of bench; may be repeated")
-    add_options(parser, (*PEERS, *stripes.PEERS))
+    add_options(parser)
     parser.add_argument("--out", type=Path, metavar="DIR", default=Path("out"))
     parser.add_argument("--baseline", type=Path, metavar="FILE", help="an earlier costs.csv, to compare with")
     parser.add_argument("--drivers", type=Path, metavar="DIR", default=DRIVERS,

@@ -1,4 +1,4 @@
-"""The folder of drivers: Mesa's and Intel's, of Debian's unstable suite (debian.py), with the LLVM that writes for
+"""The folder of drivers: Mesa's and Intel's, of Debian's unstable suite (debian.py), with the LLVM that optimizes for
 compilers which are no driver; and NVIDIA's assembler, of a package of PyPI."""
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from pathlib import Path
 
 from base import debian
 from base.debian import Missing
-from measure.gpu.chips import CHIPS, UNUSED_SHIMS, Chip
+from measure.gpu.chips import Chip
 
 LLVM = "22"  # that of today's Mesa; when Debian drops it, name the next for which there is an llvm-spirv
 PACKAGES = ("mesa-vulkan-drivers", "mesa-drm-shim", "libvulkan1", "intel-ocloc", "libigc2", f"llvm-{LLVM}",
@@ -58,13 +58,6 @@ class Drivers(debian.Root):
 
     def shim(self, name: str) -> Path:
         return self.libraries / f"lib{name}_noop_drm_shim.so"
-
-    def unused_shims(self) -> list[str]:
-        """Drivers of GPUs without a chip in our list: a newer package may have them."""
-        prefix, suffix = self.shim("\n").name.split("\n")
-        known = UNUSED_SHIMS | {chip.vendor.shim for chip in CHIPS}
-        names = (path.name for path in sorted(self.libraries.glob(f"{prefix}*{suffix}")))
-        return [name for name in names if name.removeprefix(prefix).removesuffix(suffix) not in known]
 
     def versions(self) -> str:
         """Of what compiles."""

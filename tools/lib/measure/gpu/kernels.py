@@ -1,7 +1,9 @@
-"""Shaders by compilers that take LLVM's text (llvm.py), and the instructions in their output: NVIDIA's ptxas, whose
+"""Shaders by compilers that take no SPIR-V of Vulkan, and the instructions in their output: NVIDIA's ptxas, whose
 nvdisasm prints the machine's instructions, and Intel's IGC, which prints them itself.
 
-No compiler estimates a cost here, so instructions are counted, each by the unit of the GPU that runs it.
+SPIRV-Cross prints a shader in Metal's language, which Clang compiles as C++ for OpenCL (metal.hpp), to LLVM's text for
+the one or the other. No compiler estimates a cost here, so instructions are counted, each by the unit of the GPU that
+runs it.
 """
 
 from __future__ import annotations
@@ -9,6 +11,7 @@ from __future__ import annotations
 import math
 import os
 import re
+import shutil
 import subprocess
 import tempfile
 from collections import Counter
@@ -17,26 +20,35 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from base.debian import Missing
-from measure.gpu import compiling, llvm
+from measure.gpu import compiling
 from measure.gpu.compiling import Compiled, Device
 
 if TYPE_CHECKING:
     from measure.gpu.chips import Chip
     from measure.gpu.drivers import Drivers
 
+HEADER = Path(__file__).with_name("metal.hpp")
+# Clang's options. Operations that may be contracted are marked, and LLVM optimizes later.
+OPTIONS = ("-x", "cl", "-cl-std=clc++", "-cl-no-stdinc", "-cl-single-precision-constant", "-cl-denorms-are-zero",
+           "-ffp-contract=fast", "-freciprocal-math", "-w", "-I", HEADER.parent)
+# Functions that SPIRV-Cross defines for what must not be contracted; the header has them.
+EXACT = re.compile(r"template<[^\n]*>\n\[\[clang::optnone\]\].*?\n}\n", re.DOTALL)
+CONSTRUCTOR = re.compile(r"\b(?:float|int|uint|bool)[234](?:x[234])?(?=\()")
+EXACT_PRODUCT = "spvFMul("
 BATCH = 24  # shaders that a compiler gets at once
 LIMIT = 300.0  # seconds for them
 PASSES = ("-O3", "-vectorize-slp=false", "-vectorize-loops=false")  # of LLVM; a compiler of shaders makes no vectors
+# Options of llc: products and sums are contracted, divisions are the GPU's own, and small numbers become 0.
+APPROXIMATE = ("-fp-contract=fast", "-nvptx-prec-divf32=0", "-denormal-fp-math-f32=preserve-sign")
 
 
 class Failed(Exception):
     """Why a compiler refused a batch."""
 
 
-def compile_all(found: Drivers, chip: Chip, kernels: llvm.Kernels, done: Callable[[], None] = lambda: None
+def compile_all(found: Drivers, chip: Chip, shaders: Mapping[str, str | Failed], done: Callable[[], None] = lambda: None
                 ) -> tuple[Device, list[Compiled]]:
     """One result for each shader, in order. A batch that is refused is tried again in halves."""
-    translated = kernels.of(chip.vendor.target)
     compiler = COMPILERS[chip.vendor.driver](found, chip)
     try:
         device = compiler.device()
@@ -46,7 +58,7 @@ def compile_all(found: Drivers, chip: Chip, kernels: llvm.Kernels, done: Callabl
     def compiled(ids: Sequence[str]) -> dict[str, Compiled]:
         names = {f"k{number}": id for number, id in enumerate(ids)}
         try:
-            statistics = compiler.statistics({name: translated[id] for name, id in names.items()})
+            statistics = compiler.statistics({name: shaders[id] for name, id in names.items()})
             return {id: Compiled(statistics[name], math.nan) for name, id in names.items()}
         except Failed as why:
             if len(ids) == 1:
@@ -55,14 +67,14 @@ def compile_all(found: Drivers, chip: Chip, kernels: llvm.Kernels, done: Callabl
         return compiled(ids[:half]) | compiled(ids[half:])
 
     results: dict[str, Compiled] = {}
-    possible = [id for id, kernel in translated.items() if not isinstance(kernel, llvm.Unsupported)]
+    possible = [id for id, text in shaders.items() if isinstance(text, str)]
     for start in range(0, len(possible), BATCH):
         batch = possible[start:start + BATCH]
         results |= compiled(batch)
         for _ in batch:
             done()
-    results |= {id: Compiled({}, math.nan, str(kernel)) for id, kernel in translated.items() if id not in results}
-    return device, [results[id] for id in translated]
+    results |= {id: Compiled({}, math.nan, str(why)) for id, why in shaders.items() if id not in results}
+    return device, [results[id] for id in shaders]
 
 
 class Compiler:
@@ -87,13 +99,15 @@ class Compiler:
             raise Failed(f"the compiler {compiling.end(done.returncode)}{f' ({why[:200]})' * bool(why)}")
         return done.stdout
 
-    def optimized(self, shaders: Mapping[str, llvm.Kernel], folder: Path) -> Path:
-        text, made = folder / "shaders.ll", folder / "shaders.bc"
-        text.write_text(llvm.module(shaders, self.chip.vendor.target), encoding="ascii")
-        self.call([*self.found.program("opt"), *PASSES, text, "-o", made], folder)
+    def optimized(self, shaders: Mapping[str, str], folder: Path) -> Path:
+        text, plain, made = (folder / name for name in ("shaders.cl", "shaders.bc", "optimized.bc"))
+        text.write_text(module(shaders), encoding="ascii")
+        self.call(["clang", *OPTIONS, f"--target={self.chip.vendor.target}", "-O3", "-Xclang", "-disable-llvm-passes", "-Xclang", "-disable-lifetime-markers", "-Xclang", "-opaque-pointers",
+                   "-emit-llvm", "-c", text, "-o", plain], folder)
+        self.call([*self.found.program("opt"), *PASSES, plain, "-o", made], folder)
         return made
 
-    def statistics(self, shaders: Mapping[str, llvm.Kernel]) -> dict[str, dict[str, float]]:
+    def statistics(self, shaders: Mapping[str, str]) -> dict[str, dict[str, float]]:
         with tempfile.TemporaryDirectory() as scratch:
             found = self.compiled(shaders, Path(scratch))
         if missing := set(shaders) - set(found):
@@ -102,9 +116,9 @@ class Compiler:
 
 
 class Ptxas(Compiler):
-    def compiled(self, shaders: Mapping[str, llvm.Kernel], folder: Path) -> dict[str, dict[str, float]]:
+    def compiled(self, shaders: Mapping[str, str], folder: Path) -> dict[str, dict[str, float]]:
         architecture, ptx, binary = self.chip.variable, folder / "shaders.ptx", folder / "shaders.cubin"
-        self.call([*self.found.program("llc"), "-O3", f"-mcpu={architecture}", "-fp-contract=fast",
+        self.call([*self.found.program("llc"), "-O3", f"-mcpu={architecture}", *APPROXIMATE,
                    self.optimized(shaders, folder), "-o", ptx], folder)
         said = self.call([self.found.nvidia(self.assembler()), f"-arch={architecture}", "-O3", "-v", "-o", binary, ptx],
                          folder)
@@ -124,16 +138,16 @@ class Ptxas(Compiler):
 
 
 class Igc(Compiler):
-    def compiled(self, shaders: Mapping[str, llvm.Kernel], folder: Path) -> dict[str, dict[str, float]]:
+    def compiled(self, shaders: Mapping[str, str], folder: Path) -> dict[str, dict[str, float]]:
         # IGC contracts sums and products of all kernels or of none.
         found = {}
         for exact in (False, True):
-            chosen = {name: shader for name, shader in shaders.items() if shader.has_exact_product is exact}
+            chosen = {name: shader for name, shader in shaders.items() if (EXACT_PRODUCT in shader) is exact}
             if chosen:
                 found |= self.by_ocloc(chosen, folder, "" if exact else "-cl-mad-enable")
         return found
 
-    def by_ocloc(self, shaders: Mapping[str, llvm.Kernel], folder: Path, options: str) -> dict[str, dict[str, float]]:
+    def by_ocloc(self, shaders: Mapping[str, str], folder: Path, options: str) -> dict[str, dict[str, float]]:
         spirv = folder / "shaders.spv"
         self.call([*self.found.program("llvm-spirv"), self.optimized(shaders, folder), "-o", spirv], folder)
         said = self.call([*self.found.program("ocloc"), "compile", "-spirv_input", "-file", spirv, "-device",
@@ -221,12 +235,14 @@ JUMPS = re.compile(r"(?:goto|jmpi|brd|brc)\b")
 
 def counts_of_asm(text: str, lanes: int) -> dict[str, dict[str, float]]:
     """By kernel: what IGC prints. An instruction passes once for each `lanes` lanes that it has, at least once; a
-    message to memory and a branch once. Waits (sync, nop) are not counted."""
+    message to memory and a branch once. Waits (sync, nop) are not counted. IGC compiles a kernel that spills once more,
+    and prints it again: the last one counts."""
     kernels: dict[str, Counter[str]] = {}
     found, labels = Counter(), set()
     for line in text.splitlines():
         if head := ASM_KERNEL.match(line):
-            found, labels = kernels.setdefault(head[1], Counter()), set()
+            found, labels = Counter(), set()
+            kernels[head[1]] = found
         elif registers := ASM_REGISTERS.match(line):
             found["Registers"] = int(registers[1])
         elif spills := ASM_SPILLS.match(line):
@@ -265,9 +281,22 @@ def unit(name: str, operands: str) -> str:
     return "floats" if floats else "integers"
 
 
-def translated(files: Mapping[str, Path]) -> llvm.Kernels:
-    """The shaders of SPIR-V files. Missing without the program that prints them."""
-    try:
-        return llvm.Kernels({id: llvm.disassembled(file) for id, file in files.items()})
-    except FileNotFoundError:
-        raise Missing("there is no spirv-dis, which prints the shaders: install spirv-tools") from None
+def module(shaders: Mapping[str, str]) -> str:
+    """C++ for OpenCL with a kernel for each shader, of its name."""
+    return f'#include "{HEADER.name}"\n' + "".join(f"namespace of_{name} {{{text}SHADER({name})\n}}\n"
+                                                   for name, text in shaders.items())
+
+
+def translated(files: Mapping[str, Path]) -> dict[str, str | Failed]:
+    """The shaders of SPIR-V files in Metal's language. Missing without the programs that translate them."""
+    def one(file: Path) -> str | Failed:
+        done = subprocess.run(["spirv-cross", "--msl", "--msl-force-native-arrays", file], capture_output=True, text=True,
+                              check=False)
+        if done.returncode:
+            return Failed(f"SPIRV-Cross: {done.stderr.strip()}")
+        text = EXACT.sub("", done.stdout.partition("using namespace metal;")[2])
+        return CONSTRUCTOR.sub(r"made<\g<0>>", text)
+
+    if missing := [program for program in ("clang", "spirv-cross") if not shutil.which(program)]:
+        raise Missing(f"there is no {' and no '.join(missing)}, by which shaders are translated")
+    return {id: one(file) for id, file in files.items()}

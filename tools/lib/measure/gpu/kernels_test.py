@@ -1,13 +1,13 @@
-"""Tests of what compiles shaders by way of LLVM's text: the translation, and how what compilers print is counted. The
-compilers run in thorough runs, as gpu_test.py does."""
+"""Tests of what compiles shaders by way of Metal's language: the translation, and how what compilers print is counted.
+The compilers run in thorough runs, as gpu_test.py does."""
 
 from __future__ import annotations
 
 import contextlib
-import dataclasses
 import io
 import math
 import os
+import re
 import subprocess
 import unittest
 from pathlib import Path
@@ -18,56 +18,26 @@ from base.debian import Missing
 from base.testing import Case
 from base.thorough import in_thorough_runs
 from base.twin import compile_program
-from measure.gpu import command, drivers, kernels, llvm, record
+from measure.gpu import command, drivers, kernels, record
 from measure.gpu.chips import CHIPS, chip_named
 from measure.gpu.compiling import Device
 
-# A shader as spirv-dis prints it: with a table, a loop, a minimum, and a product that must not be contracted.
-SHADER = """OpCapability Shader
-%1 = OpExtInstImport "GLSL.std.450"
-OpEntryPoint Fragment %2 "main" %10 %11
-OpDecorate %40 NoContraction
-%3 = OpTypeVoid
-%4 = OpTypeFunction %3
-%5 = OpTypeFloat 32
-%6 = OpTypeInt 32 1
-%7 = OpTypeBool
-%8 = OpTypePointer Input %5
-%9 = OpTypePointer Output %5
-%10 = OpVariable %8 Input
-%11 = OpVariable %9 Output
-%12 = OpConstant %5 0.5
-%13 = OpConstant %6 2
-%14 = OpTypeArray %5 %13
-%15 = OpConstantComposite %14 %12 %12
-%16 = OpTypePointer Function %14
-%17 = OpTypePointer Function %5
-%18 = OpConstant %6 0
-%19 = OpConstant %6 1
-%2 = OpFunction %3 None %4
-%20 = OpLabel
-%21 = OpVariable %16 Function
-%22 = OpLoad %5 %10
-OpBranch %23
-%23 = OpLabel
-%24 = OpPhi %6 %18 %20 %25 %26
-%27 = OpPhi %5 %22 %20 %28 %26
-%29 = OpSLessThan %7 %24 %13
-OpLoopMerge %30 %26 None
-OpBranchConditional %29 %26 %30
-%26 = OpLabel
-OpStore %21 %15
-%31 = OpAccessChain %17 %21 %24
-%32 = OpLoad %5 %31
-%40 = OpFMul %5 %27 %32
-%28 = OpExtInst %5 %1 FMin %40 %22
-%25 = OpIAdd %6 %24 %19
-OpBranch %23
-%30 = OpLabel
-OpStore %11 %27
-OpReturn
-OpFunctionEnd
+# With a table, a loop, a minimum, and a product that must not be contracted.
+SHADER = """#version 450
+layout(location = 0) in float p;
+layout(location = 0) out float result;
+void main() {
+  const float table[3] = float[3](0.5, 0.25, 0.125);
+  float least = p;
+  for (int i = 0; i < 3; ++i) {
+    precise float product = least * table[int(p + float(i))];
+    least = min(product, p);
+  }
+  result = least * p + 1.0;
+}
 """
+# In Metal's language; nothing is exact in it.
+METAL = "\nfragment float main0(main0_in in [[stage_in]]);\n"
 SASS = """\t.target\tsm_90
 .text.k0:
         /*0000*/                   LDC R1, c[0x0][0x28] ;
@@ -142,46 +112,33 @@ def stand_in(folder: Path, **programs: str) -> drivers.Drivers:
     return drivers.find(folder)
 
 
-class Translation(unittest.TestCase):
+def metal(folder: Path, **texts: str) -> dict[str, str | kernels.Failed]:
+    """The shaders of GLSL, by their ids."""
+    for id, text in texts.items():
+        done = glslang.compiled(text, "-V", "-o", str(folder / f"{id}.spv"))
+        if done.returncode:
+            raise ValueError(done.stdout)
+    return kernels.translated({id: folder / f"{id}.spv" for id in texts})
+
+
+class Translation(Case):
     def test_an_operation_becomes_one(self):
-        for target, exact in ((llvm.NVPTX, "call float @llvm.nvvm.mul.rn.ftz.f(float %v27, float %v32)"),
-                              (llvm.SPIR, "fmul float %v27, %v32")):
-            kernel = llvm.kernel_of(SHADER, target)
-            self.assertTrue(kernel.has_exact_product)
-            text = llvm.module({"k7": kernel}, target)
-            for line in (f"%v40 = {exact}", "%v28 = call float @llvm.minnum.f32(float %v40, float %v22)",
-                         "%v24 = phi i32 [ 0, %l20 ], [ %v25, %l26 ]", "void @k7(", "private unnamed_addr addrspace("):
-                self.assertIn(line, text)
-            # The branch back is the one that closes the loop, and the store of the table is none.
-            self.assertEqual(text.count("!llvm.loop !"), 1)
-            self.assertRegex(text, r"br label %l23, !llvm\.loop !1000001\n")
-            self.assertNotIn("store [2 x float]", text)
+        for chip, product in (("sm90", "llvm.nvvm.mul.rn.ftz.f(float"), ("acm", "fmul arcp float")):
+            [text] = metal(self.folder, shader=SHADER).values()
+            compiler = kernels.COMPILERS[chip_named(chip).vendor.driver](stand_in(self.folder / chip, opt=COPY), chip_named(chip))
+            made = compiler.optimized({"k7": text}, self.folder)
+            done = subprocess.run(["clang", "-x", "ir", "-Xclang", "-opaque-pointers", "-O1", "-S", "-emit-llvm", "-w",
+                                   made, "-o", "-"], stdout=subprocess.PIPE, text=True, check=True)
+            for line in (product, "@llvm.minnum.f32(", "fmul arcp contract float", "fadd arcp contract float", "@k7(", " addrspace("):
+                self.assertIn(line, done.stdout)
+            # The loop is written out, and reads a table in the memory of constants.
+            self.assertEqual(len(re.findall(r"call .*@llvm.minnum.f32\(", done.stdout)), 3)
+            self.assertRegex(done.stdout, r"addrspace\(\d\) constant \[3 x float\]")
 
-    def test_what_may_be_contracted_says_so(self):
-        kernel = llvm.kernel_of(SHADER.replace("OpDecorate %40 NoContraction\n", ""), llvm.NVPTX)
-        self.assertIn("%v40 = fmul contract float %v27, %v32", kernel.definition)
-        self.assertFalse(kernel.has_exact_product)
-
-    def test_an_array_that_is_written_twice_is_no_table(self):
-        other = SHADER.replace("OpStore %21 %15\n",
-                               "OpStore %21 %15\n%50 = OpAccessChain %17 %21 %18\nOpStore %50 %22\n")
-        self.assertIn("%v21 = alloca [2 x float]", llvm.kernel_of(other, llvm.NVPTX).definition)
-
-    def test_numbers(self):
-        for text, bits in (("0.5", "0x3FE0000000000000"), ("0x1p+128", "0x7FF0000000000000"),
-                           ("-0x1p-149", "0xB6A0000000000000"), ("0x1.8p+128", "0x7FF8000000000000")):
-            self.assertEqual(llvm.float_constant(text), bits)
-
-    def test_what_is_not_known_is_refused(self):
-        for old, new, part in (("OpIAdd", "OpIAddCarry", "OpIAddCarry has no translation"),
-                               ("FMin", "Tan", "GLSL's Tan has no translation"),
-                               ("Variable %8 Input", "Variable %8 Uniform", "variables that are Uniform have no"),
-                               ("OpTypeFloat 32", "OpTypeFloat 64", "floats of 64 bits")):
-            with self.subTest(part=part), self.assertRaisesRegex(llvm.Unsupported, part):
-                llvm.kernel_of(SHADER.replace(old, new), llvm.NVPTX)
-        found = llvm.Kernels({"good": SHADER, "bad": SHADER.replace("FMin", "Tan")}).of(llvm.SPIR)
-        self.assertIsInstance(found["bad"], llvm.Unsupported)
-        self.assertIsInstance(found["good"], llvm.Kernel)
+    def test_a_file_that_is_no_shader_is_refused(self):
+        self.assertEqual(metal(self.folder, good=SHADER)["good"].count(kernels.EXACT_PRODUCT), 1)
+        (self.folder / "bad.spv").write_text("none")
+        self.assertRegex(str(kernels.translated({"bad": self.folder / "bad.spv"})["bad"]), "SPIRV-Cross: .")
 
 
 class Counting(unittest.TestCase):
@@ -194,7 +151,7 @@ class Counting(unittest.TestCase):
                                                        "k1": {"Spilled bytes": 8, "Registers": 31}})
 
     def test_instructions_of_intel(self):
-        empty, found = kernels.counts_of_asm(ASM, 8).values()
+        empty, found = kernels.counts_of_asm(ASM + ASM, 8).values()  # compiled twice
         self.assertEqual(empty, {"Registers": 128, "Instructions": 2, "Passes": 2, "moves": 1, "memory": 1})
         self.assertEqual(found, {"Registers": 128, "Spilled bytes": 64, "Instructions": 12, "Passes": 16, "floats": 2,
                                  "products": 2, "integers": 2, "math": 2, "moves": 2, "memory": 1, "branches": 5,
@@ -212,11 +169,11 @@ class Counting(unittest.TestCase):
 
 # Programs of a shell in place of the compilers: LLVM's copy what they get, and the others print what they were given.
 COPY = '''for word; do
-  case $word in *.ll|*.bc) input=${input:-$word};; esac
+  case $word in *.cl|*.bc) input=${input:-$word};; esac
   output=$word
 done
 cp "$input" "$output"'''
-NAMES = r's/.*void @\(k[0-9]*\)(.*'
+NAMES = r's/SHADER(\(k[0-9]*\)).*'
 PTXAS = rf'''[ "$1" = --version ] && {{ echo "release 12.9, V12.9.86"; exit; }}
 for word; do case $word in *.ptx) input=$word;; esac; done
 grep -q refused "$input" && {{ echo "ptxas fatal : no"; exit 255; }}
@@ -228,17 +185,18 @@ sed -n '{NAMES}/\/\/.kernel \1\n\/\/.thread_config numGRF=128\n  add (16|M0) r1.
 
 
 class Compilers(Case):
+    def setUp(self):
+        self.enterContext(mock.patch.dict(os.environ, PATH=f"{self.script('bin/clang', COPY).parent}:{os.environ['PATH']}"))
+
     def test_a_shader_that_is_refused_costs_itself(self):
-        found = stand_in(self.folder, opt=COPY, llc=COPY, ptxas=PTXAS, nvdisasm=NVDISASM)
-        texts = {f"s{number}": SHADER for number in range(5)} | {"bad": SHADER.replace("FMin", "Tan"), "last": SHADER}
-        translated = llvm.Kernels(texts)
-        translated.of(llvm.NVPTX)["s3"].definition += "\n; refused"
+        found = stand_in(self.folder / "drivers", opt=COPY, llc=COPY, ptxas=PTXAS, nvdisasm=NVDISASM)
+        shaders = {f"s{number}": METAL for number in range(5)} | {"bad": kernels.Failed("no shader"), "last": METAL}
+        shaders["s3"] += "refused\n"
         steps = []
-        device, results = kernels.compile_all(found, chip_named("sm90"), translated, lambda: steps.append(1))
+        device, results = kernels.compile_all(found, chip_named("sm90"), shaders, lambda: steps.append(1))
         self.assertEqual(device, Device("sm_90", "ptxas 12.9.86, LLVM 22.1.8-3"))
-        problems = {id: result.problem for id, result in zip(texts, results) if result.problem}
-        self.assertEqual(problems, {"s3": "the compiler ended with status 255 (ptxas fatal : no)",
-                                    "bad": "GLSL's Tan has no translation"})
+        problems = {id: result.problem for id, result in zip(shaders, results) if result.problem}
+        self.assertEqual(problems, {"s3": "the compiler ended with status 255 (ptxas fatal : no)", "bad": "no shader"})
         self.assertEqual(results[-1].statistics, {"FP": 1, "Issue slots": 1, "Registers": 9})
         self.assertTrue(math.isnan(results[0].seconds))
         self.assertEqual(len(steps), 6)
@@ -246,28 +204,26 @@ class Compilers(Case):
         self.assertEqual((row.cost, row.compile_ms, row.problem), ("0", "", ""))
 
     def test_a_compiler_that_prints_nothing_is_no_success(self):
-        found = stand_in(self.folder, opt=COPY, llc=COPY, ptxas=PTXAS, nvdisasm="true")
-        _, [result] = kernels.compile_all(found, chip_named("sm90"), llvm.Kernels({"s": SHADER}))
+        found = stand_in(self.folder / "drivers", opt=COPY, llc=COPY, ptxas=PTXAS, nvdisasm="true")
+        _, [result] = kernels.compile_all(found, chip_named("sm90"), {"s": METAL})
         self.assertEqual(result.problem, "the compiler printed nothing of 1 shaders")
 
     def test_exact_shaders_go_to_igc_apart(self):
         passed = self.folder / "passed"
         self.enterContext(mock.patch.dict(os.environ, {"HN_ASKED": str(passed)}))
         found = stand_in(self.folder / "drivers", opt=COPY, llvm_spirv=COPY, ocloc=OCLOC)
-        plain = SHADER.replace("OpDecorate %40 NoContraction\n", "")
-        _, results = kernels.compile_all(found, chip_named("acm"), llvm.Kernels({"exact": SHADER, "plain": plain}))
+        _, results = kernels.compile_all(found, chip_named("acm"), {"exact": f"{METAL}spvFMul(1, 2)\n", "plain": METAL})
         self.assertEqual([result.statistics.get("floats") for result in results], [2, 2], results)
         options = [line.partition("-options ")[2] for line in passed.read_text().splitlines()]
         self.assertEqual(options, ["-cl-mad-enable", ""])
 
     def test_a_folder_without_them_is_told(self):
-        found = stand_in(self.folder)
+        found = stand_in(self.folder / "drivers")
         for chip, part in (("sm90", "has no ptxas of NVIDIA"), ("sm120", "has no ptxas-blackwell"),
                            ("acm", "has no program ocloc")):
             with self.subTest(chip=chip), self.assertRaisesRegex(Missing, part):
-                kernels.compile_all(found, chip_named(chip), llvm.Kernels({"s": SHADER}))
-        with mock.patch("subprocess.run", side_effect=FileNotFoundError), \
-                self.assertRaisesRegex(Missing, "spirv-tools"):
+                kernels.compile_all(found, chip_named(chip), {"s": METAL})
+        with mock.patch("shutil.which", return_value=None), self.assertRaisesRegex(Missing, "no clang and no spirv-cross"):
             kernels.translated({"s": self.folder})
 
 
@@ -288,12 +244,6 @@ class Getting(Case):
             drivers.get(folder)
 
 
-# The shaders on this processor: what stands for the functions of a GPU.
-HOST = dataclasses.replace(
-    llvm.SPIR, head='target triple = "x86_64-pc-linux-gnu"', kernel="", index=("  %index = add i64 0, 0",),
-    declarations="", attributes="", tail="", constants=0,
-    functions={"OpFDiv": "divided", "Sqrt": "sqrtf", "InverseSqrt": "inverse_root", "Sin": "sinf", "Cos": "cosf",
-               "Exp2": "exp2f", "Log2": "log2f"})
 CALLS = {"noise2d.perlin.lattice": "hn_perlin(vec2(x, y))", "noise3d.simplex.lattice": "hn_simplex(vec3(x, y, z))",
          "noise2d.cellular.lattice": "hn_cellular(vec2(x, y)).x + hn_cellular(vec2(x, y)).y",
          "fbm.fbm3.lattice": "hn_fbm(vec3(x, y, z), 6, 2.0f, 0.5f)"}
@@ -318,8 +268,8 @@ EXPRESSIONS = {
     "all(lessThan(p, vec3(0.0))) ? 1.0 : 2.0": "x < 0 && y < 0 && z < 0 ? 1 : 2",
     "p[uint(p.x * p.x) % 3u]": "uint(x * x) % 3 == 0 ? x : uint(x * x) % 3 == 1 ? y : z",
     "float(~int(p.z)) + float(int(p.x * 9.0) / 4)": "~int(z) + int(x * 9) / 4",
-    "float(int(p.x * 9.0) % 4) + float((ivec2(p.xy * 7.0) % ivec2(5, 3)).y)":
-        "(int(x * 9) % 4 + 4) % 4 + (int(y * 7) % 3 + 3) % 3",
+    "float(int(p.x * p.x * 9.0) % 4) + float((ivec2(p.yy * p.xy * 7.0) % ivec2(5, 3)).y)":
+        "int(x * x * 9) % 4 + int(y * y * 7) % 3",
     "float(1u << (uint(p.x * p.x) & 3u)) + float(40 >> uint(p.z * p.z))":
         "float(1u << (uint(x * x) & 3u)) + float(40 >> uint(z * z))",
     "fract(p.y) + trunc(p.y) + ceil(p.x)": "y - std::floor(y) + std::trunc(y) + std::ceil(x)",
@@ -347,14 +297,14 @@ extern "C" float divided(float a, float b) {{ return a / b; }}
 extern "C" float inverse_root(float a) {{ return 1 / std::sqrt(a); }}
 {declarations}
 int main() {{
-  static float place[{size}], made[{size}];
+  static float place[4096], made[4096];
   auto check = [](void (*kernel)(const float*, float*), float wanted, const char* what) {{
     kernel(place, made);
     if (std::abs(made[0] - wanted) > 1e-5f * (1 + std::abs(wanted))) std::printf("%s\\n", what);
   }};
   for (float x = -7.3f; x < 7.0f; x += 0.61f) {{
     const float y = 3.1f - x * 1.7f, z = x * 0.3f;
-    place[0] = x, place[{stride}] = y, place[2 * {stride}] = z;
+    place[0] = x, place[1024] = y, place[2048] = z;
     {checks}
   }}
 }}
@@ -380,16 +330,13 @@ class Real(Case):
 
     def wrong(self, files: dict[str, Path], wanted: dict[str, str]) -> set[str]:
         """Functions whose shader computes another number on this processor than the C++ that is wanted."""
-        shaders = kernels.translated(files).of(HOST)
+        shaders = kernels.translated(files)
         names = {id: f"k{number}" for number, id in enumerate(files)}
-        text, made, machine = (self.folder / name for name in ("host.ll", "host.bc", "host.o"))
-        text.write_text(llvm.module({name: shaders[id] for id, name in names.items()}, HOST))
-        subprocess.run([*self.found.program("opt"), "-O3", text, "-o", made], check=True)
-        subprocess.run([*self.found.program("llc"), "-mattr=+fma,+sse4.1", "-relocation-model=pic", "-filetype=obj",
-                        made, "-o", machine], check=True)
+        text, machine = self.folder / "host.cl", self.folder / "host.o"
+        text.write_text(kernels.module({name: shaders[id] for id, name in names.items()}))
+        subprocess.run(["clang", *kernels.OPTIONS, "-O1", "-fPIC", "-c", text, "-o", machine], check=True)
         source, program = self.folder / "host.cpp", self.folder / "host"
         source.write_text(PROGRAM.format(
-            size=4 * llvm.STRIDE, stride=llvm.STRIDE,
             declarations="\n".join(f'extern "C" void {name}(const float*, float*);' for name in names.values()),
             checks="\n    ".join(f'check({name}, {wanted[id]}, "{id}");' for id, name in names.items())))
         compile_program("the comparison", source, program, str(machine))
@@ -407,6 +354,12 @@ class Real(Case):
             done = glslang.compiled(EXPRESSION.format(glsl), "-V", "-o", str(files[glsl]))
             self.assertEqual(done.returncode, 0, done.stdout)
         self.assertEqual(self.wrong(files, EXPRESSIONS), set())
+
+    def test_a_division_is_the_gpus_own(self):
+        texts = metal(self.folder, plain=EXPRESSION.format("p.x"), divided=EXPRESSION.format("p.x / p.y"))
+        for chip, cost, most in (("sm90", "Issue slots", 4), ("acm", "Passes", 12)):
+            plain, divided = kernels.compile_all(self.found, chip_named(chip), texts)[1]
+            self.assertLess(divided.statistics[cost] - plain.statistics[cost], most, chip)
 
     def test_units_sum_up_to_what_is_counted(self):
         files = self.calls()

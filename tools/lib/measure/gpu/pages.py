@@ -7,10 +7,9 @@ from collections.abc import Mapping
 
 from base.tree import ROOT
 from catalog.tables.markdown import table
-from measure.gpu import stripes
 from measure.gpu.chips import SHOWN, chip_named
 from measure.gpu.record import COSTS, Row, read_costs
-from measure.peers import CALLS, dimensions, subject
+from measure.peers import CALLS, Call, dimensions, subject
 
 RECORD = ROOT / "docs" / "measured" / "results" / "gpu"
 # Functions that show the cost of a hash: the hash alone, and noises that are little more than hashes.
@@ -22,14 +21,18 @@ HASHED = {"hash.lattice2.lattice": "`hn_lattice` of an `ivec2`", "hash.lattice3.
 LETTERS = {"fastnoiselite": "F", "wombat": "W", "materialx": "M", "webgl-noise": "S", "psrdnoise": "P",
            "terrain-erosion": "E", "phasor-noise": "T", "clay-john": "J"}
 SUMS = "octaves"  # in the names of noises: those have loops
-SHOWN_CALLS = (*(call for call in CALLS if SUMS not in call.noise), *stripes.CALLS)
+# Stripes and gullies of others, whose costs stay as they were measured.
+STRIPES = (("stripes 2D", "noise2d.phasor", "terrain-erosion"), ("stripes 2D", "noise2d.phasor", "phasor-noise"),
+           ("stripes 2D with derivatives", "noise2d.phasor_d", "clay-john"),
+           ("gullies 2D, 5 octaves", "noise2d.gullies", "terrain-erosion"))
+SHOWN_CALLS = (*(call for call in CALLS if SUMS not in call.noise), *(Call(*names, "", "") for names in STRIPES))
 LOOPS = re.compile(r"\bLoops [1-9]")  # in the kinds of a row
 TABLES = re.compile(r"\bmemory [1-9]")  # the same, where instructions are counted, and waits are not
 WITNESS = "adreno740"  # of loops, for compilers that do not state whether they left one
 
 
 def costs() -> dict[tuple[str, str], Row]:
-    return read_costs(RECORD / COSTS)
+    return read_costs(RECORD / COSTS) | read_costs(RECORD / "stripes.csv")
 
 
 def shown(rows: Mapping[tuple[str, str], Row]) -> list[str]:

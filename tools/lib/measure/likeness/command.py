@@ -6,7 +6,7 @@
 
 THEIRS is a float of a position p, by the GLSL in FILE and in the files that it includes; OURS is one by this library. A
 size is the distance, in cells, at which the correlation of two values has fallen to 1/2. The command prints the call that
-has the size, the deviation and the mean of theirs. It needs libOSMesa. docs/guide/moving.md has such calls of several
+has the size, the deviation and the mean of theirs. It needs Debian's libegl1 and libgl1. docs/guide/moving.md has such calls of several
 libraries, and docs/measured/results/llvmpipe/likeness.csv the numbers of its rows.
 
 Exit status: 0 they look alike, 1 they do not even so, 2 bad usage.

@@ -28,7 +28,7 @@ Judges anybody's noise: its range, jumps, repeats and more, with a page, a recor
     tools/measure noise 'noise.glsl:snoise(p)'                       on the plane; p is a vec2
     tools/measure noise 'noise.glsl:snoise(p)' --dimensions 3 --range -1 1 --require range,jumps --out judged
 
-It renders the GLSL by Mesa's software renderer (Debian's libosmesa6). docs/measured/judge.md explains each measure.
+It renders the GLSL by Mesa's software renderer (Debian's libegl1 and libgl1). docs/measured/judge.md explains each measure.
 
 Exit status: 0 done, 1 a measure of --require fails, 2 bad usage, or the GLSL does not compile, 4 there is no
 renderer."""

@@ -82,7 +82,6 @@ def table(of: Record) -> dict[str, object]:
     heads = list(of.rows[0])
     sources = heads[4:heads.index("ms_800x600")]
     return {"cells": of.facts["cells"], "sources": sources, "claims": claims(of.rows),
-            "absent": {name: why for name, why in of.facts.items() if name.startswith("no counts from")},
             "tables": [(n, [(row["algorithm"], row["form"], cells(row, sources)) for row in of.rows
                             if row["dimensions"] == n]) for n in "23"]}
 

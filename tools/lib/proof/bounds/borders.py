@@ -1,4 +1,4 @@
-"""Which cells hn_cell_border needs: a proof for the plane, and a search. And how far a border can be.
+"""Which cells hn_cell_border needs: a proof for the plane, and a search.
 
 Let P be the nearest point of a place x, and r the distance from x to the border by the points of a block of cells. So
 P is the nearest one of the block from every y within r of x. If a point Q of a cell outside of the block made the
@@ -200,40 +200,3 @@ def search(cells: Iterable[Cell], dims: int, rounds: int, count: int, steps: int
         x_new, p_new = fresh(count // 4)
         x, p, reach = np.concatenate([x_near, x_new], axis=1), np.concatenate([cell + off, p_new], axis=1), reach * 0.9
     return best
-
-
-# --- How far a border can be ------------------------------------------------------------------------------------------
-
-def border(f: np.ndarray, cells: np.ndarray, u: np.ndarray) -> np.ndarray:
-    """The distances to the border, at fractions in the cell 0, for directions of the points of the cells: axes by cells
-    by places."""
-    offsets = cells[:, :, None] + 0.5 + u / 2 - f[:, None]
-    squares = (offsets**2).sum(axis=0)
-    nearest = squares.argmin(axis=0)[None]
-    apart = np.sqrt(((offsets - np.take_along_axis(offsets, nearest[None], axis=1)) ** 2).sum(axis=0))
-    np.put_along_axis(apart, nearest, 1.0, axis=0)
-    distances = (squares - np.take_along_axis(squares, nearest, axis=0)) / (2 * apart)
-    np.put_along_axis(distances, nearest, np.inf, axis=0)
-    return distances.min(axis=0)
-
-
-def climb(dims: int, rounds: int = 150, count: int = 256, seed: int = 2) -> float:
-    """A large distance to a border. Points of different cells are independent; each round moves some points of the
-    best places, and keeps these."""
-    rng, best_of = np.random.default_rng(seed), count // 8
-    cells = np.array(list(itertools.product(range(-2, 3), repeat=dims)), float).T
-
-    def directions(v: np.ndarray) -> np.ndarray:
-        return v / abs(v).sum(axis=0)
-    f, u = rng.random((dims, count)), directions(rng.normal(size=(*cells.shape, count)))
-    found, reach = border(f, cells, u), 0.5
-    for _ in range(rounds):
-        order = found.argsort()[::-1][:best_of]
-        near = np.tile(order, 8)
-        moved = rng.random((cells.shape[1], count)) < rng.random(count) / 2
-        new_f = np.clip(f[:, near] + reach * rng.normal(size=(dims, count)) * (rng.random(count) < 0.5), 0, 1)
-        new_u = directions(u[:, :, near] + reach * rng.normal(size=u.shape) * moved)
-        new_f[:, :best_of], new_u[:, :, :best_of] = f[:, order], u[:, :, order]
-        f, u, reach = new_f, new_u, reach * 0.97
-        found = border(f, cells, u)
-    return float(found.max())

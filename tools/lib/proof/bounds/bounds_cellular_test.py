@@ -13,7 +13,7 @@ from base.thorough import in_thorough_runs
 from proof.bounds import borders, distances, features, moving
 from proof.bounds.gradients import OCTAHEDRAL
 from proof.bounds.noises import cellular
-from proof.bounds.rounded import EXACT, FIXED, NEAREST, Rounding
+from proof.bounds.rounded import EXACT, FIXED, NEAREST, Body, Rounding, Text
 from proof.bounds.sine import fixed_sine, fixed_sines
 from proof.bounds.text_test import columns_of, ratios, rows, text
 from proof.oracle import feature_points
@@ -89,16 +89,13 @@ class Blocks(unittest.TestCase):
 
 
 class Borders(unittest.TestCase):
-    def test_a_climb(self):
-        """It finds the page's number, and more than the largest borders that are known of the library."""
+    def test_known_ends(self):
+        """The bound is beyond the largest borders that are known of the library."""
         known = {2: ((-567291, 57828), (0.5342983, 0.7685160), 233433071),
                  3: ((974166, -68968, 352045), (0.5813425, 0.4050027, 0.2685761), 2892670609)}
         for dims, place in known.items():
             seen = float(oracle.find("cell_border").exact_cell(Knobs("lattice", False), *place)[0])
-            self.assertTrue({2: 0.702, 3: 0.618}[dims] < seen < cellular.CLIMBED[dims])
-            climbed = borders.climb(dims)
-            self.assertTrue(cellular.CLIMBED[dims] <= climbed < cellular.CLIMBED[dims] + 0.01)
-            self.assertLess(climbed, features.largest_border(dims))
+            self.assertTrue({2: 0.702, 3: 0.618}[dims] < seen < features.largest_border(dims))
 
 
 class Ranges(unittest.TestCase):
@@ -130,6 +127,37 @@ class Ranges(unittest.TestCase):
             self.assertEqual(abs(directions(dims)).sum(axis=0).max(), 1)
             longest = np.linalg.norm(directions(dims), axis=0).max()
             self.assertAlmostEqual(longest, moving.LONGEST[dims], delta=1e-15)
+
+
+class Metrics(unittest.TestCase):
+    """The bounds of hn_cellular are the largest of all metrics. Here each metric has its own, and reaches a part of
+    it."""
+    STEP = 2.0**-20  # of a place
+
+    @staticmethod
+    def distances(function, rounding, columns, *macros):
+        return np.array(text(OCTAHEDRAL, *macros)(function.id, rounding, **columns))
+
+    def seen(self, function, columns):
+        """The largest errors in floats and in integers, how fast distances change, and the largest distance."""
+        exact = self.distances(function, EXACT, columns)
+        moved = {name: x + (x < 0.5) * self.STEP for name, x in columns.items() if name[0] == "f"}
+        floats = [abs(self.distances(function, Rounding(mode, 5, 0.5), columns) - exact).max() for mode in ("up", "random")]
+        integers = abs(self.distances(function, NEAREST, columns, FIXED) - exact).max()
+        return (max(floats), integers, abs(self.distances(function, EXACT, columns | moved) - exact).max() / self.STEP,
+                exact.max())
+
+    def test_each(self):
+        parts = 1 / 20, 1 / 20, 1 / 2, 1 / 2
+        for dims, (count, name), (number, metric) in itertools.product(
+                DIMS, ((2, "cellular"), (3, "cellular_three")), enumerate(features.METRICS, 1)):
+            function, largest = rows()[name, dims, "cell", "st"[count - 2]], features.largest_distance(dims, count, metric)
+            bounds = [of(metric, dims, largest) for of in (
+                distances.metric_error, distances.fixed_metric_error, distances.metric_slope)]
+            for part, found, bound in zip(parts, self.seen(function, columns_of(function) | {"metric": number}),
+                                          (*bounds, largest), strict=True):
+                with self.subTest(metric, dims=dims, count=count):
+                    self.assertTrue(part * bound < found < bound * (1 + 1e-9), (found, bound))
 
 
 class Errors(unittest.TestCase):
@@ -179,15 +207,6 @@ def phases(rng, count):
     return np.clip(np.where(rng.random(count) < 0.5, near, rng.uniform(-1, 1, count)), -1, 1)
 
 
-def backwards(dims, cosine, sine, product):
-    """The rows of B of the contract."""
-    if dims == 2:
-        return np.array([[cosine, sine], [-sine, cosine]])
-    both = product(sine, cosine)
-    return np.array([[cosine, sine, 0 * sine], [-both, product(cosine, cosine), sine],
-                     [product(sine, sine), -both, cosine]])
-
-
 class MovingPoints(unittest.TestCase):
     """Points that go round with a phase."""
 
@@ -209,7 +228,7 @@ class MovingPoints(unittest.TestCase):
     def farthest(f, phase):
         """The largest distances to the points of all cells, smallest first: of any words."""
         dims, angle = len(f), 2 * np.pi * phase
-        u = backwards(dims, np.cos(angle), np.sin(angle), np.multiply).T @ directions(dims)
+        u = np.array(moving.rows(dims, np.cos(angle), np.sin(angle), np.multiply)).T @ directions(dims)
         return sorted(np.linalg.norm(np.array(f)[:, None] - np.array(cell)[:, None] - 0.5 - moving.JITTER[dims] / 2 * u,
                                      axis=0).max() for cell in features.neighbours(dims))
 
@@ -235,8 +254,8 @@ class MovingPoints(unittest.TestCase):
             return np.where(angle >> 31 & 1, -g, g)
 
         for dims in DIMS:
-            off = (backwards(dims, sine(angle + 2**30), sine(angle), moving.fixed_product) / 2**16
-                   - backwards(dims, np.cos(a), np.sin(a), np.multiply))
+            off = (np.array(moving.rows(dims, sine(angle + 2**30), sine(angle), moving.fixed_product)) / 2**16
+                   - moving.rows(dims, np.cos(a), np.sin(a), np.multiply))
             seen = np.linalg.norm(off.transpose(2, 0, 1), 2, axis=(1, 2)).max()
             self.assertTrue(0.9 * moving.fixed_rotation_error(dims) < seen < moving.fixed_rotation_error(dims),
                             (dims, seen))
@@ -256,42 +275,10 @@ class MovingPoints(unittest.TestCase):
             self.assertLessEqual(abs(parts).max(), moving.largest_intermediates(3)["product of two sines"])
 
 
-def whole_root(q):
-    """floor(sqrt(2^8 q)) of words."""
-    n = q.astype(np.int64) << 8
-    v = np.sqrt(n.astype(float)).astype(np.int64)
-    v = np.where(v * v > n, v - 1, v)
-    return np.where((v + 1) ** 2 <= n, v + 1, v)
-
-
 class Roots(unittest.TestCase):
-    def guesses(self, q, ulps, conversion=1.0):
-        """hn_i_root for words, off to either side."""
-        exact = np.sqrt(q.astype(float) * 2**8)
-        for sign in (-1, 1):
-            off = (1 + sign * conversion * distances.UNIT) ** 0.5 * (1 + sign * ulps * distances.UNIT)
-            yield np.floor(exact * off).astype(np.int64)
-
-    def mended(self, q, v):
-        v = np.where((q << 8) - v * v < 0, v - 1, v)
-        return np.where((q << 8) - v * v > 2 * v, v + 1, v)
-
-    def words(self):
-        root = np.arange(2**20, dtype=np.int64)[::-1]
-        q = (root * root >> 8)[:50_000]
-        rng = np.random.default_rng(44)
-        return np.clip(np.concatenate([q, q + 1, q - 1, np.arange(5000), rng.integers(0, 2**32, 50_000)]), 0, 2**32 - 1)
-
     def test_a_guess_is_mended(self):
-        """Less than 1 off: 6 ulp of at most 2^20, and half of one for the conversion."""
+        """By one step, which it is less off than: 6 ulp of at most 2^20, and half of one for the conversion."""
         self.assertLess((distances.ROOT_ULPS + 0.5) * distances.UNIT * 2**20, 1)
-        q = self.words()
-        for v in self.guesses(q, distances.ROOT_ULPS):
-            self.assertTrue((self.mended(q, v) == whole_root(q)).all())
-
-    def test_a_worse_guess_is_not(self):
-        q = self.words()
-        self.assertTrue(any((self.mended(q, v) != whole_root(q)).any() for v in self.guesses(q, 18.0)))
 
     def test_a_quotient_is_mended(self):
         """The largest quotient of borders is far below 2^19."""
@@ -301,20 +288,13 @@ class Roots(unittest.TestCase):
         self.assertLess((distances.QUOTIENT_ULPS + 1.001) * distances.UNIT * 2**19, 1)
 
     def test_newton(self):
-        """1 / sqrt(q) of HN_PRECISE, to nearest: the guess, and the root, over all mantissas of two octaves."""
-        bits = np.arange(0x3F800000, 0x40800000, 37, dtype=np.uint32)
-        q = bits.view(np.float32)
-        r = (np.uint32(0x5F375A86) - (bits >> np.uint32(1))).view(np.float32)
-        exact = 1 / np.sqrt(q.astype(float))
-        self.assertLess(abs(r / exact - 1).max(), 1 / 28)
-        for _ in range(3):
-            r = r * (np.float32(1.5) - q * np.float32(0.5) * r * r)
-        root = (q * r).astype(float)
-        self.assertTrue(0.5 < abs(root * exact - 1).max() / distances.UNIT < distances.ROOT_ULPS - 2)
+        """The root of HN_PRECISE, to nearest, over all mantissas of two octaves."""
+        q = np.arange(0x3F800000, 0x40800000, 37, dtype=np.uint32).view(np.float32).astype(float)
+        text = Text([], "HN_ARITHMETIC=HN_PRECISE", root=Body.of(
+            "q:f32", "root:f32", "return uvec4(bits_of(hn_i_root(float_of(a.x))), 0u, 0u, 0u);"))
+        error = abs(text("root", NEAREST, q=q)[0] / np.sqrt(q) - 1).max() / distances.UNIT
+        self.assertTrue(0.5 < error < distances.ROOT_ULPS - 2)
 
     def test_weights_fit(self):
-        """t * t and q * q of the largest t, and the sum."""
-        q = 65535**2 >> 16
-        self.assertTrue(65535**2 < 2**32 and q * q < 2**32)
         for dims in DIMS:
             self.assertLess(features.largest_weights(dims) + 2**-12, 4)

@@ -12,9 +12,8 @@ from base.thorough import THOROUGH
 from proof.bounds import command, integers, noises, sine, sums
 from proof.bounds.boxes import Boxes, corners, fade, fade_derivative
 from proof.bounds.gradients import OCTAHEDRAL
+from proof.bounds.noises import perlin, value_cubic
 from proof.bounds.noises import value as value_noise
-from proof.bounds.noises import value_cubic
-from proof.bounds.noises.perlin import fixed as perlin
 from proof.bounds.rounded import FIXED, Body, Rounding, Text
 from proof.bounds.table import bounds_of
 
@@ -125,7 +124,7 @@ class Integers(unittest.TestCase):
             integers.signed(np.array([2**31]))
         with self.assertRaises(OverflowError):
             integers.word(np.array([-1]))
-        with mock.patch.dict(perlin.RAMP_ONE, {OCTAHEDRAL: {2: 2**31, 3: 2**30}}):
+        with mock.patch.dict(integers.RAMP_ONE, {OCTAHEDRAL: {2: 2**31, 3: 2**30}}):
             self.assertGreater(perlin.largest_intermediates(2, OCTAHEDRAL)["difference"], 2**31)
             self.assertGreater(perlin.largest_slope_intermediates(3, 4.0)["derivative's difference"], 2**31)
         with mock.patch.object(value_noise, "NUMBER_ONE", 2**31):

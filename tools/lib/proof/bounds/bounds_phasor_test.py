@@ -1,18 +1,20 @@
 """Tests of the proofs for phasor noise and its derivatives: bounds hold in boxes, the steps from t to a weight are
 within theirs, and no word overflows."""
 
+import functools
 import itertools
 import unittest
 from dataclasses import replace
 
 import numpy as np
 
+from proof.bounds import kernel_floats
 from proof.bounds.boxes import Boxes
 from proof.bounds.floats import Approx
 from proof.bounds.kernels import Offsets
 from proof.bounds.noises import phasor, phasor_d
 from proof.bounds.noises.phasor import KERNELS, WAVES
-from proof.bounds.rounded import FIXED, NEAREST, Body, Text
+from proof.bounds.rounded import FIXED, NEAREST, Body, Rounding, Text, roundings
 from proof.bounds.sine import fixed_sines
 from proof.bounds.table import bounds_of
 
@@ -49,7 +51,7 @@ class Exact(unittest.TestCase):
         for kernel in KERNELS.values():
             slower = replace(kernel, waves=WAVES / 4)
             self.assertTrue(0.999 < 4 * phasor.lipschitz_of(slower) / phasor.lipschitz_of(kernel) < 1.004)
-            self.assertTrue(0.3 < phasor.error_bound(slower) / phasor.error_bound(kernel) < 0.5)
+            self.assertTrue(0.3 < kernel_floats.error_bound(slower) / kernel_floats.error_bound(kernel) < 0.5)
 
     def test_weight_by_its_slope(self):
         """The slope is the weight's, and both are within the ends for each range of t."""
@@ -104,57 +106,47 @@ class Exact(unittest.TestCase):
                     self.assertLess((abs(first) - bound).max(), 1e-3)
 
 
-def rounded(x, rng, fuse=False):
-    """To one of the two floats around it; or not at all, as where a product is fused with a sum."""
-    near = x.astype(np.float32)
-    others = np.nextafter(near, np.where(x > near, np.inf, -np.inf).astype(np.float32))
-    found = np.where((rng.random(x.shape) < 0.5) & (near != x), others, near).astype(float)
-    return x if fuse else found
+@functools.cache
+def text(*macros):
+    """A weight and its fall, by t; in units of t and of weights with HN_FIXED."""
+    t, kind, made = ("int(a.x)", "i32", "uint({})") if macros else ("float_of(a.x)", "f32", "bits_of({})")
+    steps = {"weight": f"hn_i_weight_wave({t})", "fall": f"hn_i_d_weight_wave({t}, int(a.y))"}
+    return Text([], *macros, **{name: Body.of(f"t:{kind} m:i32", f"n:{kind}", (
+        f"return uvec4({made.format(step)}, 0u, 0u, 0u);")) for name, step in steps.items()})
 
 
 class Weights(unittest.TestCase):
     """The bounds of the steps from t to a weight and its fall: t is off, and steps round."""
     OFF = 2.0**-20  # by so much t is off: far more than in floats, and less than in integers
 
-    def float_errors(self, kernel, rng, exactly, off, fuse):
-        """By how much t is off, and then the weight and its fall."""
-        t = abs(exactly + off * rng.uniform(-1, 1, exactly.shape)).astype(np.float32).astype(float)
-        q = rounded(t * t, rng)
-        g = rounded(t - rounded(t * t, rng, True), rng) if fuse else rounded(t - q, rng)
-        w = rounded(rounded(rounded(rounded(g * g, rng) * 15, rng, fuse) + q, rng) * t, rng)
-        h = rounded(4 * t - rounded(5 * q, rng, fuse), rng)
-        fall = rounded(rounded(h * h, rng) * 6 * kernel.fall, rng)
-        exact_w, exact_slope = weight(exactly)
-        return abs(t - exactly), abs(w - exact_w), abs(fall - 2 * kernel.fall * exact_slope)
-
-    def float_ratios(self, off, lost=1.0):
-        """The largest of errors over the proven ones, of both. With `lost` above 1 the bounds are for finer floats."""
+    @staticmethod
+    def float_ratios(off, *simulated):
+        """The largest of errors over the proven ones, of a weight and its fall."""
         rng, worst = np.random.default_rng(12), np.zeros(2)
-        for kernel, fuse in itertools.product(KERNELS.values(), (False, True)):
-            exactly = rng.uniform(0, kernel.radius, 200_000)
-            by, *errors = self.float_errors(kernel, rng, exactly, off, fuse)
-            t = Approx(exactly, exactly, by, 1.0 / lost)
-            proven = kernel.weight.floats(t).err, kernel.weight.float_fall(t, kernel.fall).err
-            worst = np.maximum(worst, [(error / bound).max() for error, bound in zip(errors, proven)])
+        for kernel, rounding in itertools.product(KERNELS.values(), simulated):
+            exactly = rng.uniform(0, kernel.radius, 20_000)
+            t = abs(exactly + off * rng.uniform(-1, 1, exactly.shape)).astype(np.float32).astype(float)
+            (w,), (fall,) = (text()(name, rounding, t=t, m=kernel.fall) for name in ("weight", "fall"))
+            exact_w, exact_slope = weight(exactly)
+            approx = Approx(exactly, exactly, abs(t - exactly))
+            worst = np.maximum(worst, [(abs(w - exact_w) / kernel.weight.floats(approx).err).max(), (
+                abs(fall - 2 * kernel.fall * exact_slope) / kernel.weight.float_fall(approx, kernel.fall).err).max()])
         return worst
 
     def test_floats(self):
         for off in (0.0, self.OFF):
-            worst = self.float_ratios(off)
+            worst = self.float_ratios(off, *roundings(12))
             self.assertTrue((worst > 1 / 3).all() and (worst < 1).all(), (off, worst))
 
     def test_fewer_bits_are_noticed(self):
-        """A must-fail check: bounds for a float with two bits more."""
-        self.assertTrue((self.float_ratios(0.0, 4.0) > 1).all())
+        """A must-fail check."""
+        self.assertTrue((self.float_ratios(0.0, Rounding("nearest", lost_bits=3)) > 1).all())
 
     def test_integers(self):
         """Every t, which may be off by a half of its unit: on the way to the weight all are words."""
         t = np.arange(2**16)
-        text = Text([], FIXED, **{name: Body.of("t:i32 m:i32", "n:i32", f"return uvec4(uint({step}), 0u, 0u, 0u);")
-                                  for name, step in (("weight", "hn_i_weight_wave(int(a.x))"),
-                                                     ("fall", "hn_i_d_weight_wave(int(a.x), int(a.y))"))})
         for kernel in KERNELS.values():
-            w, fall = (text.words(name, NEAREST, t=t, m=kernel.fall)[0].astype(np.int64) for name in ("weight", "fall"))
+            w, fall = (text(FIXED).words(name, NEAREST, t=t, m=kernel.fall)[0].astype(np.int64) for name in ("weight", "fall"))
             for move in (-0.5, -0.25, 0.0, 0.25, 0.5):
                 exactly = np.maximum(t + move, 0) / 2**16
                 exact_w, exact_slope = weight(exactly)

@@ -13,10 +13,8 @@ from proof.bounds import noises, suprema
 from proof.bounds.boxes import Boxes, cell, corners, fade_derivative, largest_derivative, supremum
 from proof.bounds.gradients import LENGTH, OCTAHEDRAL, ROTATED, SINE, octahedral_support
 from proof.bounds.integers import UNIT
-from proof.bounds.noises import value_cubic
-from proof.bounds.noises.perlin import exact as perlin
-from proof.bounds.noises.perlin import fixed
-from proof.bounds.noises.perlin.exact import SCALE
+from proof.bounds.noises import perlin, value_cubic
+from proof.bounds.noises.perlin import SCALE
 from proof.bounds.table import bounds_of
 from proof.oracle import gradients as oracle
 from proof.oracle.noises import perlin as oracle_perlin
@@ -62,10 +60,6 @@ class Supports(unittest.TestCase):
             edges = np.eye(dims), np.ones((dims, 1)), np.zeros((dims, 1))
             v = np.concatenate([rng.uniform(-1, 1, (dims, 1000)), *edges], axis=1)
             self.assertLess(abs((every.T @ v).max(axis=0) - octahedral_support(v)).max(), 1e-14)
-
-    def test_reach(self):
-        for dims, reach in zip(DIMS, (511 / 512, 1, 2, 2)):
-            self.assertAlmostEqual(OCTAHEDRAL.reach(dims), reach, delta=1e-15)
 
 
 class Search(unittest.TestCase):
@@ -133,17 +127,17 @@ class Range(unittest.TestCase):
     def test_fixed_sums_have_room(self):
         """Rounding leaves room for 32 octaves. With the sine gradient it takes values beyond the range."""
         for dims in DIMS:
-            room = 1 - perlin.range_bound(dims, OCTAHEDRAL) - fixed.range_loss(dims, OCTAHEDRAL)
+            room = 1 - perlin.range_bound(dims, OCTAHEDRAL) - perlin.range_loss(dims, OCTAHEDRAL)
             self.assertGreater(room, 32 * 2 * UNIT)
             self.assertEqual(proven(OCTAHEDRAL, dims).fixed_limit, 1)
         for dims in (2, 3):
-            limit = perlin.range_bound(dims, SINE) + fixed.range_loss(dims, SINE)
+            limit = perlin.range_bound(dims, SINE) + perlin.range_loss(dims, SINE)
             self.assertTrue(limit <= proven(SINE, dims).fixed_limit < limit + 1e-5)
 
     def test_sine_range_is_that_of_the_sum(self):
         """Attained in the middle of the cell, and nowhere more."""
         for dims in (2, 3):
-            self.assertEqual(suprema.attained(suprema.VALUE, SINE, (0.5,) * dims), perlin.range_bound(dims, SINE))
+            self.assertEqual(suprema.steepest(suprema.VALUE, SINE, np.full((dims, 1), 0.5))[0], perlin.range_bound(dims, SINE))
             self.assertTrue(dims / 2 <= suprema.largest(suprema.VALUE, dims, SINE) < dims / 2 + 1e-4)
 
     def test_known_suprema(self):

@@ -156,3 +156,12 @@ def smooth(value: Callable[[np.ndarray], np.ndarray], curvature: Callable[[Boxes
         attained = boxes.at_vertices(value).max(axis=0)
         return attained + curvature(boxes) / 8 * boxes.side ** 2, attained
     return bound
+
+
+def of_ends(error: Callable[[np.ndarray, np.ndarray], np.ndarray]) -> Bound:
+    """The bound of an error that is given for boxes by their lower and upper ends. Its value for the point in the middle
+    is no bound, but no box around it can have less."""
+    def bound(boxes: Boxes) -> tuple[np.ndarray, np.ndarray]:
+        middle = (boxes.lo + boxes.hi) / 2
+        return error(boxes.lo, boxes.hi), error(middle, middle)
+    return bound

@@ -3,7 +3,6 @@
     tools/make bounds            writes bounds.inc, which the suite includes, and the tables of docs/measured/accuracy.md
     tools/make bounds --check    compares these, and every bound that a comment or a page quotes, with the derived one
     tools/make bounds --table    prints all that is derived
-    tools/make bounds --json     prints the same as JSON
 
 noises/ has the proofs for each noise.
 
@@ -15,12 +14,11 @@ Exit status: 0 all is as derived, 1 something is not, or has no proof: prose, co
 from __future__ import annotations
 
 import argparse
-import json
 import math
 import sys
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import asdict, fields, replace
+from dataclasses import asdict, astuple, replace
 from pathlib import Path
 
 import catalog.model
@@ -30,35 +28,19 @@ from catalog.tables.functions import read_functions
 from proof.bounds import claims, gullies, jacobians, noises, sine, sums, uniform
 from proof.bounds.documents import (
     ACCURACY,
-    EXAMPLES,
-    JACOBIAND,
     Everything,
     Key,
-    jacobian_tolerances,
     missing_quotes,
     name_of,
-    sum_tolerances,
     with_tables,
     wrong_comments,
 )
 from proof.bounds.features import METRICS
-from proof.bounds.float_sums import octave_tolerance
 from proof.bounds.gradients import SINE
 from proof.bounds.integers import fade_errors, overshoot
 from proof.bounds.noises import ProvenBounds
 from proof.bounds.sums import Sum
-from proof.bounds.table import (
-    HEAD,
-    PATH,
-    SineBounds,
-    bounds_of,
-    gullies_row,
-    noise_row,
-    sine_row,
-    slope_bounds_of,
-    slope_row,
-    uniform_row,
-)
+from proof.bounds.table import HEAD, PATH, bounds_of, row, row_of, scientific, slope_bounds_of
 
 
 def keys() -> list[Key]:
@@ -91,11 +73,12 @@ def derive() -> Everything:
 
 def rendered(derived: Everything) -> str:
     """The table that the suite includes."""
-    rows = [noise_row(of_noise.bounds(*key)) for key, of_noise in derived.items()]
-    rows += [slope_row(of_noise.slope.bounds(*key)) for key, of_noise in derived.items() if of_noise.slope]
-    rows.append(sine_row(SineBounds(SINE.component_error, sine.fixed_sine_error())))
-    rows.append(uniform_row(uniform.errors(False), uniform.errors(True)))
-    rows.append(gullies_row(gullies.bounds()))
+    rows = [row_of("NOISE_BOUNDS", of_noise.bounds(*key)) for key, of_noise in derived.items()]
+    rows += [row_of("SLOPE_BOUNDS", of_noise.slope.bounds(*key)) for key, of_noise in derived.items() if of_noise.slope]
+    error_of_floats = SINE.component_error.hex().replace("1.0000000000000p", "1p")
+    rows.append(row("SINE_BOUNDS", error_of_floats, scientific(sine.fixed_sine_error())))
+    rows.append(row("UNIFORM_BOUNDS", *(scientific(x) for fixed in (False, True) for x in astuple(uniform.errors(fixed)))))
+    rows.append(row("GULLIES_BOUNDS", *map(scientific, astuple(gullies.bounds()))))
     return HEAD + "".join(rows)
 
 
@@ -107,7 +90,7 @@ def files(derived: Everything, root: Path = ROOT) -> dict[Path, str]:
 
 
 OF_THEIR_OWN = ("gullies", "uniform", "perlin_worley")  # the last has its proof in conformance/expected/tolerance.cpp
-TOLERANCES = dict.fromkeys(sums.KINDS, (octave_tolerance, sums.fixed_octave_tolerance)) | jacobians.TOLERANCES
+TOLERANCES = dict.fromkeys(sums.KINDS, (sums.octave_tolerance, sums.fixed_octave_tolerance)) | jacobians.TOLERANCES
 
 
 def without_proof() -> list[str]:
@@ -153,54 +136,26 @@ def differences(derived: Everything, root: Path = ROOT) -> list[str]:
             *claims.wrong_noises(of_all, derived), *claims.wrong_comments(of_all, derived, root / "glsl")]
 
 
-SUMS = (  # that the page does not have
-    (3, Sum("turbulence", 16.0, 5, 1.9, 0.6)), (3, Sum("turbulence", 16.0, 5, 1.9, 0.6, from_cell=True)),
-    *((3, Sum(kind, 16.0, 5, 1.9, 0.6, 1.0)) for kind in ("billow", "ridged", "ping_pong", "weighted")))
-
-
-def name_of_sum(octave_sum: Sum) -> str:
-    """Its kind, and the arguments that are not as most are."""
-    return " ".join([octave_sum.kind, *(f"{field.name}={getattr(octave_sum, field.name):g}" for field in fields(Sum)[1:]
-                                        if getattr(octave_sum, field.name) != field.default)])
-
-
-def intermediates(key: Key) -> dict[str, float]:
-    largest = noises.find(key[0]).largest_intermediates(*key[1:])
-    return {f"fixed_{name}_over_2^31": value / 2**31 for name, value in largest.items()}
-
-
-def described(key: Key) -> dict[str, object]:
-    return noises.find(key[0]).describe(*key[1:])
-
-
-def everything_for_a_reader(derived: Everything) -> dict[str, dict]:
-    numbers = {name_of(key): asdict(of_noise) | described(key) | intermediates(key) for key, of_noise in derived.items()}
+def everything_for_a_reader(derived: Everything) -> dict[str, dict[str, object]]:
+    numbers = {name_of(key): asdict(of_noise) | {
+        f"fixed_{name}_over_2^31": value / 2**31 for name, value in noises.find(key[0]).largest_intermediates(*key[1:]).items()}
+        for key, of_noise in derived.items()}
     return numbers | {
         "the sine of the sine gradient": {
             "polynomial_error": sine.sine_truncation_bound(),
             "argument_error": math.pi / 2 * sine.SINE_ARGUMENT_ERROR,
-            "error_any_rounding": sine.sine_bound(),
-            "error_to_nearest": sine.sine_bound(0.5),
+            "error": sine.sine_bound(),
             "error_promised": SINE.component_error,
-            "below_1_by_any_rounding": 1 - sine.sine_largest(),
+            "below_1": 1 - sine.sine_largest(),
             "fixed_error": sine.fixed_sine_error(),
             "fixed_largest": float(sine.fixed_sine_largest())},
         "uniform values, slopes times a reach, and distributions of sums: in floats": asdict(uniform.errors(False)),
-        "the same to nearest": asdict(uniform.errors(False, 0.5)),
         "the same fixed": asdict(uniform.errors(True)),
         "the fixed fade": {"error_from": float(fade_errors().min()), "error_to": float(fade_errors().max()),
-                           "overshoot": overshoot()},
-        "octave sums: octahedral in floats, fixed; sine in floats, fixed": {
-            f"{dims}D {name_of_sum(octave_sum)}": [f"{of_sum:.3g}" for of_sum in sum_tolerances(derived, dims, octave_sum)]
-            for dims, octave_sum in (*(example[1:] for example in EXAMPLES), *SUMS)},
-        "sums with slopes, and warps: in floats from a position, in floats from a cell, fixed": {
-            f"{dims}D {name_of_sum(jacobiand)}{''.join(f' over {name}' for name in over)}": [
-                f"{of_sum:.3g}" for of_sum in jacobian_tolerances(derived, dims, jacobiand, *over)]
-            for dims in (2, 3) for _, example, *over in JACOBIAND
-            for jacobiand in (example, replace(example, octaves=6))}}
+                           "overshoot": overshoot()}}
 
 
-def print_table(numbers: dict[str, dict]) -> None:
+def print_table(numbers: dict[str, dict[str, object]]) -> None:
     for title, group in numbers.items():
         print(title)
         for name, value in group.items():
@@ -213,9 +168,7 @@ def run(options: argparse.Namespace) -> int:
         print("\n".join(unproven))
         return 1
     derived = derive()
-    if options.json:
-        print(json.dumps(everything_for_a_reader(derived), indent=2))
-    elif options.table:
+    if options.table:
         print_table(everything_for_a_reader(derived))
     else:
         if not options.check:
@@ -232,7 +185,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     mode = parser.add_mutually_exclusive_group()
     mode.add_argument("--check", action="store_true", help="write nothing, and compare all that quotes a bound")
     mode.add_argument("--table", action="store_true", help="write nothing, and print all that is derived")
-    mode.add_argument("--json", action="store_true", help="the same as JSON")
     options = parser.parse_args(arguments)
     try:
         return run(options)

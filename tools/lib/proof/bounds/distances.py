@@ -41,33 +41,33 @@ CLOSENESS = {2: 9, 3: 27}  # how many weights are summed
 OPERATIONS = {2: 2, 3: 3}  # that a square of a length rounds in, one after another
 
 
-def f32(magnitude: float, ulps: float) -> float:
-    return float(rounding(magnitude, ulps))
+def f32(magnitude: float) -> float:
+    return float(rounding(magnitude))
 
 
 # --- Floats -----------------------------------------------------------------------------------------------------------
 
-def components(dims: int, reach: float, ulps: float) -> tuple[float, float]:
+def components(dims: int, reach: float) -> tuple[float, float]:
     """The errors of a component along x or y, in space of x + y or x - y, and of one along z. `reach` is the largest
     distance that matters, in cells; all else here is in half cells."""
-    centre = f32(1.0, ulps) + f32(min(2 * reach + 1, 3.99), ulps)
-    return from_points(dims, reach, centre, f32(0.99, ulps), ulps)
+    centre = f32(1.0) + f32(min(2 * reach + 1, 3.99))
+    return from_points(dims, reach, centre, f32(0.99))
 
 
-def from_points(dims: int, reach: float, centre: float, product: float, ulps: float) -> tuple[float, float]:
+def from_points(dims: int, reach: float, centre: float, product: float) -> tuple[float, float]:
     """The norm where a component of the offset from the centre of a cell, and the product of a direction and the
     jitter, are off by so much. HN_PRECISE may take a jitter as 0."""
     length, point = 2 * reach, product + 2.0**-32
-    along = centre + point + f32(length * 1.001, ulps)
+    along = centre + point + f32(length * 1.001)
     if dims == 2:
         return along, along
     rotated = math.sqrt(2) * length * 1.001
-    return 2 * centre + f32(rotated + 1, ulps) + point + f32(rotated, ulps), along
+    return 2 * centre + f32(rotated + 1) + point + f32(rotated), along
 
 
-def length_error(dims: int, reach: float, ulps: float) -> float:
+def length_error(dims: int, reach: float) -> float:
     """The error of an offset, before its length is computed, in half cells."""
-    return length_of(*components(dims, reach, ulps))
+    return length_of(*components(dims, reach))
 
 
 def length_of(across: float, along: float) -> float:
@@ -75,24 +75,24 @@ def length_of(across: float, along: float) -> float:
     return math.hypot(across, along)
 
 
-def relative(operations: float, ulps: float) -> float:
-    return (1 + UNIT * ulps) ** operations - 1
+def relative(operations: float) -> float:
+    return (1 + UNIT) ** operations - 1
 
 
-def square_error(dims: int, reach: float, ulps: float) -> float:
+def square_error(dims: int, reach: float) -> float:
     """The error of the square of a length, in squares of half cells."""
-    length, err = 2 * reach, length_error(dims, reach, ulps)
-    return (length + err) ** 2 * (1 + relative(OPERATIONS[dims], ulps)) - length**2 + 3 * TINY
+    length, err = 2 * reach, length_error(dims, reach)
+    return (length + err) ** 2 * (1 + relative(OPERATIONS[dims])) - length**2 + 3 * TINY
 
 
-def distance_error(dims: int, reach: float, ulps: float = 1.0) -> float:
-    return root_error(dims, reach, length_error(dims, reach, ulps), ulps)
+def distance_error(dims: int, reach: float) -> float:
+    return root_error(dims, reach, length_error(dims, reach))
 
 
-def root_error(dims: int, reach: float, err: float, ulps: float) -> float:
+def root_error(dims: int, reach: float, err: float) -> float:
     """The error of the length of an offset, in cells, given the error of the offset in half cells."""
     length = 2 * reach
-    computed = (length + err) * (1 + relative(OPERATIONS[dims] / 2, ulps)) * (1 + UNIT * ROOT_ULPS)
+    computed = (length + err) * (1 + relative(OPERATIONS[dims] / 2)) * (1 + UNIT * ROOT_ULPS)
     return (computed - length + 2.0**-60) / 2 * SAFE
 
 
@@ -111,20 +111,20 @@ def manhattan_reach(metric: str, dims: int, largest: float) -> float:
     return euclidean_reach(metric, dims, largest) * math.sqrt(dims)
 
 
-def metric_error(metric: str, dims: int, largest: float, ulps: float = 1.0) -> float:
+def metric_error(metric: str, dims: int, largest: float) -> float:
     """The error of a distance up to the largest, in cells."""
     reach = euclidean_reach(metric, dims, largest)
-    across, along = components(dims, reach, ulps)
+    across, along = components(dims, reach)
     if metric == "euclidean":
-        return distance_error(dims, reach, ulps)
-    square = square_error(dims, reach, ulps)
+        return distance_error(dims, reach)
+    square = square_error(dims, reach)
     if metric == "squared":
         return square / 4 * SAFE
     if metric == "chebyshev":
-        return (across + f32(2 * reach * 1.001, ulps)) / 2 * SAFE
+        return (across + f32(2 * reach * 1.001)) / 2 * SAFE
     size = 2 * manhattan_reach(metric, dims, largest) * 1.001
-    total = (2 * across if dims == 2 else across + along) + f32(size, ulps)
-    hybrid = square / 2 + f32(2 * reach**2 * 1.001, ulps) + total + f32(2 * largest * 1.001, ulps)
+    total = (2 * across if dims == 2 else across + along) + f32(size)
+    hybrid = square / 2 + f32(2 * reach**2 * 1.001) + total + f32(2 * largest * 1.001)
     return {"manhattan": total, "hybrid": hybrid}[metric] / 2 * SAFE
 
 
@@ -137,13 +137,13 @@ def metric_slope(metric: str, dims: int, largest: float) -> float:
     return {"euclidean": math.sqrt(dims), "manhattan": float(dims), "chebyshev": 1.0}[metric]
 
 
-def direction_error(dims: int, reach: float, ulps: float = 1.0) -> float:
+def direction_error(dims: int, reach: float) -> float:
     """The error of a component of an offset divided by its length, times that length. If the offset is off by e and
     longer than e, then its direction rotates by an angle of a sine of at most e over the length. Below a right angle no
     chord is longer than sqrt(2) times the sine. If it is shorter, the component may be off by 2. Hence 2 e, for
     both."""
-    steps = relative(1 + OPERATIONS[dims] / 2, ulps) + UNIT * (ROOT_ULPS + QUOTIENT_ULPS) + UNIT**2 * 100
-    return (2 * length_error(dims, reach, ulps) / 2 + steps * reach) * SAFE
+    steps = relative(1 + OPERATIONS[dims] / 2) + UNIT * (ROOT_ULPS + QUOTIENT_ULPS) + UNIT**2 * 100
+    return (2 * length_error(dims, reach) / 2 + steps * reach) * SAFE
 
 
 def offset_error(dims: int, fixed: bool) -> float:
@@ -153,18 +153,18 @@ def offset_error(dims: int, fixed: bool) -> float:
         return 2.5 * PLACE
     largest = {metric: features.largest_distance(dims, 1, metric) for metric in features.METRICS}
     reach = max(euclidean_reach(metric, dims, most) for metric, most in largest.items())
-    across, along = components(dims, reach, 1.0)
-    plain = across if dims == 2 else max(across + f32(2 * reach * 1.001, 1.0) / 2, along)
+    across, along = components(dims, reach)
+    plain = across if dims == 2 else max(across + f32(2 * reach * 1.001) / 2, along)
     return (plain / 2 + 2.0**-24) * SAFE
 
 
-def smooth_error(dims: int, ulps: float = 1.0) -> float:
+def smooth_error(dims: int) -> float:
     """The error of hn_cellular_smooth. (W + 1/4096)^(1/4) is a norm of the 1 - distance and 1/8, so if each of these is
     off by e, it is off by e times the fourth root of their number."""
-    of_weight = distance_error(dims, 1.0, ulps) + f32(0.99, ulps)
+    of_weight = distance_error(dims, 1.0) + f32(0.99)
     largest = (features.largest_weights(dims) + 1 / 4096) ** 0.25 + 1e-4
-    steps = relative(3 + CLOSENESS[dims] + 1, ulps) / 4 + 1.5 * UNIT * ROOT_ULPS + UNIT**2 * 1000
-    return (features.most_within(dims) ** 0.25 * of_weight + largest * steps + f32(0.99, ulps)) * SAFE
+    steps = relative(3 + CLOSENESS[dims] + 1) / 4 + 1.5 * UNIT * ROOT_ULPS + UNIT**2 * 1000
+    return (features.most_within(dims) ** 0.25 * of_weight + largest * steps + f32(0.99)) * SAFE
 
 
 def _over_distances(error, dims: int, apart: float) -> float:
@@ -175,12 +175,12 @@ def _over_distances(error, dims: int, apart: float) -> float:
 BLOCK_REACH = {dims: math.sqrt(2.5**2 + (dims - 1) * 1.5**2) for dims in (2, 3)}  # to the farthest point of a block
 
 
-def border_error(dims: int, ulps: float = 1.0, apart: float | None = None) -> float:
+def border_error(dims: int, apart: float | None = None) -> float:
     """The error for points that are at least so far apart."""
     largest, first = features.largest_border(dims), features.largest_distance(dims, 1)
-    of_offset = length_error(dims, BLOCK_REACH[dims], ulps) / 2
-    squares = relative(OPERATIONS[dims] + 1, ulps)
-    steps = relative(3 + OPERATIONS[dims] / 2, ulps) + UNIT * (ROOT_ULPS + QUOTIENT_ULPS) + UNIT**2 * 1000
+    of_offset = length_error(dims, BLOCK_REACH[dims]) / 2
+    squares = relative(OPERATIONS[dims] + 1)
+    steps = relative(3 + OPERATIONS[dims] / 2) + UNIT * (ROOT_ULPS + QUOTIENT_ULPS) + UNIT**2 * 1000
 
     def error(s: float) -> float:
         off = 2 * of_offset  # of s

@@ -13,7 +13,6 @@ from base.tree import ROOT
 from catalog.tables import glsl
 from catalog.tables.markdown import table, with_section
 from proof.bounds import gullies, jacobians, noises, rotations, sine, smoothness, sums, uniform
-from proof.bounds.float_sums import gullies_tolerance, octave_tolerance
 from proof.bounds.gradients import GRADIENTS, SINE, Gradient
 from proof.bounds.integers import fade_errors, slope_errors, spline_weight_error
 from proof.bounds.noises import ProvenBounds
@@ -96,7 +95,7 @@ def sum_tolerances(derived: Everything, dims: int, octave_sum: Sum) -> list[floa
     """In floats and fixed, for each kind of gradient that has a noise."""
     keys = [(NOISE_OF_SUMS, dims, gradient) for gradient in GRADIENTS if (NOISE_OF_SUMS, dims, gradient) in derived]
     return [tolerance(octave_sum, derived[key].bounds(*key).rounded()) for key in keys
-            for tolerance in (octave_tolerance, sums.fixed_octave_tolerance)]
+            for tolerance in (sums.octave_tolerance, sums.fixed_octave_tolerance)]
 
 
 def sums_table(derived: Everything) -> str:
@@ -119,10 +118,9 @@ JACOBIAND = (  # of sums with slopes, and of warps: a title, the sum, and a nois
 
 def noises_of_jacobians(derived: Everything, dims: int, kind: str, other: str = "") -> tuple[Bounds, Bounds]:
     """The bounds of the noise that such a sum is over, its own or another, and of its derivatives."""
-    if other and (other, dims, None) not in derived:
-        return bounds_of(other, dims, "none"), slope_bounds_of(f"{other}_d", dims)
-    own, gradient = ("value", None) if kind in sums.SHIFTS else (NOISE_OF_SUMS, GRADIENTS[0])
-    noise, gradient = (other, None) if other else (own, gradient)
+    noise, gradient = (NOISE_OF_SUMS, GRADIENTS[0]) if not other and kind not in sums.SHIFTS else (other or "value", None)
+    if (noise, dims, gradient) not in derived:
+        return bounds_of(noise, dims, "none"), slope_bounds_of(f"{noise}_d", dims)
     value, slope = derived[noise, dims, gradient], derived[f"{noise}_d", dims, gradient].slope
     return (value.bounds(noise, dims, gradient).rounded(), slope.bounds(f"{noise}_d", dims, gradient).rounded())
 
@@ -149,7 +147,7 @@ CUT = tuple(  # of gullies: a title, the sum, the length of the slope, the depth
 
 def gullies_table(_: Everything) -> str:
     bounds = gullies.bounds().rounded()
-    rows = [[title, *(scientific(error, 2) for of in (gullies_tolerance, gullies.fixed_tolerance)
+    rows = [[title, *(scientific(error, 2) for of in (gullies.float_tolerance, gullies.fixed_tolerance)
                       for error in of(s, slope, depth, bounds))] for title, s, slope, depth in CUT]
     return table(("", "fast and precise: height", "a slope", "fixed: height", "a slope"), rows)
 
@@ -292,7 +290,7 @@ def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gr
 
 def beyond_fbm(kind: str) -> float:
     """The error of a sum beyond an fBm's: the error of no octaves."""
-    return octave_tolerance(Sum(kind, 0.0, 0, 2.0, 0.5), Bounds(NOISE_OF_SUMS, 2, "none", *[0.0] * 6))
+    return sums.octave_tolerance(Sum(kind, 0.0, 0, 2.0, 0.5), Bounds(NOISE_OF_SUMS, 2, "none", *[0.0] * 6))
 
 
 def wrong_numbers(function: glsl.Declaration, derived: Everything) -> dict[tuple, str]:

@@ -6,6 +6,7 @@ import unittest
 
 import numpy as np
 
+from proof.bounds.features import METRICS
 from proof.bounds.rounded import Rounding, Text, roundings, table
 
 COUNT = 200
@@ -13,7 +14,7 @@ COUNT = 200
 
 def column(rng, name, type_):
     """Random arguments, by their names in the table; of words all."""
-    within = {"f": (0, 1), "phase": (-3, 3), "jitter": (0, 1), "metric": (1, 6), "octaves": (1, 6), "detail": (0, 5),
+    within = {"f": (0, 1), "phase": (-3, 3), "jitter": (0, 1), "metric": (1, 1 + len(METRICS)), "octaves": (1, 6), "detail": (0, 5),
               "footprint": (0, 1), "lacunarity": (0, 4), "gain": (0, 1), "strength": (0, 4), "amplitude": (0, 2),
               "p": (-2, 9), "cells": (1, 100), "units": (1, 100)} | {f"k{axis}": (-20, 20) for axis in "xyz"}
     low, high = within.get(name) or within.get(name[0] if len(name) == 2 else "", (-1000, 1000))

@@ -11,7 +11,7 @@ and its derivatives, from q = f - f*f, the slope of the fade q*q*30, and the gra
     along the axis that is interpolated: (b - a)*slope + lerp(g_a, g_b, u);  then it is interpolated like the value
 
 GLSL fixes no rounding mode: an operation returns one of the two floats around its exact result, so it errs by less than
-one ulp ("to nearest": half an ulp). So does a constant that is no float. Inputs and results below 2^-126 may become 0.
+one ulp. So does a constant that is no float. Inputs and results below 2^-126 may become 0.
 Fusing a*b + c only drops a rounding.
 NOT covered: a compiler that reassociates, distributes or replaces these operations (fast math, a lerp of another form),
 and mediump. (The usual form of the fade, with t*(t*6 - 15) + 10, is the same polynomial and costs
@@ -31,10 +31,12 @@ from __future__ import annotations
 import functools
 import struct
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from proof.bounds.boxes import SAFE, Boxes, cell, fade, fade_derivative, supremum
+from proof.bounds.boxes import SAFE, cell, fade, fade_derivative, of_ends, supremum
+from proof.bounds.gradients import OCTAHEDRAL, SINE, two_largest
 
 UNIT = 2.0**-23  # the largest relative error of a faithfully rounded operation
 TINY = 2.0**-126  # the largest absolute error of flushing a subnormal to 0
@@ -45,55 +47,62 @@ def to_float(x):
     return struct.unpack("<f", struct.pack("<f", x))[0]
 
 
+@dataclass(frozen=True)
 class Approx:
-    """A quantity computed in floats: its exact value is in [lo, hi], the computed one differs by at most err.
-    An operation rounds with an error below `ulps` ulp."""
+    """A quantity computed in floats: its exact value is in [lo, hi], the computed one differs by at most err."""
+    lo: np.ndarray | float
+    hi: np.ndarray | float
+    err: np.ndarray | float = 0.0
 
-    def __init__(self, lo, hi, err, ulps):
-        self.lo, self.hi, self.err, self.ulps = lo, hi, err, ulps
+    @staticmethod
+    def within(size, err=0.0) -> Approx:
+        return Approx(-size, size, err)
 
     def size(self):
         """The largest magnitude of the exact value."""
         return np.maximum(abs(self.lo), abs(self.hi))
 
-    def rounded(self, offset=0.0):
+    def rounded(self, offset=0.0) -> Approx:
         """After one rounding: the ulp of the largest magnitude the computed value can have, if it is computed with an
         offset that this exact value is without."""
-        err = self.err + rounding(offset + self.size() + self.err, self.ulps)
-        return Approx(self.lo, self.hi, err, self.ulps)
+        return Approx(self.lo, self.hi, self.err + rounding(offset + self.size() + self.err))
 
-    def clipped(self, lo, hi):
+    def clipped(self, lo, hi) -> Approx:
         """With a range known from elsewhere."""
-        return Approx(np.maximum(self.lo, lo), np.minimum(self.hi, hi), self.err, self.ulps)
+        return Approx(np.maximum(self.lo, lo), np.minimum(self.hi, hi), self.err)
 
-    def plus(self, constant):
-        return Approx(self.lo + constant, self.hi + constant, self.err, self.ulps).rounded()
+    def exactly(self, factor) -> Approx:
+        """Times a number, where that does not round."""
+        ends = (self.lo * factor, self.hi * factor)[::1 if factor > 0 else -1]
+        return Approx(*ends, self.err * abs(factor))
 
-    def scaled(self, constant):
-        """Times a positive constant."""
-        return Approx(self.lo * constant, self.hi * constant, self.err * constant, self.ulps).rounded()
+    def plus(self, constant) -> Approx:
+        return Approx(self.lo + constant, self.hi + constant, self.err).rounded()
 
-    def sum(self, other):
-        return Approx(self.lo + other.lo, self.hi + other.hi, self.err + other.err, self.ulps).rounded()
+    def scaled(self, constant) -> Approx:
+        return self.exactly(constant).rounded()
 
-    def minus(self, other):
-        return Approx(self.lo - other.hi, self.hi - other.lo, self.err + other.err, self.ulps).rounded()
+    def sum(self, other: Approx) -> Approx:
+        return Approx(self.lo + other.lo, self.hi + other.hi, self.err + other.err).rounded()
 
-    def times(self, other):
+    def minus(self, other: Approx) -> Approx:
+        return self.sum(other.exactly(-1.0))
+
+    def times(self, other: Approx) -> Approx:
         ends = [a * b for a in (self.lo, self.hi) for b in (other.lo, other.hi)]
         err = self.size() * other.err + other.size() * self.err + self.err * other.err
-        return Approx(np.minimum.reduce(ends), np.maximum.reduce(ends), err, self.ulps).rounded()
+        return Approx(np.minimum.reduce(ends), np.maximum.reduce(ends), err).rounded()
 
 
-def rounding(magnitude, ulps):
+def rounding(magnitude, ulps=1.0):
     """The largest error of rounding a result of at most this magnitude; the ulp is 2^(e - 23) in [2^e, 2^(e + 1))."""
     exponent = np.frexp(magnitude * SAFE)[1] - 1
     return ulps * np.ldexp(1.0, exponent - 23) + TINY
 
 
-def constant(value, ulps):
+def constant(value) -> Approx:
     """One that the compiler rounds."""
-    return Approx(value, value, 0.0, ulps).rounded()
+    return Approx(value, value).rounded()
 
 
 def between(t, a, b):
@@ -103,14 +112,14 @@ def between(t, a, b):
 
 # --- A fraction -------------------------------------------------------------------------------------------------------
 
-def approx_offsets(lo, hi, ulps):
+def approx_offsets(lo, hi):
     """f and f - 1, which is exact for f >= 1/2 (Sterbenz), else in [-1, -1/2], whose floats are 2^-24 apart."""
-    minus_one = np.where(lo < 0.5, ulps * 2.0**-24, 0.0)
-    return Approx(lo, hi, TINY, ulps), Approx(lo - 1, hi - 1, minus_one + TINY, ulps)
+    minus_one = np.where(lo < 0.5, 2.0**-24, 0.0)
+    return Approx(lo, hi, TINY), Approx(lo - 1, hi - 1, minus_one + TINY)
 
 
 def approx_fade(t):
-    d = approx_offsets(t.lo, t.hi, t.ulps)[1]
+    d = approx_offsets(t.lo, t.hi)[1]
     inner = d.times(t.scaled(6.0).plus(-9.0)).plus(1.0)
     return t.times(t).times(t).times(inner).clipped(fade(t.lo), fade(t.hi))  # s increases
 
@@ -132,12 +141,12 @@ def approx_lerp(a, b, t, offset=0.0):
     a, b, t and the computed b' - a': less than operation by operation, which would count the error of a twice. The
     exact value is between a and b, whose ranges are centred on 0, or on an offset that they are given without."""
     difference = a.size() + b.size() + a.err + b.err
-    difference_rounding = rounding(difference, t.ulps)
+    difference_rounding = rounding(difference)
     product = (t.hi + t.err) * (difference + difference_rounding)
     err = between(t, a.err, b.err) + t.err * difference
-    err = err + (t.hi + t.err) * difference_rounding + rounding(product, t.ulps)
+    err = err + (t.hi + t.err) * difference_rounding + rounding(product)
     size = between(t, a.size(), b.size())
-    return Approx(-size, size, err, t.ulps).rounded(offset)
+    return Approx.within(size, err).rounded(offset)
 
 
 def pairs(values: Sequence) -> list[tuple]:
@@ -154,8 +163,7 @@ def approx_interpolation(values, fractions, offset=0.0):
 
 def approx_climb(a, b, slope):
     """(b - a)*slope, the ranges of a and b being centred on 0."""
-    size = a.size() + b.size()
-    return Approx(-size, size, a.err + b.err, slope.ulps).rounded().times(slope)
+    return Approx.within(a.size() + b.size(), a.err + b.err).rounded().times(slope)
 
 
 def approx_derivatives(values, fractions, of_gradient):
@@ -173,7 +181,7 @@ def approx_number_derivatives(values, fractions, offset):
     """The derivatives of numbers, without gradients. In the plane, what climbs along x is interpolated along y first.
     The rises have no offset, and the corners' numbers rise exactly."""
     t, slopes = [approx_fade(f) for f in fractions], [approx_slope(f) for f in fractions]
-    rises = [Approx(-a.size() - b.size(), a.size() + b.size(), a.err + b.err, a.ulps) for a, b in pairs(values)]
+    rises = [Approx.within(a.size() + b.size(), a.err + b.err) for a, b in pairs(values)]
     if len(fractions) == 1:
         return [rises[0].times(slopes[0])]
     edges = [approx_lerp(a, b, t[0], offset) for a, b in pairs(values)]
@@ -184,6 +192,40 @@ def approx_number_derivatives(values, fractions, offset):
         nodes = [(approx_lerp(a, b, weight, offset), [approx_lerp(p, q, weight) for p, q in zip(made, others)]
                   + [approx_climb(a, b, slope)]) for (a, made), (b, others) in pairs(nodes)]
     return nodes[0][1]
+
+
+# --- Ramps ------------------------------------------------------------------------------------------------------------
+
+def largest_of(numbers):
+    return functools.reduce(np.maximum, numbers)
+
+
+def approx_plane_ramp(own):
+    """With 3/4 along either axis and 1/4 along the other."""
+    x, y = own
+    err = largest_of((3 * a.err + b.err) / 4 + rounding(0.75 * (a.size() + a.err)) for a, b in ((x, y), (y, x)))
+    size = OCTAHEDRAL.support([x.size(), y.size()])
+    return Approx.within(size, err + TINY).rounded()
+
+
+def approx_sum_of_two(own):
+    """The sum of the two that are largest, with the two largest errors."""
+    size, err = (sum(two_largest(np.broadcast_arrays(*numbers))) for numbers in
+                 ([d.size() for d in own], [d.err for d in own]))
+    return Approx.within(size, err).rounded()
+
+
+def approx_octahedral_ramp(own):
+    """From the offsets of a corner, or of a lattice point."""
+    if len(own) == 1:
+        return Approx.within(own[0].size(), own[0].err).rounded()
+    return approx_plane_ramp(own) if len(own) == 2 else approx_sum_of_two(own)
+
+
+def approx_sine_ramp(own):
+    """g . d for any |g_i| <= 1 whose floats are within SINE.component_error, and at most 1, too."""
+    products = [Approx.within(d.size(), d.err + d.size() * SINE.component_error).rounded() for d in own]
+    return functools.reduce(Approx.sum, products)
 
 
 # --- The cubic spline -------------------------------------------------------------------------------------------------
@@ -199,12 +241,12 @@ def approx_spline(t):
     def of(x):
         """b_2 and b_0 at x: the cube of x over 6, and three times that plus (2/3 - x*x)."""
         low, high = spline_weight(x.lo), spline_weight(x.hi)
-        outer = x.times(x).times(x).times(constant(1 / 6, x.ulps)).clipped(low[0], high[0])
-        inner = outer.scaled(3.0).sum(constant(2 / 3, x.ulps).minus(x.times(x)))
+        outer = x.times(x).times(x).times(constant(1 / 6)).clipped(low[0], high[0])
+        inner = outer.scaled(3.0).sum(constant(2 / 3).minus(x.times(x)))
         return outer, inner.clipped(high[1], low[1])  # it falls
     last, second = of(t)
-    far = approx_offsets(t.lo, t.hi, t.ulps)[1]
-    first, third = of(Approx(-far.hi, -far.lo, far.err, t.ulps))  # 1 - f rounds as f - 1
+    far = approx_offsets(t.lo, t.hi)[1]
+    first, third = of(far.exactly(-1.0))  # 1 - f rounds as f - 1
     return [first, second, third, last]
 
 
@@ -212,15 +254,15 @@ def approx_blend(value, weights, offset):
     """The sum of four products of numbers within the size of `value`, and an offset, with the weights, in their order.
     The exact weights sum to 1, and the exact result is as large as `value`."""
     largest = offset + value.size()
-    err, total, ulps = value.err, 0.0, value.ulps
+    err, total = value.err, 0.0
     for i, weight in enumerate(weights):
         err = err + (largest + value.err) * weight.err
         product = (largest + value.err) * (weight.size() + weight.err)
-        err = err + rounding(product, ulps)
+        err = err + rounding(product)
         total = np.minimum(total + product, largest + err)  # the weights sum to 1
         if i > 0:
-            err = err + rounding(total + err, ulps)
-    return Approx(value.lo, value.hi, err, ulps)
+            err = err + rounding(total + err)
+    return Approx(value.lo, value.hi, err)
 
 
 # --- Bounds -----------------------------------------------------------------------------------------------------------
@@ -229,15 +271,12 @@ LEVELS = {1: 16, 2: 11, 3: 8, 4: 5}
 TOLERANCE = 0.001  # relative
 
 
+@functools.cache
 def error_supremum(error: Callable[[Sequence[np.ndarray], Sequence[np.ndarray]], np.ndarray], dims: int) -> float:
-    """The largest error over the fractions of a cell, given a bound for boxes by their lower and upper ends. Its
-    value for a point is no bound, but no box around it can have less."""
-    def bound(boxes: Boxes) -> tuple[np.ndarray, np.ndarray]:
-        middle = (boxes.lo + boxes.hi) / 2
-        return error(boxes.lo, boxes.hi), error(middle, middle)
-    return supremum(bound, cell(dims), LEVELS[dims], TOLERANCE, most=100_000)
+    """The largest error over the fractions of a cell, given a bound for boxes by their lower and upper ends."""
+    return supremum(of_ends(error), cell(dims), LEVELS[dims], TOLERANCE, most=100_000)
 
 
-def position_error(cell_error, lipschitz, ulps=1.0):
-    """The error from a position: the fraction is up to 2^-24 (to nearest: half of it) off."""
-    return cell_error + lipschitz * ulps * 2.0**-24
+def position_error(cell_error, lipschitz):
+    """The error from a position: the fraction is up to 2^-24 off."""
+    return cell_error + lipschitz * 2.0**-24

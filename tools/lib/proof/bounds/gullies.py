@@ -1,6 +1,6 @@
 """hn_gullies: proofs for the waves of its octaves, and how far the sum may be off in fixed arithmetic, from
-docs/reference/contract.md, section 24. The suite has the formula of floats, and float_sums.py calls it:
-conformance/sums/gullies.cpp has the proof.
+docs/reference/contract.md, section 24. conformance/sums/gullies.cpp has the proof for floats,
+and how far a slope e that is off moves the step of an octave.
 
 WAVES. A wave is k = 3/2 (-u_y, u_x) with |u| < 1, so it is shorter than 3/2. The bounds of value and derivatives are
 as of phasor noise, for 3/2 waves along each axis. How long the vector g of both derivatives is, and how fast v
@@ -12,13 +12,6 @@ and g change with k, is bounded by a sum over the points of
 
 with d in cells. The last is the largest length of what k changes of (dw/dx_j + 2 pi i k_j w) e(a): w along the axes,
 and 2 pi i d times the bracket. The matrix w - 2 m w' d d^T has the eigenvalues w and w - 2 m w' |d|^2.
-
-STEP. An octave takes the slope e to e + A |u| g(k), A = depth (gain L)^i f. With r = |e| a step of the length s moves
-|u| = r / (r + 1/8) by s / 8 / (r + 1/8)^2 at most, and u by s / (r + 1/8). So |u| g moves by
-
-    (G / 8 + 3/2 G' r) / (r + 1/8)^2 s
-
-with G' for g, and |u| v likewise. A clamp brings no two slopes further apart.
 
 FIXED. The square of r rounds down by less than 2^-20. This moves r by less than 2^-20 / r, and by 2^-10 at most; the
 root rounds down by less than 2^-14. So r times the first is below 2^-20, and u is off by both over (r + 1/8)^2, but for
@@ -32,63 +25,46 @@ from __future__ import annotations
 
 import functools
 import math
-from dataclasses import dataclass, replace
+from dataclasses import astuple, dataclass, replace
 
 import numpy as np
 
+from proof.bounds.answers import answer
 from proof.bounds.boxes import Boxes, cell, supremum
 from proof.bounds.integers import FADE_ONE, UNIT
 from proof.bounds.kernels import Offsets
 from proof.bounds.noises import phasor, phasor_d
-from proof.bounds.noises.phasor import KERNELS, TURN, Waves, scale_of
-from proof.bounds.steps import WEIGHT_UNIT
-from proof.bounds.sums import Sum, doubled, fixed_fades, fixed_positions, fixed_weights
+from proof.bounds.noises.phasor import KERNELS, TURN, scale_of
+from proof.bounds.sums import WEIGHT_UNIT, Sum, doubled, fixed_fades, fixed_positions, fixed_weights, numbers_of
 from proof.bounds.table import GulliesBounds, scientific, shortest
 
 LONGEST = 3 / 2  # wave
 PLANE = replace(KERNELS[2], waves=LONGEST)
 
 
-@dataclass(frozen=True)
-class PointNumbers:
-    """The numbers of a point at a distance, in cells, or in a box at most: the weight, its fall, and both products."""
-    distance: np.ndarray
-    weight: np.ndarray
-    least_weight: np.ndarray
-    fall: np.ndarray  # 2 m w' |d|, per cell
-
-    def steep(self):
-        return np.hypot(self.fall, TURN * LONGEST * self.weight)
-
-    def wave_rate(self):
-        return TURN * self.distance * self.weight
-
-    def wave_rate_of_slope(self):
-        matrix = np.maximum(self.weight, self.fall * self.distance - self.least_weight)
-        return TURN * np.hypot(matrix, TURN * LONGEST * self.distance * self.weight)
-
-
-def at_distance(kernel: Waves, distance, least, largest) -> PointNumbers:
-    """In steps, with the least and the largest t known."""
-    weight, slope = kernel.weight, kernel.weight.size(1, least, largest)
-    return PointNumbers(distance / kernel.steps, weight.derivative(0, largest), weight.derivative(0, least),
-                  2 * kernel.fall * slope * distance * kernel.steps)
+# The numbers of a point, from its distance in cells, its weight and the least of that, and the fall 2 m w' |d| per cell.
+QUANTITIES = {
+    "steep": lambda d, w, least, fall: np.hypot(fall, TURN * LONGEST * w),
+    "wave_rate": lambda d, w, least, fall: TURN * d * w,
+    "wave_rate_of_slope": lambda d, w, least, fall: TURN * np.hypot(np.maximum(w, fall * d - least),
+                                                                    TURN * LONGEST * d * w)}
 
 
 @functools.cache
 def largest(quantity: str) -> float:
     """A proven upper bound of the sum over the points, scaled."""
+    weight = PLANE.weight
+
+    def of_points(size, least, most):
+        """In steps, with the least and the largest t known."""
+        d = np.sqrt((size**2).sum(axis=0))
+        fall = 2 * PLANE.fall * weight.size(1, least, most) * d * PLANE.steps
+        return QUANTITIES[quantity](d / PLANE.steps, weight.derivative(0, most), weight.derivative(0, least), fall)
+
     def bound(boxes: Boxes):
-        upper = lower = 0.0
-        middle = boxes.lo + boxes.side / 2
-        for point in PLANE.points:
-            offsets = Offsets.of(PLANE, boxes, point)
-            near = at_distance(PLANE, np.sqrt((offsets.size**2).sum(axis=0)), offsets.least, offsets.largest)
-            upper = upper + getattr(near, quantity)()
-            square = ((middle - np.array(point)[:, None])**2).sum(axis=0)
-            t = np.maximum(PLANE.radius - PLANE.fall * square, 0.0)
-            lower = lower + getattr(at_distance(PLANE, np.sqrt(square), t, t), quantity)()
-        return upper, lower
+        near = [Offsets.of(PLANE, boxes, point) for point in PLANE.points]
+        return (sum(of_points(offsets.size, offsets.least, offsets.largest) for offsets in near),
+                sum(of_points(offsets.middle, *[PLANE.nearness(offsets.middle)] * 2) for offsets in near))
     return scale_of(PLANE) * supremum(bound, cell(2, half=True), 14, 0.001, None)
 
 
@@ -96,6 +72,14 @@ def bounds() -> GulliesBounds:
     value, slope = phasor.derived_value(PLANE), phasor_d.derived_slope(PLANE)
     return GulliesBounds(value.cell_error, value.lipschitz, largest("wave_rate"), slope.cell_error, slope.lipschitz,
                          largest("wave_rate_of_slope"), largest("steep"), value.fixed_error, slope.fixed_error)
+
+
+# --- The sum, in floats ------------------------------------------------------------------------------------------------
+
+def float_tolerance(s: Sum, slope: float, depth: float, bounds: GulliesBounds) -> tuple[float, float]:
+    """The largest error of the height and of a slope, for a slope of that length, in a tile."""
+    height, added, *_ = answer("gullies", s.kind, [*numbers_of(s), slope, depth, *astuple(bounds)])
+    return height, added
 
 
 # --- The sum, fixed ---------------------------------------------------------------------------------------------------

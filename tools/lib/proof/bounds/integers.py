@@ -32,7 +32,7 @@ import math
 import numpy as np
 
 from proof.bounds.boxes import SAFE, Boxes, corners, fade, fade_derivative, grid, in_chunks, largest_derivative
-from proof.bounds.gradients import Gradient
+from proof.bounds.gradients import OCTAHEDRAL, SINE, Gradient
 
 ONE = 2**20  # I of the contract: the unit of fractions
 FADE_ONE = 2**18  # the unit of t, of slopes and of the weights of the spline
@@ -370,6 +370,20 @@ def slope_intermediates(rise: float, gradient: float, dims: int, difference: flo
     apart = None if difference is None else difference + 2 * slope_rounding(dims, gradients=True)
     return {"climb": climb, **{f"derivative's {name}": value for name, value in
                                interpolation_intermediates(made, dims, apart).items()}}
+
+
+# --- Scales of ramps --------------------------------------------------------------------------------------------------
+
+RAMP_ONE = {OCTAHEDRAL: {1: 2**29, 2: 2**29, 3: 2**29, 4: 2**28}, SINE: {2: 2**28, 3: 2**28}}  # the units of ramps
+
+
+def fixed_scale(scale: float, dims: int) -> int:
+    """S of the contract; the ramps in 4D have units twice as large."""
+    return round(scale * 1024) * (2**29 // RAMP_ONE[OCTAHEDRAL][dims])
+
+
+def scaling_error(scale: int, unit: float) -> float:
+    return (256 * scale / 2**18 + 1 / 2) * unit
 
 
 def scaled_intermediate(value: float, scale: int) -> float:

@@ -1,23 +1,17 @@
 """Derives how far octave sums with slopes, and warps, may be off in fixed arithmetic, from the bounds of their noise
-and its derivatives. float_sums.py has the same for floats.
-
-The Jacobian of an octave is a matrix K. Its columns, which a derivative is a product with, and its rows, which a shift
-is, are lengthened by no more than the rotations stretch lengths. Integers of a Jacobian do not depend on the position,
-and so they are compared with the exact numbers as they are.
-
-Lengths are bounded, as for positions; with a period nothing rotates, and each coordinate is bounded on its
-own. L of a noise is the largest sum of the magnitudes of its derivatives. It bounds the lengths of gradients, and with
-them how far noise changes with the length of a step: less than L times the step."""
+and its derivatives. conformance/sums/bounds.cpp has the same for floats, and how lengths grow. Integers of a Jacobian
+do not depend on the position, and so they are compared with the exact numbers as they are."""
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
 import catalog.model
-from proof.bounds.float_sums import octave_tolerance, slope_tolerance
 from proof.bounds.integers import FADE_ONE, SLOPE_UNIT, UNIT
 from proof.bounds.sums import (
     LARGEST_STRENGTH,
@@ -32,10 +26,12 @@ from proof.bounds.sums import (
     fixed_weights,
     lengths,
     next_fixed_position,
+    octave_tolerance,
+    tolerance_of,
 )
 from proof.bounds.table import Bounds, slope_bounds_of
+from proof.oracle import jacobians as oracle
 
-PLANES = ((25, 20), (29, 13), (25, 20))  # the rotations of the contract: of an axis and the next
 LARGEST_GROWTH, LARGEST_SHIFT = 64.0, 256.0  # for which the bounds are promised
 LARGEST_RISE = 4000.0  # the same of the growths' sum times the longest gradient
 SLOPE_LIMIT = 128.0  # of a component, beyond which it is cut off
@@ -59,8 +55,7 @@ def fitting_slopes() -> list[Bounds]:
 
 
 def longest_gradient(noise: Bounds, slope: Bounds) -> float:
-    """Components of at most m whose magnitudes have a sum of at most L have the largest length where as many as can be
-    are m, and one is the rest."""
+    """As in conformance/sums/bounds.cpp."""
     full, rest = divmod(noise.lipschitz, slope.limit)
     return min(math.sqrt(full * slope.limit**2 + rest**2), math.sqrt(noise.dimensions) * slope.limit)
 
@@ -80,13 +75,12 @@ def clamped_amplitude(s: Sum) -> float:
 
 
 def steepest_fall(strength: float, reach: float) -> float:
-    """The largest slope of 1 / (1 + strength r^2) for r up to `reach`: it is steepest where strength r^2 = 1/3."""
+    """The largest slope of 1 / (1 + strength r^2) for r up to `reach`, as in conformance/sums/bounds.cpp."""
     r = min(reach, 1 / math.sqrt(3 * strength)) if strength > 0 else reach
     return 2 * strength * r / (1 + strength * r**2)**2
 
 
-# --- In integers: Jacobians
-# ----------------------------------------------------------------------------------------------
+# --- In integers: Jacobians -------------------------------------------------------------------------------------------
 
 def is_bounded(s: Sum, longest: float = 0.0) -> bool:
     """Whether the bounds are promised for these arguments, and this length of a gradient."""
@@ -97,37 +91,13 @@ def is_bounded(s: Sum, longest: float = 0.0) -> bool:
         s.kind != "warp_progressive" or clamped_amplitude(s) * max(growth, default=0.0) <= LARGEST_SHIFT)
 
 
-def exact_jacobians(s: Sum, dims: int) -> Iterator[np.ndarray]:
-    """The matrices K_i."""
-    rotation, lacunarity = np.eye(dims), cut_lacunarity(s) if s.from_cell else s.lacunarity
-    for axis, (c, t) in enumerate(PLANES[:dims - 1] if s.rotates else ()):
-        of_plane = np.eye(dims)
-        of_plane[axis:axis + 2, axis:axis + 2] = [[c / 32, -t / 32], [t / 32, c / 32]]
-        rotation = of_plane @ rotation
-    jacobian = np.eye(dims)
-    while True:
-        yield jacobian
-        jacobian = s.gain * lacunarity * rotation @ jacobian
-
-
-def fixed_jacobians(s: Sum, dims: int) -> Iterator[list[list[int]]]:
-    """The Jacobians in units of 2^-18, by rows. In the plane (c, s) is the first column, from which the second
-    follows."""
-    columns = 1 if dims == 2 else dims
-    rows = [[FADE_ONE * (row == column) for column in range(columns)] for row in range(dims)]
-    growth = math.trunc(s.gain * FADE_ONE) * math.trunc(s.lacunarity * 2**23) >> 23
-    while True:
-        yield [[rows[0][0], -rows[1][0]], [rows[1][0], rows[0][0]]] if dims == 2 else rows
-        rows = [[number * growth >> 18 for number in row] for row in rows]
-        for axis, (c, t) in enumerate(PLANES[:dims - 1] if s.rotates else ()):
-            rows[axis:axis + 2] = ([(c * a - t * b) // 32 for a, b in zip(*rows[axis:axis + 2])],
-                                   [(t * a + c * b) // 32 for a, b in zip(*rows[axis:axis + 2])])
-
-
 def jacobians(s: Sum, dims: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """The fixed Jacobian and the exact one of each octave."""
-    for _, fixed, exact in zip(range(s.count), fixed_jacobians(s, dims), exact_jacobians(s, dims)):
-        yield np.array(fixed) / FADE_ONE, exact
+    ones, periods = 2**18 * np.eye(dims, dtype=int), () if s.rotates else (1,) * dims
+    exactly = replace(s.options, lacunarity=cut_lacunarity(s) if s.from_cell else s.lacunarity)
+    for _, fixed, exact in zip(range(s.count), oracle.fixed_jacobians_of(dims, s.options, periods),
+                               oracle.jacobians_of(dims, exactly, periods)):
+        yield np.array([fixed.times(one) for one in ones.tolist()]).T / FADE_ONE, np.array(exact, float)
 
 
 def longest_column(matrix: np.ndarray) -> float:
@@ -139,8 +109,7 @@ def norm(matrix: np.ndarray) -> float:
     return float(np.linalg.norm(matrix, 2)) + DOUBLES
 
 
-# --- In integers: slopes
-# -----------------------------------------------------------------------------------------------------------
+# --- In integers: slopes ----------------------------------------------------------------------------------------------
 
 def fixed_effects(s: Sum, bounds: Bounds, steepest: float) -> list[float]:
     """The errors of the noise of each octave, or of its derivatives, where positions do not depend on the noise."""
@@ -166,8 +135,7 @@ def fixed_slope_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
     return error + (COARSE * SLOPE_UNIT if largest + error >= 32 else 0.0)
 
 
-# --- In integers: erosion
-# ----------------------------------------------------------------------------------------------------------
+# --- In integers: erosion ---------------------------------------------------------------------------------------------
 
 def fixed_fall_errors(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
     """The errors of the factors 1 / (1 + strength |e|^2). A slope is rounded down to 2^-12, and so are two coordinates
@@ -202,8 +170,7 @@ def fixed_eroded_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
     return fixed_mean_error(s, limit, terms) + limit * s.count * WEIGHT_UNIT / total
 
 
-# --- In integers: warps
-# ------------------------------------------------------------------------------------------------------------
+# --- In integers: warps -----------------------------------------------------------------------------------------------
 
 def fixed_shift_effects(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
     """The errors of the noise of each octave of hn_warp_progressive. A position moves by a row of the Jacobian times
@@ -265,7 +232,7 @@ def largest_words(dims: int) -> dict[str, float]:
 
 
 TOLERANCES = {  # in floats and fixed, from a sum and the bounds of its noise and of the derivatives of that
-    "fbm_d": (slope_tolerance, fixed_slope_tolerance),  # for a derivative; the value has fbm's
+    "fbm_d": (functools.partial(tolerance_of, "slope"), fixed_slope_tolerance),  # for a derivative; the value has fbm's
     "eroded": (octave_tolerance, fixed_eroded_tolerance),
     "warp": (octave_tolerance, fixed_warp_tolerance),
     "warp_progressive": (octave_tolerance, fixed_warp_tolerance)}

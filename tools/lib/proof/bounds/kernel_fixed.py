@@ -28,9 +28,18 @@ import numpy as np
 from proof.bounds import kernels
 from proof.bounds.boxes import Boxes, cell, supremum
 from proof.bounds.gradients import LENGTH, OCTAHEDRAL
-from proof.bounds.integers import FADE_ONE, ONE, SLOPE_UNIT, UNIT, part_intermediate, scaled_intermediate
+from proof.bounds.integers import (
+    FADE_ONE,
+    ONE,
+    RAMP_ONE,
+    SLOPE_UNIT,
+    UNIT,
+    fixed_scale,
+    part_intermediate,
+    scaled_intermediate,
+    scaling_error,
+)
 from proof.bounds.kernels import Kernel, Offsets
-from proof.bounds.noises.perlin.fixed import RAMP_ONE
 from proof.bounds.weights import HALF_NEAR, NEAR_ONE
 
 
@@ -53,42 +62,35 @@ def near_error(kernel: Kernel, t):
     return HALF_NEAR + kernel.fall * 2.0**-30 + np.where(t > 1 - 1 / NEAR_ONE, HALF_NEAR, 0.0)
 
 
-class Weighted:
-    """A lattice point's largest number in each box, whatever its weight is multiplied with: a ramp, which is
-    less than 2^31 in units of 1 / one."""
+class Point:
+    """A lattice point's largest number in each box, and its error: of its ramp times the weight, or times the fall."""
 
-    def __init__(self, kernel: Kernel, boxes: Boxes, point, one: int):
-        self.offsets, self.one = Offsets.of(kernel, boxes, point), one
+    def __init__(self, kernel: Kernel, boxes: Boxes, point):
+        self.offsets, self.one = Offsets.of(kernel, boxes, point), ramp_one(kernel.dims)
         t, self.weights, self.fall = self.offsets.largest, kernel.weight, kernel.fall
         self.counts, self.near_error = t > 0, near_error(kernel, t)
         self.weight = kernel.weight.size(0, self.offsets.least, t)
         self.weight_error = kernel.weight.fixed(self.offsets.least, t, self.near_error)
+        self.ramp, self.ramp_error = kernel.fixed_ramp(self.offsets)
 
-    def added(self, ramp, ramp_error):
-        error = ((ramp + ramp_error) * self.weight_error + ramp_error * self.weight
+    def value(self):
+        error = ((self.ramp + self.ramp_error) * self.weight_error + self.ramp_error * self.weight
                  + part_rounding(self.weight + self.weight_error) / self.one)
         return np.where(self.counts, error, 0.0)
 
-
-class Point(Weighted):
-    """With a gradient."""
-
-    def __init__(self, kernel: Kernel, boxes: Boxes, point):
-        super().__init__(kernel, boxes, point, ramp_one(kernel.dims))
-        self.ramp, self.component = OCTAHEDRAL.support(self.offsets.size), OCTAHEDRAL.component(kernel.dims)
-
-    def value(self):
-        return self.added(self.ramp, 0.0)
-
-    def derivative(self, axis: int):
-        d = self.offsets.size[axis]
-        eighth = self.fall / 4 * self.weights.size(1, self.offsets.least, self.offsets.largest)  # E
-        eighth_error = self.weights.fixed_fall(self.offsets.least, self.offsets.largest, self.near_error, self.fall)
+    def falling(self, axis: int):
+        """The product of the ramp and the fall, times the offset."""
+        least, d = self.offsets.least, self.offsets.size[axis]
+        eighth = self.fall / 4 * self.weights.size(1, least, self.offsets.largest)  # E
+        error = self.weights.fixed_fall(least, self.offsets.largest, self.near_error, self.fall)
         negative = self.offsets.middle[axis] + self.offsets.half <= 0
-        rounding = d * part_rounding(eighth + eighth_error) + part_rounding(d, negative)
-        lost = self.ramp * (eighth + eighth_error) * 3 / ONE
-        return np.where(self.counts, self.component * self.weight_error
-                        + 8 * (d * self.ramp * eighth_error + rounding / self.one + lost), 0.0)
+        rounding = d * part_rounding(eighth + error) + part_rounding(d, negative)
+        off = d * (self.ramp * error + self.ramp_error * eighth) + self.ramp * (eighth + error) * 3 / ONE
+        return np.where(self.counts, 8 * (off + rounding / self.one), 0.0)
+
+    def upright(self, component: float):
+        """The weight, times a component of a gradient."""
+        return np.where(self.counts, component * self.weight_error, 0.0)
 
 
 LEVELS, TOLERANCE = {2: 10, 3: 8, 4: 7}, 0.01
@@ -113,32 +115,31 @@ def rounding_effect(kernel: Kernel) -> float:
 def slope_rounding_effect(kernel: Kernel) -> float:
     """The effect on a derivative, per step."""
     def of_boxes(boxes: Boxes):
-        points = [Point(kernel, boxes, point) for point in kernel.points]
-        return np.maximum.reduce([sum(point.derivative(axis) for point in points)
+        points, component = [Point(kernel, boxes, point) for point in kernel.points], OCTAHEDRAL.component(kernel.dims)
+        return np.maximum.reduce([sum(point.upright(component) + point.falling(axis) for point in points)
                                   for axis in range(kernel.dims)])
     return error_supremum(kernel, of_boxes)
 
 
 # --- Bounds -----------------------------------------------------------------------------------------------------------
 
-def fixed_scale(kernel: Kernel) -> int:
-    """The ramps in 4D have units twice as large."""
-    return kernel.scale * (2**29 // ramp_one(kernel.dims))
+def scale_of(kernel: Kernel) -> int:
+    return fixed_scale(kernel.scale / 1024, kernel.dims)
 
 
-def scaling_error(kernel: Kernel, unit: float) -> float:
-    return (256 * fixed_scale(kernel) / 2**18 + 1 / 2) * unit
+def scale_error(kernel: Kernel, unit: float) -> float:
+    return scaling_error(scale_of(kernel), unit)
 
 
 def error_parts(kernel: Kernel, lipschitz: float) -> dict[str, float]:
     return {"cut": lipschitz / ONE, "points": kernel.scale / 1024 * rounding_effect(kernel),
-            "scaling": scaling_error(kernel, UNIT)}
+            "scaling": scale_error(kernel, UNIT)}
 
 
 def slope_error_parts(kernel: Kernel, lipschitz: float) -> dict[str, float]:
     scale = kernel.steps * kernel.scale / 1024
     return {"cut": lipschitz / ONE, "points": scale * slope_rounding_effect(kernel),
-            "scaling": kernel.steps * scaling_error(kernel, SLOPE_UNIT)}
+            "scaling": kernel.steps * scale_error(kernel, SLOPE_UNIT)}
 
 
 # --- Overflow ---------------------------------------------------------------------------------------------------------
@@ -163,7 +164,7 @@ def weighted_intermediates(kernel: Kernel, ramp: float) -> dict[str, float]:
     weight = kernel.weight.size(0, *pieces(kernel)).max() * FADE_ONE + 1
     return {"half of the word of a square": 2.0**30, "ramp": ramp,
             "attenuated": part_intermediate(ramp, np.array([math.ceil(weight)])),
-            "scaled": scaled_intermediate(1024 / kernel.scale * ramp_one(kernel.dims), fixed_scale(kernel))}
+            "scaled": scaled_intermediate(1024 / kernel.scale * ramp_one(kernel.dims), scale_of(kernel))}
 
 
 def largest_intermediates(kernel: Kernel) -> dict[str, float]:
@@ -185,4 +186,4 @@ def largest_slope_intermediates(kernel: Kernel) -> dict[str, float]:
     return {"falling": k, "k": part_intermediate(k, whole),
             "fall of the plane": 4 / 27 * 73728**3 / 2**16 + 2**16,
             "leaning": OCTAHEDRAL.component(dims) * one / 4 + 2 * (moved + 2 * 1023),
-            "scaled derivative": scaled_intermediate(derivative * one / 4, fixed_scale(kernel))}
+            "scaled derivative": scaled_intermediate(derivative * one / 4, scale_of(kernel))}

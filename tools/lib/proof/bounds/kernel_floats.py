@@ -1,7 +1,7 @@
 """The error of a sum over lattice points (kernels.py) in float arithmetic, in the sense of floats.py.
 
     t = max(r - m q, 0); the point adds (ramp)*w, and to a derivative g*w - x*k, k = (ramp)*(fall), with the weight w
-    and its fall as in weights.py, and the ramp as in noises/perlin/floats.py
+    and its fall as in weights.py, and the ramp as in floats.py
 
 TRIANGLES. q = x*x + y*y. In hn_simplex the skewed x is rounded, and then x of the first corner. Both move the place,
 the same for all points: by up to 2^-22 and 2^-24 steps. From there x of the others and y are rounded once. In
@@ -27,30 +27,29 @@ sums round at most as many times as there are points to visit, less one.
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from proof.bounds import kernels
-from proof.bounds.boxes import Boxes, cell, supremum
-from proof.bounds.floats import TINY, Approx, rounding
+from proof.bounds.boxes import cell, of_ends, supremum
+from proof.bounds.floats import TINY, Approx, largest_of, rounding
 from proof.bounds.gradients import OCTAHEDRAL
 from proof.bounds.kernels import SMOOTH, Kernel, Quantity
-from proof.bounds.noises.perlin.floats import approx_octahedral_ramp, largest_of
 
 Offsets = list[Approx]
 
 
 # --- Distances --------------------------------------------------------------------------------------------------------
 
-def offsets_of(kernel: Kernel, lo, hi, point, ulps) -> Offsets:
+def offsets_of(kernel: Kernel, lo, hi, point) -> Offsets:
     if kernel.triangles:
         rows = 2.5 * 2.0**-24 if kernel is SMOOTH[2] else 2.0**-24
         errors = [rows, 2.0**-24]
     else:
         home = point[0] % 1
         errors = [2.0**-25 * (home > 0) + 2.0**-24 * (x != home) for x in point]
-    return [Approx(a - x, b - x, ulps * err + TINY, ulps) for a, b, x, err in zip(lo, hi, point, errors)]
+    return [Approx(a - x, b - x, err + TINY) for a, b, x, err in zip(lo, hi, point, errors)]
 
 
 def total(numbers):
@@ -66,79 +65,80 @@ def squared(offsets: Offsets) -> Approx:
 
 def to_neighbour(sizes: Offsets, axes: list[int], base: Approx, smooth: bool, is_centre: bool) -> Approx:
     """The square of the distance of a point behind those axes, from the nearest one's of its kind."""
-    one, size, ulps = Approx(1.0, 1.0, 0.0, base.ulps), sizes[axes[0]], base.ulps
-    twice = Approx(2 * size.lo, 2 * size.hi, 2 * size.err, ulps)
+    one, twice = Approx(1.0, 1.0), sizes[axes[0]].exactly(2.0)
     if not smooth:
         return base.sum(twice if is_centre else one.minus(twice))
-    every = total(sizes)
-    doubled = Approx(2 * every.lo, 2 * every.hi, 2 * every.err, ulps)
-    far = Approx(2.0, 2.0, 0.0, ulps).minus(doubled).sum(twice)
+    far = Approx(2.0, 2.0).minus(total(sizes).exactly(2.0)).sum(twice)
     near = one.minus(twice)
-    return base.sum(Approx(np.minimum(near.lo, far.lo), near.hi, np.maximum(near.err, far.err), ulps))
+    return base.sum(Approx(np.minimum(near.lo, far.lo), near.hi, np.maximum(near.err, far.err)))
 
 
-def distances(kernel: Kernel, lo, hi, ulps) -> Iterator[tuple[Offsets, Approx]]:
+def distances(kernel: Kernel, lo, hi) -> Iterator[tuple[Offsets, Approx]]:
     """The offsets of each point, and the square of its distance."""
     smooth = kernel is SMOOTH.get(kernel.dims)
     for point in kernel.points:
-        offsets = offsets_of(kernel, lo, hi, point, ulps)
+        offsets = offsets_of(kernel, lo, hi, point)
         exact = squared(offsets)
         if kernel.triangles:
             yield offsets, exact
             continue
         home = point[0] % 1
         axes = [axis for axis, x in enumerate(point) if x != home]
-        sizes = offsets_of(kernel, lo, hi, (0.0,) * kernel.dims, ulps)
+        sizes = offsets_of(kernel, lo, hi, (0.0,) * kernel.dims)
         if smooth and home:
-            inner = offsets_of(kernel, lo, hi, (home,) * kernel.dims, ulps)
-            sizes = [Approx(-d.hi, -d.lo, d.err, ulps) for d in inner]
+            inner = offsets_of(kernel, lo, hi, (home,) * kernel.dims)
+            sizes = [d.exactly(-1.0) for d in inner]
         q = squared(sizes)
         if home and not smooth:
-            q = q.sum(Approx(kernel.dims / 4, kernel.dims / 4, 0.0, ulps).minus(total(sizes)))
+            q = q.sum(Approx(kernel.dims / 4, kernel.dims / 4).minus(total(sizes)))
         if axes:
             q = to_neighbour(sizes, axes, q, smooth, home > 0)
-        yield offsets, Approx(exact.lo, exact.hi, q.err, ulps)
+        yield offsets, Approx(exact.lo, exact.hi, q.err)
 
 
 def nearness(kernel: Kernel, q: Approx) -> Approx:
     """t."""
     lo, hi = (np.maximum(kernel.radius - kernel.fall * x, 0.0) for x in (q.hi, q.lo))
-    return Approx(lo, hi, kernel.fall * q.err, q.ulps).rounded()
+    return Approx(lo, hi, kernel.fall * q.err).rounded()
 
 
 # --- The sum ----------------------------------------------------------------------------------------------------------
 
-def added(kernel: Kernel, terms: list[Approx], ulps) -> Approx:
+def added(kernel: Kernel, terms: list[Approx]) -> Approx:
     size = sum(term.size() for term in terms)
     err = sum(term.err for term in terms)
     for _ in range(kernel.visited - 1):
-        err = err + rounding(size + err, ulps)
-    return Approx(-size, size, err + kernel.weight.forgotten, ulps).scaled(kernel.scale / 1024)
+        err = err + rounding(size + err)
+    return Approx.within(size, err + kernel.weight.forgotten).scaled(kernel.scale / 1024)
 
 
 def weighted(kernel: Kernel, t: Approx) -> Approx:
     return kernel.weight.floats(t).clipped(*kernel.weight.ends(0, t.lo, t.hi))
 
 
-def value_error(kernel: Kernel, ulps, lo, hi):
+def fall(kernel: Kernel, t: Approx) -> Approx:
+    ends = [2 * kernel.fall * end for end in kernel.weight.ends(1, t.lo, t.hi)]
+    return kernel.weight.float_fall(t, kernel.fall).clipped(*ends)
+
+
+def value_error(kernel: Kernel, lo, hi):
     """The largest error in each box of places, given by its ends along each axis."""
-    terms = [approx_octahedral_ramp(own, ulps).times(weighted(kernel, nearness(kernel, q)))
-             for own, q in distances(kernel, lo, hi, ulps)]
-    return added(kernel, terms, ulps).err
+    terms = [kernel.float_ramp(own).times(weighted(kernel, nearness(kernel, q)))
+             for own, q in distances(kernel, lo, hi)]
+    return added(kernel, terms).err
 
 
-def slope_error(kernel: Kernel, ulps, lo, hi):
+def slope_error(kernel: Kernel, lo, hi):
     """The error of the derivatives, per step."""
     component = OCTAHEDRAL.component(kernel.dims)
-    along, g = [[] for _ in range(kernel.dims)], Approx(-component, component, 0.0, ulps)
-    for own, q in distances(kernel, lo, hi, ulps):
+    along, g = [[] for _ in range(kernel.dims)], Approx.within(component)
+    for own, q in distances(kernel, lo, hi):
         t = nearness(kernel, q)
-        ends = [2 * kernel.fall * end for end in kernel.weight.ends(1, t.lo, t.hi)]
-        k = approx_octahedral_ramp(own, ulps).times(kernel.weight.float_fall(t, kernel.fall).clipped(*ends))
+        k = kernel.float_ramp(own).times(fall(kernel, t))
         upright = g.times(weighted(kernel, t))
         for terms, d in zip(along, own):
             terms.append(upright.minus(k.times(d)))
-    return largest_of(added(kernel, terms, ulps).err for terms in along)
+    return largest_of(added(kernel, terms).err for terms in along)
 
 
 # --- Bounds -----------------------------------------------------------------------------------------------------------
@@ -149,30 +149,26 @@ SKEWED = 2.0**-22 + 2.0**-24  # in steps: how far the place moves on the plane
 
 def error_supremum(error, kernel: Kernel) -> float:
     """The supremum of an error that boxes give by their ends."""
-    def bound(boxes: Boxes):
-        middle = (boxes.lo + boxes.hi) / 2
-        return error(boxes.lo, boxes.hi), error(middle, middle)
-    return supremum(bound, cell(kernel.dims, half=True), LEVELS[kernel.dims], TOLERANCE,
+    return supremum(of_ends(error), cell(kernel.dims, half=True), LEVELS[kernel.dims], TOLERANCE,
                     None if kernel.triangles else 0, most=100_000)
 
 
-def _moved(kernel: Kernel, quantity: Quantity, ulps) -> float:
-    """The effect of the move of the place on a quantity."""
+def moved(kernel: Kernel, along_x: Callable[[], float]) -> float:
+    """The effect of the move of the place on a quantity with that derivative."""
     if kernel is SMOOTH[2] or not kernel.triangles:
         return 0.0
-    along_x = Quantity((*quantity.along, (1.0, 0.0)))
-    return SKEWED * ulps * kernel.scale / 1024 * kernels.largest(kernel, along_x, OCTAHEDRAL)
+    return SKEWED * kernel.scale / 1024 * along_x()
 
 
 @functools.cache
-def error_bound(kernel: Kernel, ulps: float = 1.0) -> float:
+def error_bound(kernel: Kernel) -> float:
     """A proven upper bound of the error from (cell, fraction)."""
-    return (error_supremum(functools.partial(value_error, kernel, ulps), kernel)
-            + _moved(kernel, kernels.VALUE, ulps))
+    return error_supremum(functools.partial(value_error, kernel), kernel) + moved(kernel, kernel.along_x)
 
 
 @functools.cache
-def slope_error_bound(kernel: Kernel, ulps: float = 1.0) -> float:
+def slope_error_bound(kernel: Kernel) -> float:
     """The bound of the error of the derivatives, per cell."""
-    moved = max(_moved(kernel, Quantity((axis,)), ulps) for axis in kernels.axes(kernel))
-    return kernel.steps * (error_supremum(functools.partial(slope_error, kernel, ulps), kernel) + moved)
+    of_move = moved(kernel, lambda: max(kernels.largest(kernel, Quantity((axis, (1.0, 0.0))), OCTAHEDRAL)
+                                        for axis in kernels.axes(kernel)))
+    return kernel.steps * (error_supremum(functools.partial(slope_error, kernel), kernel) + of_move)

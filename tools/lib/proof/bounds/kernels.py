@@ -28,13 +28,14 @@ from __future__ import annotations
 
 import functools
 import itertools
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from proof.bounds.boxes import Boxes, cell, supremum
-from proof.bounds.gradients import Gradient
+from proof.bounds.boxes import Bound, Boxes, cell, smooth, supremum
+from proof.bounds.floats import Approx, approx_octahedral_ramp
+from proof.bounds.gradients import OCTAHEDRAL, Gradient
 from proof.bounds.weights import CUBE, FIFTH, FOURTH, PLANE, Weight
 
 
@@ -65,6 +66,29 @@ class Kernel:
         return tuple(point for point in every if self.fall * sum(max(-x, x - 0.5, 0.0) ** 2 for x in point)
                      < self.radius)
 
+    # A ramp is the number that a weight multiplies: here of a gradient.
+
+    def float_ramp(self, own: list[Approx]) -> Approx:
+        """The ramp in floats, from the offsets along the axes."""
+        return approx_octahedral_ramp(own)
+
+    def fixed_ramp(self, offsets: Offsets) -> tuple[np.ndarray | float, np.ndarray | float]:
+        """The largest ramp of a point in each box, and its error in integers."""
+        return OCTAHEDRAL.support(offsets.size), 0.0
+
+    def along_x(self) -> float:
+        """The largest derivative of the sum, not scaled, per step."""
+        return largest(self, Quantity(((1.0, 0.0),)), OCTAHEDRAL)
+
+    def nearness(self, d: np.ndarray) -> np.ndarray:
+        """t at offsets."""
+        return np.maximum(self.radius - self.fall * (d * d).sum(axis=0), 0.0)
+
+    def offsets(self, place: np.ndarray) -> Iterator[np.ndarray]:
+        """The offsets of places from each point."""
+        for point in self.points:
+            yield place - np.array(point)[:, None]
+
 
 SIMPLEX = {2: Kernel(2, 819 / 1024, 1, 4099, 3, PLANE, triangles=True),
            3: Kernel(3, 1.0, 2, 4918, 4, FOURTH),
@@ -90,7 +114,7 @@ def dot(d: np.ndarray, u: tuple[float, ...]) -> np.ndarray:
 
 def vector(kernel: Kernel, quantity: Quantity, d: np.ndarray) -> np.ndarray:
     """v at offsets: axes by places."""
-    m, t = kernel.fall, np.maximum(kernel.radius - kernel.fall * (d * d).sum(axis=0), 0.0)
+    m, t = kernel.fall, kernel.nearness(d)
     w, dw, ddw = (kernel.weight.derivative(order, t) for order in range(3))
     if not quantity.along:
         return w * d
@@ -106,7 +130,7 @@ def vector(kernel: Kernel, quantity: Quantity, d: np.ndarray) -> np.ndarray:
 
 def attained(kernel: Kernel, quantity: Quantity, support, place: np.ndarray) -> np.ndarray:
     """The sum at places: axes by places. The gradients may be different at each place."""
-    return sum(support(vector(kernel, quantity, place - np.array(point)[:, None])) for point in kernel.points)
+    return sum(support(vector(kernel, quantity, d)) for d in kernel.offsets(place))
 
 
 # --- Second derivatives -----------------------------------------------------------------------------------------------
@@ -145,8 +169,7 @@ class Offsets:
         half = boxes.side / 2
         middle = boxes.lo + half - np.array(point)[:, None]
         size, near = np.abs(middle) + half, np.maximum(np.abs(middle) - half, 0.0)
-        least, largest = (np.maximum(kernel.radius - kernel.fall * (d * d).sum(axis=0), 0.0) for d in (size, near))
-        return Offsets(kernel, middle, half, size, least, largest)
+        return Offsets(kernel, middle, half, size, kernel.nearness(size), kernel.nearness(near))
 
     def along(self, u: tuple[float, ...]) -> np.ndarray:
         """The largest |d.u|."""
@@ -193,31 +216,43 @@ TOLERANCE = {2: 1e-5, 3: 1e-5, 4: 1e-5}  # relative: how tight a bound is
 LOOSE = {2: 0.01, 3: 0.1, 4: 0.2}  # of second derivatives
 
 
-def vertices_and_curvature(kernel, quantity, gradient, boxes):
-    value = boxes.at_vertices(lambda place: attained(kernel, quantity, gradient.support, place)).max(axis=0)
-    second = 0.0
-    for point in kernel.points:
-        offsets = Offsets.of(kernel, boxes, point)
-        second = second + sum(jet(kernel, quantity, gradient, offsets, axis).second for axis in range(kernel.dims))
-    return value + second / 8 * boxes.side**2, value
+OfPlaces = Callable[[np.ndarray], np.ndarray]
+OfBoxes = Callable[[Offsets, int], np.ndarray]  # of one point in each box, along an axis
 
 
-def middle_and_slope(kernel, quantity, gradient, boxes):
-    value, first = attained(kernel, quantity, gradient.support, boxes.lo + boxes.side / 2), 0.0
-    for point in kernel.points:
-        offsets = Offsets.of(kernel, boxes, point)
-        first = first + sum(jet(kernel, quantity, gradient, offsets, axis).first for axis in range(kernel.dims))
-    return value + first / 2 * boxes.side, value
+def summed(kernel: Kernel, boxes: Boxes, of_point: OfBoxes) -> np.ndarray:
+    return sum(sum(of_point(offsets, axis) for axis in range(kernel.dims))
+               for offsets in (Offsets.of(kernel, boxes, point) for point in kernel.points))
+
+
+def by_vertices(kernel: Kernel, value: OfPlaces, second: OfBoxes) -> Bound:
+    return smooth(value, lambda boxes: summed(kernel, boxes, second))
+
+
+def by_middle(kernel: Kernel, value: OfPlaces, first: OfBoxes) -> Bound:
+    def bound(boxes: Boxes) -> tuple[np.ndarray, np.ndarray]:
+        attained = value(boxes.lo + boxes.side / 2)
+        return attained + summed(kernel, boxes, first) / 2 * boxes.side, attained
+    return bound
+
+
+def exchange_of(kernel: Kernel, same_axes_from: int) -> int:
+    """Axes may be exchanged from that one on; on the plane none."""
+    return kernel.dims - 1 if kernel.triangles else min(same_axes_from, kernel.dims - 1)
 
 
 @functools.cache
 def largest(kernel: Kernel, quantity: Quantity, gradient: Gradient, same_axes_from: int = 0) -> float:
     """A proven upper bound of the sum, not scaled, in steps. From an axis on, axes may be exchanged."""
-    twice = len(quantity.along) == 2
-    of_boxes = functools.partial(middle_and_slope if twice else vertices_and_curvature, kernel, quantity, gradient)
-    exchange = kernel.dims - 1 if kernel.triangles else min(same_axes_from, kernel.dims - 1)
-    return supremum(of_boxes, cell(kernel.dims, half=True), LEVELS[kernel.dims],
-                    (LOOSE if twice else TOLERANCE)[kernel.dims], exchange)
+    value = functools.partial(attained, kernel, quantity, gradient.support)
+    if len(quantity.along) == 2:
+        bound = by_middle(kernel, value, lambda offsets, axis: jet(kernel, quantity, gradient, offsets, axis).first)
+        tolerance = LOOSE
+    else:
+        bound = by_vertices(kernel, value, lambda offsets, axis: jet(kernel, quantity, gradient, offsets, axis).second)
+        tolerance = TOLERANCE
+    return supremum(bound, cell(kernel.dims, half=True), LEVELS[kernel.dims], tolerance[kernel.dims],
+                    exchange_of(kernel, same_axes_from))
 
 
 def axes(kernel: Kernel) -> list[tuple[float, ...]]:
@@ -248,10 +283,13 @@ def lipschitz_of(kernel: Kernel, gradient: Gradient) -> float:
     return max(largest(kernel, Quantity((sign,)), gradient, same) for sign, same in signs(kernel))
 
 
+def axes_and_signs(kernel: Kernel) -> list[tuple[tuple[float, ...], tuple[float, ...], int]]:
+    """The axes that differ, with the signs beside them, and the axis from which on axes may be exchanged."""
+    if kernel.triangles:
+        return [(axis, sign, 2) for axis in axes(kernel) for sign in ((1.0, 1.0), (1.0, -1.0))]
+    return [(axes(kernel)[0], sign, same) for sign, same in signs(kernel, 1)]
+
+
 def slope_lipschitz_of(kernel: Kernel, gradient: Gradient) -> float:
     """This is the least tight, and the least important."""
-    if kernel.triangles:
-        pairs = [(axis, sign, 2) for axis in axes(kernel) for sign in ((1.0, 1.0), (1.0, -1.0))]
-    else:
-        pairs = [(axes(kernel)[0], sign, same) for sign, same in signs(kernel, 1)]
-    return max(largest(kernel, Quantity((axis, sign)), gradient, same) for axis, sign, same in pairs)
+    return max(largest(kernel, Quantity((axis, sign)), gradient, same) for axis, sign, same in axes_and_signs(kernel))

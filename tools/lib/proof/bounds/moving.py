@@ -108,39 +108,39 @@ def room(dims: int) -> float:
 
 # --- Floats -----------------------------------------------------------------------------------------------------------
 
-def rotation_error(dims: int, ulps: float) -> float:
+def rotation_error(dims: int) -> float:
     """ROTATION. In space two rotations are multiplied, and four of the products round."""
-    plane = math.sqrt(2) * rotations.float_error(ulps)
-    return plane if dims == 2 else plane * (2 + plane) + 2 * f32(0.99, ulps)
+    plane = math.sqrt(2) * rotations.float_error()
+    return plane if dims == 2 else plane * (2 + plane) + 2 * f32(0.99)
 
 
-def components(dims: int, reach: float, ulps: float) -> tuple[float, float]:
+def components(dims: int, reach: float) -> tuple[float, float]:
     """As in distances.py, but without ROTATION."""
     away = 2 * (reach + RADIUS[dims]) * 1.001
-    projected = dims * f32(1.0, ulps) + sum(f32(math.sqrt(axes) * 1.001, ulps) for axes in range(2, dims + 1))
-    centre = math.sqrt(dims) * 1.001 * f32(1.0, ulps) + projected + dims * f32(away, ulps)
-    product = f32(0.99, ulps) + distances.relative(1, ulps)  # the jitter is multiplied, and rounds
-    return distances.from_points(dims, reach, centre, product, ulps)
+    projected = dims * f32(1.0) + sum(f32(math.sqrt(axes) * 1.001) for axes in range(2, dims + 1))
+    centre = math.sqrt(dims) * 1.001 * f32(1.0) + projected + dims * f32(away)
+    product = f32(0.99) + distances.relative(1)  # the jitter is multiplied, and rounds
+    return distances.from_points(dims, reach, centre, product)
 
 
-def length_error(dims: int, reach: float, ulps: float) -> float:
+def length_error(dims: int, reach: float) -> float:
     away = 2 * (reach + RADIUS[dims])
-    return distances.length_of(*components(dims, reach, ulps)) + rotation_error(dims, ulps) * away
+    return distances.length_of(*components(dims, reach)) + rotation_error(dims) * away
 
 
-def distance_error(dims: int, reach: float, ulps: float = 1.0) -> float:
+def distance_error(dims: int, reach: float) -> float:
     """The error of a distance up to `reach`, in cells."""
-    return distances.root_error(dims, reach, length_error(dims, reach, ulps), ulps)
+    return distances.root_error(dims, reach, length_error(dims, reach))
 
 
-def float_offset_error(dims: int, ulps: float = 1.0) -> float:
+def float_offset_error(dims: int) -> float:
     """The error of a component, from a position or a cell, in cells."""
     reach = largest_distance(dims, 1)
-    length, rotation = 2 * reach, rotation_error(dims, ulps)
-    err = length_error(dims, reach, ulps)
+    length, rotation = 2 * reach, rotation_error(dims)
+    err = length_error(dims, reach)
     if dims == 3:
-        err += math.sqrt(2) * f32(2 * length * 1.001, ulps) / 2  # x + y and x - y become x and y
-    forwards = rotation * length + (2 * dims - 1) * f32(length * 1.001, ulps)
+        err += math.sqrt(2) * f32(2 * length * 1.001) / 2  # x + y and x - y become x and y
+    forwards = rotation * length + (2 * dims - 1) * f32(length * 1.001)
     return (((1 + rotation) * err + forwards) / 2 + 2.0**-24) * SAFE
 
 

@@ -31,13 +31,18 @@ from __future__ import annotations
 
 import functools
 import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from proof.bounds import sine
 from proof.bounds.floats import TINY, UNIT
-from proof.bounds.integers import FADE_ONE, part_intermediate, scaled_intermediate
-from proof.bounds.noises import ProvenBounds, derived
+from proof.bounds.gradients import OCTAHEDRAL, Gradient
+from proof.bounds.integers import FADE_ONE, RAMP_ONE, fixed_scale, part_intermediate, scaled_intermediate
+from proof.bounds.noises import Proof, ProvenBounds, derived
+
+Words = Callable[[int, "Gradient | None"], dict[str, float]]
 
 ANGLE_CUT = 2 * math.pi * 2.0**-30  # a phase is cut off to a multiple of 2^-30 turns
 IN_SUM = {2: math.sqrt(2), 3: 2.0}  # |A| + |B|, by the number of dimensions
@@ -50,9 +55,9 @@ FACTOR = 1.15470054
 
 
 @functools.cache
-def float_error(ulps: float = 1.0) -> float:
+def float_error() -> float:
     """The error of the cosine and the sine of a phase."""
-    return sine.sine_bound(ulps) + ANGLE_CUT
+    return sine.sine_bound() + ANGLE_CUT
 
 
 @functools.cache
@@ -60,12 +65,12 @@ def fixed_error() -> float:
     return sine.fixed_sine_error() + ANGLE_CUT
 
 
-def float_rounding(dims: int, ulps: float = 1.0) -> float:
+def float_rounding(dims: int) -> float:
     """sqrt(3)/2 b + a'. The constant may be the float on the other side."""
     if dims == 2:
         return 0.0
-    of_sine = abs(FACTOR / LARGEST_SHARE[3] - 1) + 2 * ulps * UNIT
-    return (of_sine + LARGEST_SHARE[3] * ulps * UNIT) * (1 + 2 * float_error(ulps))
+    of_sine = abs(FACTOR / LARGEST_SHARE[3] - 1) + 2 * UNIT
+    return (of_sine + LARGEST_SHARE[3] * UNIT) * (1 + 2 * float_error())
 
 
 def fixed_rounding(dims: int) -> float:
@@ -83,10 +88,10 @@ def moved(dims: int, error: float, off: float, largest: float, rounding: float =
             + (OFF_IN_SUM[dims] * off + 2 * rounding) * error)
 
 
-def mixed(dims: int, error: float, largest: float, ulps: float = 1.0) -> float:
+def mixed(dims: int, error: float, largest: float) -> float:
     """The error of a noise in floats, from the errors of n and m."""
-    err = moved(dims, error, float_error(ulps), largest, float_rounding(dims, ulps))
-    return err + (PRODUCTS[dims] + 2) * ulps * UNIT * (1 + UNIT)**3 * (largest + err) + 4 * dims * TINY
+    err = moved(dims, error, float_error(), largest, float_rounding(dims))
+    return err + (PRODUCTS[dims] + 2) * UNIT * (1 + UNIT)**3 * (largest + err) + 4 * dims * TINY
 
 
 def rotated(still: ProvenBounds, dims: int, largest: float, lipschitz: float, unit: float,
@@ -101,9 +106,44 @@ def rotated(still: ProvenBounds, dims: int, largest: float, lipschitz: float, un
     return derived(still.promise, largest, lipschitz, mixed(dims, ratio * still.cell_error, largest), parts)
 
 
-def largest_intermediates(name: str, dims: int, value: float, scale: int) -> dict[str, float]:
+def rotated_words(name: str, dims: int, value: float, scale: int) -> dict[str, float]:
     """The words that are scaled: n and m are as large as it, or as they are without a phase."""
     share = math.ceil(LARGEST_SHARE[dims] * FADE_ONE) + 32
     mixture = IN_SUM[dims] * value * sine.fixed_sine_largest() + 2 * MIXED_ROUNDING[dims]
     return {f"part of a turned {name}": part_intermediate(value, np.array([share])), f"rotated {name}": mixture,
             f"scaled {name}": scaled_intermediate(value, scale)}
+
+
+@dataclass(frozen=True)
+class Rotating:
+    """A noise and its ranges, by the number of dimensions."""
+    still: Callable[[int], ProvenBounds]  # without a phase, with its derivatives
+    reach: Callable[[int], Sequence[float]]  # its range and Lipschitz constant with gradients at all phases
+    slope_reach: Callable[[int], Sequence[float]]  # and those of a derivative
+    scale: Callable[[int], float]
+    still_scale: Callable[[int], float]
+    steps: Callable[[int], int] = lambda _: 1  # to a cell
+
+    def bounds(self, dims: int, slope: bool) -> ProvenBounds:
+        still = self.still(dims)
+        return rotated(still.slope if slope else still, dims, *(self.slope_reach if slope else self.reach)(dims),
+                       self.unit(dims, slope), self.scale(dims) / self.still_scale(dims))
+
+    def unit(self, dims: int, slope: bool) -> float:
+        """The unit of scaled ramps, or of the parts of a derivative."""
+        return self.scale(dims) / RAMP_ONE[OCTAHEDRAL][dims] * (4 * self.steps(dims) if slope else 1)
+
+    def words(self, dims: int, slope: bool) -> dict[str, float]:
+        return rotated_words("derivative" if slope else "value", dims,
+                             self.bounds(dims, slope).fixed_largest / self.unit(dims, slope),
+                             fixed_scale(self.scale(dims), dims))
+
+    def proofs(self, cases: tuple[tuple[int, Gradient | None], ...], words: Words, slope_words: Words
+               ) -> tuple[Proof, Proof]:
+        """The proofs of the noise, and of the noise with its derivatives; with their words without a phase."""
+        def of_value(dims: int, gradient: Gradient | None) -> dict[str, float]:
+            return words(dims, gradient) | self.words(dims, False)
+
+        return (Proof(cases, lambda dims, _: self.bounds(dims, False), of_value),
+                Proof(cases, lambda dims, _: replace(self.bounds(dims, False), slope=self.bounds(dims, True)),
+                      lambda dims, of: of_value(dims, of) | slope_words(dims, of) | self.words(dims, True)))

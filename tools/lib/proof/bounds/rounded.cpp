@@ -2,16 +2,15 @@
 // tools/make bounds. The file rounded.inc, which rounded.py writes, has a FUNCTION(body) for each function: those of
 // the suite's table.
 //
-// It reads questions, until there are no more, and answers each:
-//
-//   int32 function, int32 mode (0 to nearest, 1 down, 2 up, 3 either at random, 4 not at all), int32 lost bits, uint32
-//   seed, double fuse (how often a*b + c is rounded once), int32 count, and count times 16 words; with mode 4 count
-//   times 16 doubles more, and the word of a float is the index of one of these count times 4 words, with mode 4
-//   doubles, of floats alone
+// `evaluate` has the results of one of them at points of 16 words, 4 words each. The mode is 0 to nearest, 1 down, 2
+// up, 3 either at random, 4 not at all; a*b + c is rounded once with the probability `fuse`. With mode 4 there are 16
+// doubles for each point, too, and the word of a float is the index of one; the results are 4 doubles for each point,
+// of floats alone.
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdio>
+#include <cstddef>
+#include <cstdint>
 #include <hashnoise/glsl.hpp>
 #include <vector>
 
@@ -160,39 +159,22 @@ const Body kBodies[] = {
 }  // namespace hashnoise
 #undef float
 
-int main() {
+extern "C" void evaluate(std::int32_t function, std::int32_t mode, std::int32_t lost_bits, std::uint32_t seed,
+                         double fuse, std::int32_t count, const std::uint32_t* in, const double* in_exactly,
+                         std::uint32_t* out, double* out_exactly) {
   using namespace hashnoise;
-  struct Question {
-    std::int32_t function, mode, lost_bits;
-    std::uint32_t seed;
-    double fuse;
-  } question;
-  std::int32_t count = 0;
-  while (std::fread(&question, sizeof question, 1, stdin) == 1 && std::fread(&count, sizeof count, 1, stdin) == 1) {
-    std::vector<std::uint32_t> in(static_cast<std::size_t>(count) * 16);
-    std::vector<std::uint32_t> out;
-    std::vector<double> in_exactly(question.mode == rounded::kExact ? in.size() : 0);
-    std::vector<double> out_exactly;
-    if (std::fread(in.data(), sizeof in[0], in.size(), stdin) != in.size()) return 1;
-    if (std::fread(in_exactly.data(), sizeof(double), in_exactly.size(), stdin) != in_exactly.size()) return 1;
-    rounded::rounding = {question.mode, question.lost_bits, question.fuse, question.seed};
-    rounded::arguments = in_exactly.data();
-    for (const std::uint32_t* x = in.data(); x != in.data() + in.size(); x += 16) {
-      const uvec4 found = rounded::kBodies[question.function]({x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6], x[7]},
-                                                              {x[8], x[9], x[10], x[11]}, {x[12], x[13], x[14], x[15]});
-      out.insert(out.end(), {found.x, found.y, found.z, found.w});
-      for (const std::uint32_t word : {found.x, found.y, found.z, found.w}) {
-        out_exactly.push_back(word < rounded::results.size() ? rounded::results[word] : 0.0);
+  rounded::rounding = {mode, lost_bits, fuse, seed};
+  for (const std::uint32_t* x = in; x != in + 16 * static_cast<std::ptrdiff_t>(count); x += 16) {
+    rounded::arguments = in_exactly + (x - in);
+    const uvec4 found = rounded::kBodies[function]({x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6], x[7]},
+                                                   {x[8], x[9], x[10], x[11]}, {x[12], x[13], x[14], x[15]});
+    for (const std::uint32_t word : {found.x, found.y, found.z, found.w}) {
+      if (mode == rounded::kExact) {
+        *out_exactly++ = word < rounded::results.size() ? rounded::results[word] : 0.0;
+      } else {
+        *out++ = word;
       }
-      rounded::results.clear();
-      rounded::arguments += 16;
     }
-    if (question.mode == rounded::kExact) {
-      std::fwrite(out_exactly.data(), sizeof(double), out_exactly.size(), stdout);
-    } else {
-      std::fwrite(out.data(), sizeof out[0], out.size(), stdout);
-    }
-    std::fflush(stdout);
+    rounded::results.clear();
   }
-  return 0;
 }

@@ -6,10 +6,8 @@ compare the text with the contract."""
 
 from __future__ import annotations
 
-import atexit
+import ctypes
 import functools
-import struct
-import subprocess
 import tempfile
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -61,19 +59,14 @@ class Text:
 
     def __init__(self, wanted: Iterable[str], *macros: str, optimized: bool = False, **others: Body):
         self.bodies = {id: table()[id] for id in wanted} | others
-        self.folder = tempfile.TemporaryDirectory()
-        bodies = "".join(f"FUNCTION({body.code})\n" for body in self.bodies.values())
-        Path(self.folder.name, "rounded.inc").write_text(bodies)
-        program = Path(self.folder.name, "rounded")
-        # As the suite's twin: the functions need not be inlined, which takes long.
-        compile_program("the text over floats that round", SOURCE, program, "-O1" if optimized else "-O0", "-w",
-                        f"-I{self.folder.name}", macros=("always_inline=unused", *macros))
-        self.process = subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-        atexit.register(self.end)
-
-    def end(self) -> None:
-        self.process.communicate()
-        self.folder.cleanup()
+        with tempfile.TemporaryDirectory() as folder:
+            bodies = "".join(f"FUNCTION({body.code})\n" for body in self.bodies.values())
+            Path(folder, "rounded.inc").write_text(bodies)
+            # As the suite's twin: the functions need not be inlined, which takes long. Each text has its own variables.
+            compile_program("the text over floats that round", SOURCE, Path(folder, "rounded.so"),
+                            "-O1" if optimized else "-O0", "-w", f"-I{folder}", "-shared", "-fPIC", "-fno-gnu-unique",
+                            macros=("always_inline=unused", *macros))
+            self.library = ctypes.CDLL(f"{folder}/rounded.so")
 
     def __call__(self, id: str, rounding: Rounding, **columns: np.ndarray | float) -> list[np.ndarray]:
         """The results of a function: the floats of each output, at each point."""
@@ -82,13 +75,12 @@ class Text:
 
     def words(self, id: str, rounding: Rounding, **columns: np.ndarray | float) -> list[np.ndarray]:
         """Doubles where nothing rounds, not even the columns."""
-        function, type_ = self.bodies[id], np.dtype(float if rounding == EXACT else np.uint32)
+        function = self.bodies[id]
         words, doubles = packed(id, function.inputs, columns, rounding == EXACT)
-        head = struct.pack("iiiIdi", list(self.bodies).index(id), (*MODES, DOUBLES).index(rounding.mode),
-                           rounding.lost_bits, rounding.seed, rounding.fuse, len(words))
-        self.process.stdin.write(head + words.tobytes() + doubles.tobytes())
-        self.process.stdin.flush()
-        out = np.frombuffer(self.process.stdout.read(4 * type_.itemsize * len(words)), type_).reshape(-1, 4)
+        out = np.zeros((len(words), 4), float if rounding == EXACT else np.uint32)
+        self.library.evaluate(list(self.bodies).index(id), (*MODES, DOUBLES).index(rounding.mode), rounding.lost_bits,
+                              ctypes.c_uint32(rounding.seed), ctypes.c_double(rounding.fuse), len(words),
+                              *(array.ctypes.data_as(ctypes.c_void_p) for array in (words, doubles, out, out)))
         return [np.ascontiguousarray(column) for column in out.T[:len(function.outputs)]]
 
 

@@ -45,12 +45,12 @@ def sine_curvature():
     return polynomial, polynomial + (math.pi / 2) ** 2
 
 
-def approx_sine_factors(lo, hi, ulps):
+def approx_sine_factors(lo, hi):
     """x, and the bracket that it is multiplied with last."""
-    x = Approx(lo, hi, 0.0, ulps)
+    x = Approx(lo, hi)
     t = x.times(x).clipped(lo**2, hi**2)
     c1, c3, c5, c7 = SINE_COEFFICIENTS
-    inner = t.times(Approx(c7, c7, 0.0, ulps)).plus(c5)
+    inner = t.times(Approx(c7, c7)).plus(c5)
     return x, t.times(t.times(inner).plus(c3)).plus(c1)
 
 
@@ -58,19 +58,19 @@ def _largest(bound: Bound) -> float:
     return supremum(bound, cell(1), 24, 1e-4)
 
 
-def _float_error(lo, hi, ulps):
-    x, bracket = approx_sine_factors(lo, hi, ulps)
+def _float_error(lo, hi):
+    x, bracket = approx_sine_factors(lo, hi)
     return x.times(bracket).err
 
 
-def sine_bound(ulps=1.0):
+def sine_bound():
     """A proven upper bound of |s - sin| for the sine of the gradient, at the exact argument."""
     truncation = smooth(sine_truncation, lambda boxes: sine_curvature()[1])
 
     def bound(boxes: Boxes):
         middle = (boxes.lo + boxes.hi) / 2
-        return (truncation(boxes)[0] + _float_error(boxes.lo[0], boxes.hi[0], ulps),
-                sine_truncation(middle) + _float_error(middle[0], middle[0], ulps))
+        return (truncation(boxes)[0] + _float_error(boxes.lo[0], boxes.hi[0]),
+                sine_truncation(middle) + _float_error(middle[0], middle[0]))
     return _largest(bound) + math.pi / 2 * SINE_ARGUMENT_ERROR + DOUBLE_SINE
 
 
@@ -79,12 +79,12 @@ def sine_truncation_bound():
     return _largest(smooth(sine_truncation, lambda boxes: sine_curvature()[1])) + DOUBLE_SINE
 
 
-def sine_largest(ulps=1.0):
+def sine_largest():
     """A proven upper bound of s before its last rounding. If that is at most 1, which is a float, then so is s."""
     polynomial = smooth(lambda point: sine_polynomial(point[0]), lambda boxes: sine_curvature()[0])
 
     def bound(boxes: Boxes):
-        x, bracket = approx_sine_factors(boxes.lo[0], boxes.hi[0], ulps)
+        x, bracket = approx_sine_factors(boxes.lo[0], boxes.hi[0])
         upper, lower = polynomial(boxes)
         return upper + x.hi * bracket.err, lower
     return supremum(bound, cell(1), 24, 0.0) + DOUBLE_SINE

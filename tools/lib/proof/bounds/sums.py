@@ -1,29 +1,32 @@
-"""Octave sums, and how far they may be off in fixed arithmetic, from the bounds of their noise. For floats
-float_sums.py has the same."""
+"""Octave sums, and how far they may be off, from the bounds of their noise. The steps by which they add an octave, and
+all of floats, are proven in conformance/sums."""
 
 from __future__ import annotations
 
 import functools
+import itertools
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
 import catalog.model
+from proof.bounds.answers import MOST_OCTAVES, answer
 from proof.bounds.boxes import SAFE
 from proof.bounds.integers import DOUBLE, FADE_ONE, UNIT, checked, signed, word
-from proof.bounds.steps import STEPS, WEIGHT_UNIT, Step
 from proof.bounds.table import Bounds
+from proof.oracle import sums as oracle
 
 CATALOG = {sum_.name: sum_ for sum_ in catalog.model.read().sums}
 KINDS = tuple(name for name, sum_ in CATALOG.items() if sum_.is_of_values)
 SLOPED, SHIFTS = ("fbm_d", "eroded"), ("warp", "warp_progressive")  # sums with slopes, and of vectors: jacobians.py
-SHIFT_MAX = {1: 11 / 32, 2: 19 / 32, 3: 23 / 32, 4: 27 / 32}  # the largest component of the shift between octaves
-# By how much the rotations of a position make a length larger at most: in the plane of x and y, then of y and
-# z, then of z and w. The second makes lengths in its plane smaller, but not along x.
-ROTATIONS = (math.hypot(25, 20) / 32, max(math.hypot(29, 13) / 32, 1.0), math.hypot(25, 20) / 32)
+SHIFT_MAX = {dims: float(max(oracle.SHIFT[:dims])) for dims in (1, 2, 3, 4)}
+# By how much each rotation of a position makes a length larger at most, which stays along other axes.
+ROTATIONS = tuple(max(math.hypot(*rotation) / 32, 1.0) for rotation in oracle.ROTATIONS)
 WHOLE = 2.0**-24  # the unit of fixed-point positions
+WEIGHT_UNIT = 1 / FADE_ONE
 
 
 @dataclass(frozen=True)
@@ -45,26 +48,25 @@ class Sum:
     def __post_init__(self):
         if self.kind not in KINDS + SLOPED + SHIFTS:
             raise LookupError(f"tools/lib/proof/bounds has no proof of the sum {self.kind}")
+        if not self.rotates and self.lacunarity % 1:
+            raise ValueError(f"with a period a lacunarity is a whole number, and {self.lacunarity} is none")
+
+    @property
+    def options(self) -> oracle.Options:
+        return oracle.Options(self.octaves, self.lacunarity, self.gain, footprint=self.footprint or 0)
 
     @property
     def count(self) -> int:
-        return math.ceil(min(self.octaves, 32)) if self.octaves >= 2**-32 else 0
+        return oracle.count_of(self.options)
 
     @property
     def weights(self) -> list[float]:
-        """gain^i; the last one is smaller with a detail."""
-        powers = [self.gain**i for i in range(self.count)]
-        if self.count > 1:
-            powers[-1] *= min(self.octaves, 32) - (self.count - 1)
-        return powers
+        return list(map(float, oracle.weights(self.options)))
 
     @property
     def fades(self) -> list[float]:
         """The part of each octave that a footprint leaves."""
-        if self.footprint is None:
-            return [1.0] * self.count
-        finer = max(self.lacunarity, 1.0)
-        return [min(max(1.5 - self.footprint * finer**i, 0.0), 1.0) for i in range(self.count)]
+        return [float(oracle.visible(self.options, i)) for i in range(self.count)]
 
 
 def doubled(s: Sum) -> Sum:
@@ -75,22 +77,45 @@ def doubled(s: Sum) -> Sum:
 LARGEST_STRENGTH = {name: float(sum_.strength.most) for name, sum_ in CATALOG.items() if sum_.strength}
 
 
-def name_of_step(kind: str) -> str:
-    """The step of a sum without slopes and shifts; the others add the noise as it is."""
-    return CATALOG[kind].step if kind in KINDS else "noise"
-
-
-def step_of(kind: str) -> Step:
-    name = name_of_step(kind)
-    if name not in STEPS:
-        raise LookupError(f"tools/lib/proof/bounds/steps.py has no proof of the step {name}, by which {kind} adds an "
-                          "octave")
-    return STEPS[name]
-
-
 def clamped_strength(s: Sum) -> float:
     """0 if it has none."""
     return min(max(s.strength, 0.0), LARGEST_STRENGTH[s.kind]) if s.kind in LARGEST_STRENGTH else 0.0
+
+
+class Steps(NamedTuple):
+    """The errors of octaves before their weights, and of the factors of the weights behind them."""
+    clamps: bool  # whether a noise beyond [-1, 1] counts as the nearer end
+    errors: list[float]
+    factor_errors: list[float]
+
+
+def steps_of(s: Sum, noise_errs: list[float], fixed: bool) -> Steps:
+    """Given the errors of the noises."""
+    strength, cut = fixed_strength(s) if fixed else (clamped_strength(s), 0.0)
+    rest = [0.0] * (MOST_OCTAVES - len(noise_errs))
+    clamps, *found = answer("terms", s.kind, [fixed, strength, cut, *noise_errs, *rest])
+    return Steps(bool(clamps), *(found[start:start + len(noise_errs)] for start in (0, MOST_OCTAVES)))
+
+
+# --- In floats --------------------------------------------------------------------------------------------------------
+
+def numbers_of(s: Sum) -> list[float]:
+    return [s.p_max, s.octaves, s.lacunarity, s.gain, s.exact_positions, s.strength,
+            -1.0 if s.footprint is None else s.footprint, s.rotates, s.from_cell, isinstance(s.octaves, float),
+            s.amplitude]
+
+
+def tolerance_of(what: str, s: Sum, *bounds: Bounds) -> float:
+    of_noise = [x for b in bounds for x in (b.dimensions, b.cell_error, b.error, b.lipschitz, b.limit)]
+    return answer(what, s.kind, [*numbers_of(s), *of_noise])[0]
+
+
+def octave_tolerance(s: Sum, noise: Bounds, slope: Bounds | None = None) -> float:
+    """The largest error of an octave sum over a noise, or of a component of a warp. An erosion and a warp need what is
+    proven of the derivatives of the noise."""
+    if slope is None and s.kind not in (*KINDS, "fbm_d"):
+        raise LookupError(f"the bound of {s.kind} follows from the bounds of derivatives, too")
+    return tolerance_of("value", s, noise, slope or noise)
 
 
 # --- Positions --------------------------------------------------------------------------------------------------------
@@ -128,31 +153,14 @@ def next_fixed_position(s: Sum, dims: int, position: float, error: float) -> tup
 
 # --- In integers ------------------------------------------------------------------------------------------------------
 
-def product(a: int, b: int) -> int:
-    """The contract's: a b / 2^18 rounded down, since floors of floors are floors."""
-    return ((a >> 9) * b + (((a & 511) * b) >> 9)) >> 9
-
-
 def fixed_weights(s: Sum) -> list[int]:
     """A_i of the contract, in units of 2^-18."""
-    g, weights = math.trunc(s.gain * FADE_ONE), [FADE_ONE]
-    while len(weights) < s.count:
-        weights.append(product(weights[-1], g))
-    if s.count > 1:
-        weights[-1] = product(weights[-1], math.trunc((s.octaves - (s.count - 1)) * FADE_ONE))
-    return weights[:s.count]
+    return oracle.fixed_weights(s.options)
 
 
 def fixed_fades(s: Sum) -> list[int]:
     """The part of each octave that a footprint leaves, in units of 2^-18."""
-    if s.footprint is None:
-        return [FADE_ONE] * s.count
-    finer = max(math.trunc(s.lacunarity * 2**23), 2**23)
-    e, fades = math.trunc(min(max(s.footprint, 0.0), 2.0) * 2**24), []
-    for _ in range(s.count):
-        fades.append(min(max(3 * 2**17 - (e >> 6), 0), FADE_ONE))
-        e = min(e * finer >> 23, 2**25)
-    return fades
+    return list(itertools.islice(oracle.fixed_visible(s.options), s.count))
 
 
 @functools.cache
@@ -173,30 +181,24 @@ def fixed_strength(s: Sum) -> tuple[float, float]:
     return cut, strength - cut
 
 
-def fixed_terms(s: Sum, noise_errs: list[float]) -> list[float]:
-    """The errors of an octave's addition."""
-    return step_of(s.kind).fixed_errors(noise_errs, *fixed_strength(s))
-
-
-def weighted_errors(s: Sum, noise_errs: list[float]) -> list[float]:
-    """By how much B_i of a weighted step is off, beyond the contract's product of exact factors: M is off by half
-    of the noise, a rounding of (1 - n) / 2 and one of the product with the strength; two products more round down."""
-    strength, cut = fixed_strength(s)
-    g, err, errs, weight = math.trunc(s.gain * FADE_ONE) / FADE_ONE, 0.0, [], 1.0
-    for noise_err in noise_errs:
-        errs.append(err)
-        kept_err = min(strength * (noise_err / 2 + WEIGHT_UNIT) + cut + WEIGHT_UNIT, 1.0)
+def changes_by_steps(s: Sum, factor_errs: list[float]) -> list[float]:
+    """How far the weights of octaves are off where the noises before them count, beyond the contract's product of exact
+    factors: both products round down."""
+    total, exact_total = sum(fixed_weights(s)) / FADE_ONE, sum(s.weights)
+    g, err, weight, changes = math.trunc(s.gain * FADE_ONE) / FADE_ONE, 0.0, 1.0, []
+    for exact, factor_err in zip(s.weights, factor_errs):
+        changes.append(exact * abs(1 / total - 1 / exact_total) + err / total)
         gained = weight * s.gain
-        err = min(g * (err + weight * kept_err + WEIGHT_UNIT) + (s.gain - g) * weight + WEIGHT_UNIT, gained)
+        err = min(g * (err + weight * factor_err + WEIGHT_UNIT) + (s.gain - g) * weight + WEIGHT_UNIT, gained)
         weight = gained
-    return errs
+    return changes
 
 
 def weight_changes(s: Sum) -> list[tuple[float, float]]:
     """The weight of each octave in the mean, and its distance from the exact one."""
     all_of_them, exact = fixed_weights(s), s.weights
     total, exact_total = sum(all_of_them), sum(exact)
-    used = [product(a, fade) for a, fade in zip(all_of_them, fixed_fades(s))]
+    used = [oracle.product(a, fade) for a, fade in zip(all_of_them, fixed_fades(s))]
     exact_used = [a * fade for a, fade in zip(exact, s.fades)]
     return [(a / total, abs(a / total - b / exact_total)) for a, b in zip(used, exact_used)]
 
@@ -221,29 +223,19 @@ def fixed_octave_tolerance(s: Sum, noise: Bounds) -> float:
     1."""
     if not (0 <= s.lacunarity <= 255 and 0 <= s.gain <= 1 and s.octaves <= 32):
         return math.inf
-    limit, error = min(noise.fixed_limit, 1.0) if step_of(s.kind).clamps else noise.fixed_limit, 0.0
+    limit, error = min(noise.fixed_limit, 1.0) if steps_of(s, [], True).clamps else noise.fixed_limit, 0.0
     if s.count:
         noise_errs = [min(noise.lipschitz * position_err + noise.fixed_error, 2 * limit)
                       for _, position_err in zip(range(s.count), fixed_positions(s, noise.dimensions))]
-        changes = None
-        if name_of_step(s.kind) == "weighted":
-            total, exact_total = sum(fixed_weights(s)) / FADE_ONE, sum(s.weights)
-            changes = [b * abs(1 / total - 1 / exact_total) + err / total
-                       for b, err in zip(s.weights, weighted_errors(s, noise_errs))]
-        error = fixed_mean_error(s, limit, fixed_terms(s, noise_errs), changes)
+        of = steps_of(s, noise_errs, True)
+        changes = changes_by_steps(s, of.factor_errors) if any(of.factor_errors) else None
+        error = fixed_mean_error(s, limit, of.errors, changes)
     mean = CATALOG[s.kind].mean
     if mean not in MEANS:
         raise LookupError(f"tools/lib/proof/bounds/sums.py has no proof of the mean {mean}, by which {s.kind} ends")
     return MEANS[mean](error)
 
 
-def density(mean):
-    t = np.clip(2 * mean + 0.25, 0, 1)
-    return t * t * (3 - 2 * t)
-
-
-ENDS = {  # of a sum: its value, from the mean of its octaves
-    "": lambda mean: mean, "bounded": lambda mean: mean, "billows": lambda mean: 2 * mean - 1, "density": density}
 MEANS = {  # of a sum: what becomes of the error of the mean. A clamp brings no two values further apart
     "": lambda error: error, "bounded": lambda error: error, "billows": lambda error: 2 * error,
     # The clamp and the doubling are exact, the smoothstep has slopes up to 3/2.

@@ -128,8 +128,3 @@ def largest(quantity: Quantity, dims: int, gradient: Gradient | None) -> float:
     bound = smooth(functools.partial(steepest, quantity, gradient), functools.partial(curvature, quantity, gradient))
     return supremum(bound, cell(dims, quantity.mirrored), LEVELS[dims], TOLERANCE[dims],
                     min(quantity.same_axes_from, dims - 1))
-
-
-def attained(quantity: Quantity, gradient: Gradient | None, point: tuple[float, ...]) -> float:
-    """The largest value of gradients at a point, before the scale: no bound may be below."""
-    return float(steepest(quantity, gradient, np.array(point, float)[:, None])[0])

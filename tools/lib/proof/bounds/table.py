@@ -64,12 +64,6 @@ DIGITS = {"cell_error": 3, "error": 3, "lipschitz": 3, "limit": 6, "fixed_error"
 
 
 @dataclass(frozen=True)
-class SineBounds:
-    error: float
-    fixed_error: float
-
-
-@dataclass(frozen=True)
 class GulliesBounds:
     """The waves of gullies, as in HEAD."""
     value: float
@@ -125,32 +119,16 @@ def plain(value: float, digits: int) -> str:
     return text if "." in text else f"{text}.0"
 
 
-def _row(macro: str, bounds: Bounds) -> str:
-    """A line of the table, of bounds that are not rounded yet."""
-    fields = [f'"{bounds.noise}"', str(bounds.dimensions), bounds.gradient, scientific(bounds.cell_error),
-              scientific(bounds.error), plain(bounds.lipschitz, 3), str(bounds.rounded().limit),
-              scientific(bounds.fixed_error), str(bounds.rounded().fixed_limit)]
+def row(macro: str, *fields: str) -> str:
+    """A line of the table."""
     return f"{macro}({', '.join(fields)})\n"
 
 
-def noise_row(bounds: Bounds) -> str:
-    return _row("NOISE_BOUNDS", bounds)
-
-
-def slope_row(bounds: Bounds) -> str:
-    return _row("SLOPE_BOUNDS", bounds)
-
-
-def sine_row(bounds: SineBounds) -> str:
-    return f"SINE_BOUNDS({bounds.error.hex().replace('1.0000000000000p', '1p')}, {scientific(bounds.fixed_error)})\n"
-
-
-def uniform_row(floats: UniformBounds, fixed: UniformBounds) -> str:
-    return f"UNIFORM_BOUNDS({', '.join(scientific(error) for of in (floats, fixed) for error in astuple(of))})\n"
-
-
-def gullies_row(bounds: GulliesBounds) -> str:
-    return f"GULLIES_BOUNDS({', '.join(map(scientific, astuple(bounds)))})\n"
+def row_of(macro: str, bounds: Bounds) -> str:
+    """A line with bounds that are not rounded yet."""
+    return row(macro, f'"{bounds.noise}"', str(bounds.dimensions), bounds.gradient, scientific(bounds.cell_error),
+               scientific(bounds.error), plain(bounds.lipschitz, 3), str(bounds.rounded().limit),
+               scientific(bounds.fixed_error), str(bounds.rounded().fixed_limit))
 
 
 def _rows(path: Path, macro: str) -> list[list[str]]:
@@ -167,18 +145,6 @@ def read(path: Path = PATH, macro: str = "NOISE_BOUNDS") -> list[Bounds]:
     """The rows of the table, which hold rounded numbers: of values, or with SLOPE_BOUNDS of derivatives."""
     return [Bounds(noise.strip('"'), int(dimensions), gradient, *map(float, fields))
             for noise, dimensions, gradient, *fields in _rows(path, macro)]
-
-
-def read_sine(path: Path = PATH) -> SineBounds:
-    row, = _rows(path, "SINE_BOUNDS")
-    return SineBounds(float.fromhex(row[0]), float(row[1]))
-
-
-def read_uniform(path: Path = PATH) -> tuple[UniformBounds, UniformBounds]:
-    """The rows of floats, and of fixed arithmetic."""
-    row, = _rows(path, "UNIFORM_BOUNDS")
-    numbers = list(map(float, row))
-    return UniformBounds(*numbers[:4]), UniformBounds(*numbers[4:])
 
 
 def read_gullies(path: Path = PATH) -> GulliesBounds:

@@ -11,10 +11,11 @@ import numpy as np
 from base.thorough import THOROUGH, some
 from catalog.tables.functions import read_functions
 from proof.bounds import kernels, moving, noises, suprema
+from proof.bounds.features import METRICS
 from proof.bounds.floats import position_error
 from proof.bounds.gradients import OCTAHEDRAL, ROTATED, SINE
 from proof.bounds.noises import phasor
-from proof.bounds.noises.perlin.exact import SCALE
+from proof.bounds.noises.perlin import SCALE
 from proof.bounds.rounded import EXACT, FIXED, NEAREST, Rounding, Text, along_axes, roundings
 from proof.bounds.table import bounds_of, slope_bounds_of
 
@@ -75,7 +76,7 @@ ARGUMENTS = {  # by the names of columns
                                      rng.uniform(-16, 16, count)),
     "phase": lambda rng, count: near(rng, count, np.arange(-8, 9) / 8),
     "jitter": lambda rng, count: np.where(rng.random(count) < 0.3, rng.random(count), 1.0),
-    "metric": lambda rng, count: rng.integers(1, 6, count),
+    "metric": lambda rng, count: rng.integers(1, 1 + len(METRICS), count),
     "seed": lambda rng, count: rng.integers(0, 2**32, count)}
 
 

@@ -65,31 +65,31 @@ def boxes_of_s():
     return ends[:-1], ends[1:]
 
 
-def float_values(ulps=1.0):
+def float_values():
     """The errors of T/2 or 1 - T/2, and of a slope times the reach."""
     low, high = boxes_of_s()
-    s = Approx(low, high, rounding(high, QUOTIENT_ULPS * ulps), ulps)
-    w = Approx(1 - high, 1 - low, s.err, ulps).rounded()
+    s = Approx(low, high, rounding(high, QUOTIENT_ULPS))
+    w = Approx(1 - high, 1 - low, s.err).rounded()
     y = w.times(w)
     least, most = np.maximum(y.lo - y.err, 0), np.minimum(y.hi + y.err, 1)
 
     def mixed(err, degree, largest):
         """The error of mixing numbers that are off by err and differ by no more than those of the round."""
         apart = np.minimum(highest(degree, least, most), 1) if degree else 1 + 0 * y.hi
-        apart_error = 2 * err + rounding(apart + 2 * err, ulps)
+        apart_error = 2 * err + rounding(apart + 2 * err)
         product = most * (apart + apart_error)
-        own = y.err * apart + most * rounding(apart + 2 * err, ulps) + rounding(product, ulps)
-        return err + own + rounding(largest + err + own, ulps), apart, apart_error
+        own = y.err * apart + most * rounding(apart + 2 * err) + rounding(product)
+        return err + own + rounding(largest + err + own), apart, apart_error
 
     err = 0 * y.hi
     for degree in range(4):
         # The last is at most as for three numbers of 1.
         largest = 1 - (1 - most)**4 if degree == 3 else 1.0
         err, apart, apart_error = mixed(err, degree, largest)
-    slope = Approx(0 * apart, apart, apart_error, ulps).times(w)
+    slope = Approx(0 * apart, apart, apart_error).times(w)
     # The quotient has another unit than the dividend, if the reach is no power of 2.
-    of_slope = 4 * slope.err + 2 * rounding(4 * (slope.hi + slope.err), QUOTIENT_ULPS * ulps)
-    return float((err / 2 + rounding(1 - 2.0**-24, ulps)).max()) * SAFE, float(of_slope.max()) * SAFE
+    of_slope = 4 * slope.err + 2 * rounding(4 * (slope.hi + slope.err), QUOTIENT_ULPS)
+    return float((err / 2 + rounding(1 - 2.0**-24)).max()) * SAFE, float(of_slope.max()) * SAFE
 
 
 def fixed_values():
@@ -155,7 +155,7 @@ def ranges(weights):
             ((s4 / t2**2, t4 / s2**2), (s8 / t2**4, t8 / s2**4), (s2 / t1**2, t2 / s1**2))]
 
 
-def float_ratios(weights, ulps=1.0):
+def float_ratios(weights):
     def relative(power):
         """Roundings of the sum of powers: a later octave has more, so that they are most at the higher end."""
         terms = [a**power for a in weights.high]
@@ -163,7 +163,7 @@ def float_ratios(weights, ulps=1.0):
         factors[0] = 0  # 1 and its powers
         return sum(n * term for n, term in zip(factors, terms)) / sum(terms) + weights.octaves - 1
 
-    unit = UNIT * ulps * (1 + 2.0**-10)  # for the products of errors, which are hundreds of roundings at most
+    unit = UNIT * (1 + 2.0**-10)  # for the products of errors, which are hundreds of roundings at most
     rho4, rho8, share = ranges(weights)
     error4 = rho4[1] * unit * (relative(4) + 2 * relative(2) + 1 + QUOTIENT_ULPS)
     error8 = rho8[1] * unit * (relative(8) + 4 * relative(2) + 3 + QUOTIENT_ULPS)
@@ -212,7 +212,7 @@ def boxes_of_coefficients():
     return (low / COEFFICIENTS)**2, ((low + 1) / COEFFICIENTS)**2
 
 
-def spread_errors(ratios, fixed, ulps=1.0):
+def spread_errors(ratios, fixed):
     """The errors of reach' and of a', b' and c': the largest over all boxes. The first axis is the weights'."""
     u, factors = COARSE, [float(x) for x in VARIANCE[:3]]
     low, high = (end[:, None, :] for end in boxes_of_coefficients())
@@ -229,12 +229,12 @@ def spread_errors(ratios, fixed, ulps=1.0):
             h_err = way * u + u
             err = h * error4 + (rho4[1] + error4) * h_err + u + rest * error8 + (rho8[1] + error8) * (u + h_err) + u
         else:
-            h_err = way * rounding(np.maximum(abs(d[0]), abs(d[1])), ulps) + rounding(h, ulps) * 1.001
+            h_err = way * rounding(np.maximum(abs(d[0]), abs(d[1]))) + rounding(h) * 1.001
             above = np.maximum(abs(low[i] - bell[i]), abs(high[i] - bell[i]))
-            rest_err = h_err + rounding(above, ulps) + rounding(rest, ulps) * 1.001
-            err = (h * error4 + rho4[1] * h_err + rounding(rho4[1] * h * 1.001, ulps)
-                   + rest * error8 + rho8[1] * rest_err + rounding(rho8[1] * rest * 1.001, ulps)
-                   + rounding((bell[i] + rho4[1] * h) * 1.001, ulps) + rounding(1.001, ulps)) * 1.001
+            rest_err = h_err + rounding(above) + rounding(rest) * 1.001
+            err = (h * error4 + rho4[1] * h_err + rounding(rho4[1] * h * 1.001)
+                   + rest * error8 + rho8[1] * rest_err + rounding(rho8[1] * rest * 1.001)
+                   + rounding((bell[i] + rho4[1] * h) * 1.001) + rounding(1.001)) * 1.001
         # Exactly: B (1 - rho_8) + (rho_4 - rho_8) H d + rho_8 x.
         least = bell[i] * (1 - rho8[1]) + way * np.minimum(between[0] * d[0], between[1] * d[0]) + rho8[0] * low[i]
         most = bell[i] * (1 - rho8[0]) + way * np.maximum(between[0] * d[1], between[1] * d[1]) + rho8[1] * high[i]
@@ -246,7 +246,7 @@ def spread_errors(ratios, fixed, ulps=1.0):
     v_err = sum(f * err for f, err in zip(factors, errors))
     p_low, p_high = share[0] * v_low / of_sum[1], share[1] * v_high / of_sum[0]
     if not fixed:
-        unit = UNIT * ulps * 1.001
+        unit = UNIT * 1.001
         least = np.maximum(of_sum[0] - v_err, one)
         relative = v_err / least / 2 + unit * ((4 + 4 + 2 + QUOTIENT_ULPS) / 2 + ROOT_ULPS + 1 + QUOTIENT_ULPS)
         of_reach = np.sqrt(p_high) * (relative + ratios.error_share[:, None]) * 1.001
@@ -263,18 +263,18 @@ def spread_errors(ratios, fixed, ulps=1.0):
     return float(of_reach.max()) * SAFE, float(np.max([err.max() for err in errors])) * SAFE
 
 
-def sum_errors(fixed, ulps=1.0):
+def sum_errors(fixed):
     found = []
     for octaves in range(1, MOST_OCTAVES + 1):
         weights = weights_of(octaves)
-        ratios = fixed_ratios(weights) if fixed else float_ratios(weights, ulps)
-        found.append(spread_errors(ratios, fixed, ulps))
+        ratios = fixed_ratios(weights) if fixed else float_ratios(weights)
+        found.append(spread_errors(ratios, fixed))
     return tuple(map(max, zip(*found)))
 
 
 @functools.cache
-def errors(fixed, ulps=1.0):
-    return UniformBounds(*(fixed_values() if fixed else float_values(ulps)), *sum_errors(fixed, ulps))
+def errors(fixed):
+    return UniformBounds(*(fixed_values() if fixed else float_values()), *sum_errors(fixed))
 
 
 def quotes() -> list[str]:

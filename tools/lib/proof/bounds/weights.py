@@ -137,18 +137,16 @@ def _floats_fourth(t: Approx) -> Approx:
 
 
 def _floats_plane(t: Approx) -> Approx:
-    rest = Approx(-2 * t.hi, -2 * t.lo, 2 * t.err, t.ulps).plus(3.0)
-    return _floats_cube(t).times(rest)
+    return _floats_cube(t).times(t.exactly(-2.0).plus(3.0))
 
 
 def _floats_plane_fall(t: Approx, m: int) -> Approx:
-    rest = Approx(-16 * t.hi, -16 * t.lo, 16 * t.err, t.ulps).plus(18.0)
-    return t.times(t).times(rest).scaled(float(m))
+    return t.times(t).times(t.exactly(-16.0).plus(18.0)).scaled(float(m))
 
 
 def _without_error(t: Approx) -> Approx:
     """The values that it may have been computed as."""
-    return Approx(np.maximum(t.lo - t.err, 0.0), t.hi + t.err, 0.0, t.ulps)
+    return Approx(np.maximum(t.lo - t.err, 0.0), t.hi + t.err)
 
 
 def _floats_even(t: Approx) -> Approx:
@@ -156,15 +154,15 @@ def _floats_even(t: Approx) -> Approx:
     q = own.times(own)
     g = own.minus(q).clipped(*_around(OF_G, t.lo, t.hi, t.err))
     w = g.times(g).scaled(15.0).sum(q).clipped(*_around(OF_M, t.lo, t.hi, t.err)).times(own)
-    return Approx(w.lo, w.hi, w.err + _moved(0, t.lo, t.hi, t.err), t.ulps)
+    return Approx(w.lo, w.hi, w.err + _moved(0, t.lo, t.hi, t.err))
 
 
 def _floats_even_fall(t: Approx, m: int) -> Approx:
     own = _without_error(t)
-    h = Approx(4 * own.lo, 4 * own.hi, 0.0, t.ulps).minus(own.times(own).scaled(5.0))
+    h = own.exactly(4.0).minus(own.times(own).scaled(5.0))
     h = h.clipped(*_around(OF_H, t.lo, t.hi, t.err))
     fall = h.times(h).scaled(6.0 * m)
-    return Approx(fall.lo, fall.hi, fall.err + 2 * m * _moved(1, t.lo, t.hi, t.err), t.ulps)
+    return Approx(fall.lo, fall.hi, fall.err + 2 * m * _moved(1, t.lo, t.hi, t.err))
 
 
 @dataclass(frozen=True, eq=False)

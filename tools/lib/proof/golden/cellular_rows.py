@@ -53,8 +53,8 @@ def metric(generator: Generator) -> int:
 
 def with_choices(rows: Iterable[Row], function: Function, generator: Generator) -> list[Row]:
     """The rows of the form without choices, with those that the function takes before the seed."""
-    return [(*row[:-1], *phases(function, index, generator), *(jitter(generator),) * function.has_jitter,
-             *(metric(generator),) * function.has_metric, row[-1]) for index, row in enumerate(rows)]
+    return [(*row[:-1], *phases(function, index, generator), *(jitter(generator),) * ("jitter" in function.takes),
+             *(metric(generator),) * ("metric" in function.takes), row[-1]) for index, row in enumerate(rows)]
 
 
 def phases(function: Function, index: int, generator: Generator) -> tuple[float, ...]:
@@ -151,16 +151,16 @@ FAR_SEAMS = (
 
 
 def far_borders(function: Function) -> list[Row]:
-    if function.noise != "cell_border" or function.sets:
+    if function.bound != "cell_border" or function.sets:
         return []
     rows: list[Row] = []
     for cell, f in FAR_BORDERS:
         if len(cell) != function.axes or (function.form == "position" and 1.0 in f):
             continue
         place = (*cell, *f) if function.form == "cell" else tuple(c + x for c, x in zip(cell, f))
-        rows.append((*place, *(0,) * len(cell) * function.has_period, *(1.0,) * function.has_jitter, 0))
+        rows.append((*place, *(0,) * len(cell) * function.has_period, *(1.0,) * ("jitter" in function.takes), 0))
     if function.form == "cell" and function.has_period:
-        rows += [(*cell, *f, SEAM, SEAM, *(1.0,) * function.has_jitter, seed)
+        rows += [(*cell, *f, SEAM, SEAM, *(1.0,) * ("jitter" in function.takes), seed)
                  for cell, f, seed in FAR_SEAMS if function.axes == 2]
     return rows
 
@@ -194,8 +194,8 @@ def cleared(rows: Iterable[Row], function: Function, generator: Generator) -> It
             if tries > 100:
                 raise ValueError(f"{function.id}: the nearest point at {row} is not clear, whatever the seed")
             choices = list(row[:-1])
-            if function.has_jitter and tries > 2:
-                choices[-1 - function.has_metric] = generator.uniform(0.25, 1)
+            if "jitter" in function.takes and tries > 2:
+                choices[-1 - ("metric" in function.takes)] = generator.uniform(0.25, 1)
             row = (*choices, generator.word())
         yield row
 
@@ -203,11 +203,11 @@ def cleared(rows: Iterable[Row], function: Function, generator: Generator) -> It
 def ties(function: Function, generator: Generator) -> list[Row]:
     """On walls and at corners, without a jitter: there many points are equally near."""
     rows = []
-    for index in range(TIES if function.has_jitter else 0):
+    for index in range(TIES if "jitter" in function.takes else 0):
         *row, seed = placed(function, fraction((0, 5, 8, 7)[index % 4], function.axes, generator), generator)
-        rows.append((*row, *phases(function, index, generator), 0.0, *(METRICS[index % len(METRICS)],) * function.has_metric,
-                     seed))
-    if function.axes == 2 and function.form == "cell" and function.has_metric:
+        of_metrics = (METRICS[index % len(METRICS)],) * ("metric" in function.takes)
+        rows.append((*row, *phases(function, index, generator), 0.0, *of_metrics, seed))
+    if function.axes == 2 and function.form == "cell" and "metric" in function.takes:
         rows.append(FAR_TIE)
     return rows
 
@@ -220,8 +220,8 @@ def changes(function: Function, knobs: Knobs, generator: Generator) -> list[Row]
         *row, seed = placed(function, fraction(2, function.axes, generator), generator)
         x = function.axes if function.form == "cell" else 0
         chosen = [*phases(function, len(rows), generator)]
-        chosen += [generator.pick((1.0, generator.uniform(0.25, 1)))] * function.has_jitter
-        chosen += [generator.pick(METRICS)] * function.has_metric
+        chosen += [generator.pick((1.0, generator.uniform(0.25, 1)))] * ("jitter" in function.takes)
+        chosen += [generator.pick(METRICS)] * ("metric" in function.takes)
         whole = 0 if function.form == "cell" else int(row[0] // 1)
 
         def at(step: int) -> Row:

@@ -64,15 +64,15 @@ def salt() -> str:
     return digest.hexdigest()
 
 
-def stale(directory: Path, files: dict[str, str], ending: str = "golden") -> list[str]:
-    """The golden files in the directory, or those with another ending, which are not among `files`."""
-    return sorted(path.name for path in directory.glob(f"*.{ending}") if path.name not in files)
+def stale(directory: Path, files: dict[str, str]) -> list[str]:
+    """The golden files in the directory which are not among `files`."""
+    return sorted(path.name for path in directory.glob("*.golden") if path.name not in files)
 
 
-def write(directory: Path, files: dict[str, str], ending: str = "golden", all_of_them: bool = True) -> None:
+def write(directory: Path, files: dict[str, str], all_of_them: bool = True) -> None:
     """Makes the golden files of the directory be `files`, or have `files` among them."""
     directory.mkdir(parents=True, exist_ok=True)
-    for name in stale(directory, files, ending) if all_of_them else ():
+    for name in stale(directory, files) if all_of_them else ():
         (directory / name).unlink()
     for name, text in files.items():
         (directory / name).write_bytes(text.encode("ascii"))
@@ -85,7 +85,7 @@ def first_difference(expected: str, found: str) -> str:
     return f"line {number}: expected {pair[0]!r}, found {pair[1]!r}"
 
 
-def differences(directory: Path, files: dict[str, str], ending: str = "golden", all_of_them: bool = True) -> list[str]:
+def differences(directory: Path, files: dict[str, str], all_of_them: bool = True) -> list[str]:
     """Faults of the golden files in the directory, which should have no others if these are all; one message
     per file."""
     messages = []
@@ -96,7 +96,7 @@ def differences(directory: Path, files: dict[str, str], ending: str = "golden", 
         elif (found := path.read_bytes()) != text.encode("ascii"):
             # latin-1 shows any byte, and keeps different bytes different.
             messages.append(f"{name}: differs, {first_difference(text, found.decode('latin-1'))}")
-    return messages + [f"{name}: extra" for name in (stale(directory, files, ending) if all_of_them else ())]
+    return messages + [f"{name}: extra" for name in (stale(directory, files) if all_of_them else ())]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

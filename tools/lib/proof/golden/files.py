@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import functools
 import itertools
-import re
 import struct
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -76,7 +76,7 @@ class Values:
         points = itertools.product(*(range(start, start + size) for start, size in zip(digest.origin, digest.size)))
         kinds = [column.type for column in self.function.inputs]
         values = [evaluate(knobs, tuple(map(meaning, kinds, point + seed)))[0] for point in points]
-        return f"{self.start_of(digest)}{fnv1a64(struct.pack(f'<{len(values)}I', *values)):016x}"
+        return f"{fnv1a64(struct.pack(f'<{len(values)}I', *values)):016x}"
 
     def start_of(self, digest: Digest) -> str:
         """The line of a digest, up to its value."""
@@ -111,33 +111,28 @@ class GoldenFile:
         return rows_of(self.function, fixed, self.settings, generator_of(self.function.id))
 
     def text(self, found: str = "", sample: Sample | None = None) -> str:
-        """The file. With a sample only some values are computed; the others are as the text `found` has in their
-        place, if that are values at all."""
+        """The file. With a sample only some values are computed; the others are as the text `found` has them. (The
+        suite reads all lines, and compares the twin with all values.)"""
         function, values, (every, of_fixed) = self.function, self.values, self.rows()
         lines = ["hashnoise golden 2", f"function {function.id}", f"calls {function.calls}", f"bits {BITS}",
                  f"columns {function.columns}",
                  f"settings {' '.join(f'{group.name}:{group.arithmetic}' for group in values)}",
                  f"rows {len(every) + len(of_fixed)}"]
-        there = dict(enumerate(found.split("\n")[len(lines):]))
         chosen = None if sample is None else sample.of(function.id, len(every), len(of_fixed), len(values))
-        for i, row in enumerate(every + of_fixed):
-            has = [i < len(every) or group.configuration.fixed for group in values]
-            start = line(function.inputs, row)
-            groups = "".join(f" = {pattern_of(function.outputs) if one else '-'}" for one in has)
-            kept = there.get(i, "")
-            if (chosen is not None and i not in chosen and kept.startswith(start) and
-                    re.fullmatch(groups, kept.removeprefix(start))):
-                lines.append(kept)
-                continue
-            lines.append(start + "".join(f" = {line(function.outputs, group.evaluate(row)) if one else '-'}"
-                                         for group, one in zip(values, has)))
-        has_digest = function.family == "hash" and function.type == "u32"
-        for i, group in enumerate(values if has_digest else (), len(every) + len(of_fixed)):
+        there = found.split("\n")[len(lines):] if chosen is not None else []
+
+        def results(row: Row, of_all: bool) -> str:
+            return "".join(f" = {line(function.outputs, group.evaluate(row))}" if of_all or group.configuration.fixed
+                           else " = -" for group in values)
+
+        parts = [(line(function.inputs, row), functools.partial(results, row, i < len(every)))
+                 for i, row in enumerate(every + of_fixed)]
+        if function.family == "hash" and function.type == "u32":
             digest = DIGESTS[function.form, function.axes]
-            kept = there.get(i, "")
-            is_kept = (chosen is not None and i not in chosen and
-                       re.fullmatch(re.escape(group.start_of(digest)) + "[0-9a-f]{16}", kept))
-            lines.append(kept if is_kept else group.digest(digest))
+            parts += [(group.start_of(digest), functools.partial(group.digest, digest)) for group in values]
+        for i, (start, rest) in enumerate(parts):
+            is_kept = i < len(there) and i not in chosen and there[i].startswith(start)
+            lines.append(there[i] if is_kept else start + rest())
         return "\n".join(lines) + "\n"
 
 
@@ -158,11 +153,6 @@ class Sample:
 def golden_files(functions: Sequence[Function], configurations: Sequence[Configuration]) -> list[GoldenFile]:
     files = [GoldenFile(function, configurations) for function in functions]
     return [file for file in files if file.values]
-
-
-def pattern_of(columns: Sequence[Column]) -> str:
-    """A regular expression of the words under the columns."""
-    return " ".join("[0-9a-f]{16}" if column.type == "f64" else "[0-9a-f]{8}" for column in columns)
 
 
 def pattern(kind: str, value: Real) -> str:

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 from catalog.tables.functions import Function
 from proof.golden import simplex_rows, sum_rows
-from proof.golden.generator import INT_MAX, Generator, Row, to_f32
+from proof.golden.generator import FIXED_COORDINATES, INT_MAX, Generator, Row, to_f32
 from proof.golden.period_rows import PERIODS
 
 BOUND = "gullies"
@@ -142,9 +142,8 @@ def of_fixed(function: Function, index: int, place: Row, of_octaves: tuple[int, 
     return place + periods + of_settings + (generator.seed(),)
 
 
-def fixed(function: Function, coordinates: Sequence[float], generator: Generator) -> list[Row]:
-    """Inputs that are cut off, odd inputs, many octaves, and places at edges and far; `coordinates` are those of
-    positions."""
+def fixed(function: Function, generator: Generator) -> list[Row]:
+    """Inputs that are cut off, odd inputs, many octaves, and places at edges and far."""
     rows: list[Row] = []
 
     def add(place: Row, of_octaves: tuple[int, float, float], depth: float, footprint: float | None = None) -> None:
@@ -158,7 +157,7 @@ def fixed(function: Function, coordinates: Sequence[float], generator: Generator
         for f in sum_rows.FIXED_FRACTIONS:
             add((0, INT_MAX, f, f), (2, 1.5, 0.5), 0.1)
     else:
-        for x in coordinates:
+        for x in FIXED_COORDINATES:
             add((x, x), (2, 1.5, 0.75), 0.1)
     for *of_octaves, depth in LARGEST:
         add(sum_rows.any_place(function, generator), tuple(of_octaves), depth, 0.0)

@@ -13,10 +13,9 @@ from fractions import Fraction
 from catalog.tables.functions import Function
 from proof.golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
 from proof.golden.period_rows import PERIODS, near_seam
-from proof.oracle.hexes import HEXES
 from proof.oracle.integers import UNIT
 
-BOUND = HEXES.name
+BOUND = "hex_tiling"
 BESIDE = (0, 0, 1, -1, 2**7, -2**7)  # how far from a seam, in units of 2^-20
 ENDS = (INT_MIN, INT_MIN + 1, -2**30 - 1, -2**30, -1, 0, 2**30 - 1, 2**30, INT_MAX - 1, INT_MAX)
 COUNT = 96
@@ -102,7 +101,7 @@ def plain(function: Function, generator: Generator) -> list[Row]:
     return rows
 
 
-def for_fixed(function: Function, generator: Generator) -> list[Row]:
+def fixed(function: Function, generator: Generator) -> list[Row]:
     """Inputs that are cut off, and positions of any size."""
     if function.form == "cell":
         rows = []

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from catalog.tables.functions import Function
 from proof.golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
 
 # 0 and less are none.
@@ -23,28 +24,24 @@ def near_seam(period: int, reach: int, generator: Generator) -> int:
     return step * generator.integer(-(reach // step), reach // step) + generator.pick((-2, -1, -1, 0, 1))
 
 
-def positions(n: int, generator: Generator) -> list[Row]:
-    """Positions with an eighth's fraction, or any; near seams where the domain has some."""
-    rows = []
-    for index, periods in enumerate(sets_of_periods(n, generator)):
-        reach = (8, 200, 2**20)[index % 3]
-        fraction = generator.pick((0.0, 0.125, 0.875, generator.uniform(0, 1)))
-        p = tuple(to_f32(near_seam(period, reach, generator) + fraction) for period in periods)
-        rows.append(p + periods + (generator.seed(),))
-    return rows
+ENDS = (INT_MIN, INT_MIN + 1, INT_MAX - 1, INT_MAX)
+FRACTIONS = (0.0, 2.0**-126, 2.0**-24, 0.375, 0.5, 1 - 2.0**-24, 1.0)
 
 
-def cells(n: int, generator: Generator) -> list[Row]:
-    """Cells near seams up to the ends of int, where the corners of the last cells lie beyond it."""
-    ends = (INT_MIN, INT_MIN + 1, INT_MAX - 1, INT_MAX)
-    fractions = (0.0, 2.0**-126, 2.0**-24, 0.375, 0.5, 1 - 2.0**-24, 1.0)
-    rows = []
-    for index, periods in enumerate(sets_of_periods(n, generator)):
-        reach = (8, 200, 2**31 - 8)[index % 3]
-        cell = tuple(generator.pick((near_seam(period, reach, generator), near_seam(period, reach, generator),
-                                     generator.pick(ends))) for period in periods)
-        f = tuple(generator.pick((*fractions, generator.uniform(0, 1))) for _ in range(n))
-        rows.append(cell + f + periods + (generator.seed(),))
+def rows_of(function: Function, generator: Generator) -> list[Row]:
+    """Positions with an eighth's fraction, or any, near seams where the domain has some; or cells near seams up to the
+    ends of int, where the corners of the last cells lie beyond it."""
+    is_cell, rows = function.form == "cell", []
+    for index, periods in enumerate(sets_of_periods(function.axes, generator)):
+        reach = (8, 200, 2**31 - 8 if is_cell else 2**20)[index % 3]
+        if is_cell:
+            cell = [generator.pick((near_seam(period, reach, generator), near_seam(period, reach, generator),
+                                    generator.pick(ENDS))) for period in periods]
+            place = (*cell, *(generator.pick((*FRACTIONS, generator.uniform(0, 1))) for _ in periods))
+        else:
+            fraction = generator.pick((0.0, 0.125, 0.875, generator.uniform(0, 1)))
+            place = tuple(to_f32(near_seam(period, reach, generator) + fraction) for period in periods)
+        rows.append((*place, *periods, generator.seed()))
     return rows
 
 

@@ -58,5 +58,4 @@ def plain(function: Function, generator: Generator) -> list[Row]:
     return rows
 
 
-def fixed(function: Function, coordinates: Sequence[float], generator: Generator) -> list[Row]:
-    return sum_rows.fixed(function, coordinates, generator)
+fixed = sum_rows.fixed

@@ -23,7 +23,7 @@ from proof.golden import (
     sum_rows,
     uniform_rows,
 )
-from proof.golden.generator import INT_MAX, INT_MIN, SEEDS, Generator, Row, to_f32
+from proof.golden.generator import FIXED_COORDINATES, INT_MAX, INT_MIN, SEEDS, Generator, Row, to_f32
 from proof.oracle import gradients, hashes
 
 
@@ -192,13 +192,6 @@ def place_rows(n: int, seeded: bool, generator: Generator) -> list[Row]:
 
 # --- Fixed arithmetic has edges of its own, and no end of its domain --------------------------------------------
 
-# Subnormal and other tiny numbers, the step of a fraction, whole numbers and their neighbours, where a float has no
-# fraction, where int ends, and the largest.
-FIXED_COORDINATES = tuple(to_f32(x) for x in (
-    -0.0, 2.0**-149, -2.0**-149, 1e-40, -1e-40, -2.0**-126, 2.0**-33, -2.0**-33, -2.0**-32, 2.0**-21, -2.0**-21,
-    2.0**-20, -2.0**-20, -3 * 2.0**-21, 1 - 2.0**-24, -1 + 2.0**-24, 1 + 2.0**-23, -1 - 2.0**-23, -1.0, 7 - 2.0**-21,
-    48 - 2.0**-18, -48 - 2.0**-18, 2.0**19 + 0.5, 2.0**23 - 0.5, -2.0**23 + 0.5, 2.0**23, -2.0**23 - 1, 2147483520.0,
-    2.0**31, -2.0**31, -2147483904.0, 3e38, -3.4e38))
 FIXED_FRACTIONS = (0.0, -0.0, 2.0**-149, 2.0**-21, 2.0**-20, 2.0**-19 - 2.0**-42, 0.25, 0.5 - 2.0**-25, 0.5,
                    0.5 + 2.0**-20, 1 - 2.0**-20, 1 - 2.0**-21, 1 - 2.0**-24, 1.0)
 
@@ -225,8 +218,8 @@ def fixed_cell_rows(n: int, generator: Generator) -> list[Row]:
 
 # --- Which rows a function has ----------------------------------------------------------------------------------
 
-# Makers of rows for sums that need special ones.
-OF_SUMS = {gullies_rows.BOUND: gullies_rows, perlin_worley_rows.BOUND: perlin_worley_rows}
+# Makers of rows of those that need special ones.
+OF_THEIR_OWN = {of.BOUND: of for of in (gullies_rows, hex_rows, perlin_worley_rows)}
 SIMPLEX = ("simplex_noise", "curl")  # the families above its lattices
 # Noises that jump at whole numbers have no values for negative coordinates that drivers may flush to 0.
 JUMPING = frozenset(noise.name for noise in catalog.model.read().noises if noise.jumps)
@@ -248,20 +241,15 @@ def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration],
         return zero_rows(generator), []
     if form == "candidate":
         return scatter_rows.rows_of(function, generator), []
-    if function.bound == hex_rows.BOUND:
-        return hex_rows.plain(function, generator), hex_rows.for_fixed(function, generator) if fixed else []
-    if form in SPREADS:
-        return (uniform_rows.plain(function, generator),
-                uniform_rows.for_fixed(function, generator) if fixed else [])
     if form == "point":
         if function.family == "hash":
             return lattice_rows(n, generator), []
         return lattice_gradient_rows(n, settings, generator), []
     if form in ("place", "place_of_noise"):
         return place_rows(n, form == "place_of_noise", generator), []
-    if form == "sum":
-        of = OF_SUMS.get(function.bound, sum_rows)
-        return of.plain(function, generator), of.fixed(function, FIXED_COORDINATES, generator) if fixed else []
+    of = OF_THEIR_OWN.get(function.bound) or (sum_rows if form == "sum" else uniform_rows if form in SPREADS else None)
+    if of:
+        return of.plain(function, generator), of.fixed(function, generator) if fixed else []
     return (plain_rows(function, settings, generator),
             rows_of_fixed(function, settings, generator) if fixed else [])
 
@@ -290,7 +278,7 @@ def with_phases(rows: list[Row], function: Function, waves: Sequence[float], gen
     if not function.has_phase or function.family in cellular_rows.FAMILIES:
         return rows
     rows = simplex_rows.with_phases(rows, generator)
-    return phasor_rows.with_waves(rows, function.axes, waves, generator) if function.has_wave else rows
+    return phasor_rows.with_waves(rows, function.axes, waves, generator) if "wave" in function.takes else rows
 
 
 def rows_of_fixed(function: Function, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
@@ -308,22 +296,20 @@ def rows_of_fixed(function: Function, settings: Sequence[Configuration], generat
 def plain_rows(function: Function, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
     """Rows of noises, and of functions made of them, for every arithmetic."""
     n, form = function.axes, function.form
-    of_form = {"position": position_rows, "cell": cell_rows}
-    of_simplex = {"position": simplex_rows.positions, "cell": simplex_rows.cells}
     if function.has_period:
-        of_form = {"position": period_rows.positions, "cell": period_rows.cells}
-        of_simplex = {"position": simplex_rows.period_positions, "cell": simplex_rows.period_cells}
-    rows = of_form[form](n, generator)
+        rows = period_rows.rows_of(function, generator)
+    else:
+        rows = {"position": position_rows, "cell": cell_rows}[form](n, generator)
     if function.family in SIMPLEX:
-        rows += of_simplex[form](n, generator)
+        rows += simplex_rows.rows_of(function, generator)
     if function.family == "curl" and n == 3:
-        rows += simplex_rows.crossings(form, function.has_period)
+        rows += simplex_rows.crossings(function)
     if function.family in cellular_rows.FAMILIES:
         rows = cellular_rows.with_choices(rows + cellular_rows.special(function, generator), function, generator)
         rows += cellular_rows.turns(function, generator)
         rows += cellular_rows.far_borders(function)
         if cellular_rows.jumps(function):
             rows = list(cellular_rows.cleared(rows, function, generator))
-    if function.noise in JUMPING and form == "position":
+    if function.bound in JUMPING and form == "position":
         rows = [tuple(-LEAST if -LEAST < x < 0 else x for x in row[:n]) + row[n:] for row in rows]
     return with_phases(rows, function, phasor_rows.EDGES, generator)

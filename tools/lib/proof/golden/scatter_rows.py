@@ -114,7 +114,7 @@ def whole_distances(n: int) -> list[Row]:
 
 def rows_of(function: Function, generator: Generator) -> list[Row]:
     n = function.axes
-    if not function.has_radius:
+    if "radius" not in function.takes:
         return [(*row, generator.seed()) for row in places(n, generator)]
     rows = [(*place(n, generator), radius, generator.seed()) for radius in RADII for _ in range(3)]
     rows += [(*row, generator.pick((1.0, 0.75, generator.uniform(0, 1))), generator.seed())

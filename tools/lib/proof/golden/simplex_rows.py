@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from catalog.tables.functions import Function
 from proof.golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
 from proof.golden.period_rows import near_seam
 
@@ -86,36 +87,25 @@ def fractions(n: int, count: int, generator: Generator) -> list[tuple[float, ...
     return found
 
 
-def positions(n: int, generator: Generator) -> list[Row]:
-    return [tuple(to_f32(x + generator.integer(-4, 3)) for x in f) + (generator.seed(),)
-            for f in fractions(n, 72, generator)]
-
-
-def cells(n: int, generator: Generator) -> list[Row]:
-    ends = (INT_MIN, -2**30 - 1, -2**30, -1, 0, 2**30 - 1, 2**30, INT_MAX)
-    return [tuple(generator.pick((generator.integer(-4, 3), generator.pick(ends))) for _ in range(n)) + f +
-            (generator.seed(),) for f in fractions(n, 72, generator)]
-
-
 # Twice a period is the period of the lattice of triangles.
 PERIODS = (1, 2, 3, 7, 2**20, 2**30, 1000003, INT_MAX)
+ENDS = (INT_MIN, -2**30 - 1, -2**30, -1, 0, 2**30 - 1, 2**30, INT_MAX)
 
 
-def period_positions(n: int, generator: Generator) -> list[Row]:
-    rows = []
-    for f in fractions(n, 48, generator):
-        periods = [generator.pick(PERIODS) for _ in range(n)]
-        cell = [near_seam(period, 8 if period < 8 else 4, generator) for period in periods]
-        rows.append((*(to_f32(c + x) for c, x in zip(cell, f)), *periods, generator.seed()))
-    return rows
-
-
-def period_cells(n: int, generator: Generator) -> list[Row]:
-    rows = []
-    for f in fractions(n, 48, generator):
-        periods = [generator.pick(PERIODS) for _ in range(n)]
-        cell = [generator.pick((near_seam(period, 2**31 - 8, generator), INT_MIN, INT_MAX)) for period in periods]
-        rows.append((*cell, *f, *periods, generator.seed()))
+def rows_of(function: Function, generator: Generator) -> list[Row]:
+    """Positions near the origin, or also far cells; with periods beside a seam."""
+    is_cell, rows = function.form == "cell", []
+    for f in fractions(function.axes, 48 if function.has_period else 72, generator):
+        periods = [generator.pick(PERIODS) for _ in f] if function.has_period else []
+        if not periods:
+            cell = [generator.integer(-4, 3) if not is_cell else
+                    generator.pick((generator.integer(-4, 3), generator.pick(ENDS))) for _ in f]
+        elif is_cell:
+            cell = [generator.pick((near_seam(period, 2**31 - 8, generator), INT_MIN, INT_MAX)) for period in periods]
+        else:
+            cell = [near_seam(period, 8 if period < 8 else 4, generator) for period in periods]
+        place = (*cell, *f) if is_cell else tuple(to_f32(c + x) for c, x in zip(cell, f))
+        rows.append((*place, *periods, generator.seed()))
     return rows
 
 
@@ -128,12 +118,13 @@ CROSSING_CELLS = ((INT_MAX, 5, INT_MAX), (2, INT_MAX, -1))
 CROSSING_PERIODS = ((1, 2, 3), (3, 1, 2), (2, 3, 1), (3, 3, 3), (INT_MAX, 7, 0), (0, 0, INT_MAX))
 
 
-def crossings(form: str, has_period: bool) -> list[Row]:
+def crossings(function: Function) -> list[Row]:
     """Positions, or cells and fractions. Positions are in small cells, where floats have these fractions."""
-    cells = CROSSING_CELLS if form == "cell" else ((0, 5, 0), (2, 5, -1))
-    places = [(*cell, x, 0.375, z) if form == "cell" else (*map(to_f32, (cell[0] + x, cell[1] + 0.375, cell[2] + z)),)
-              for cell in cells for x, z in CROSSINGS]
-    return [(*place, *periods, 7) for place in places for periods in (CROSSING_PERIODS if has_period else ((),))]
+    is_cell = function.form == "cell"
+    places = [(*cell, x, 0.375, z) if is_cell else (*map(to_f32, (cell[0] + x, cell[1] + 0.375, cell[2] + z)),)
+              for cell in (CROSSING_CELLS if is_cell else ((0, 5, 0), (2, 5, -1))) for x, z in CROSSINGS]
+    return [(*place, *periods, 7) for place in places
+            for periods in (CROSSING_PERIODS if function.has_period else ((),))]
 
 
 # --- Phases -----------------------------------------------------------------------------------------------------

@@ -7,7 +7,7 @@ import math
 from collections.abc import Sequence
 
 from catalog.tables.functions import Function
-from proof.golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
+from proof.golden.generator import FIXED_COORDINATES, INT_MAX, INT_MIN, Generator, Row, to_f32
 from proof.golden.period_rows import PERIODS, near_seam
 from proof.oracle.jacobians import SUMS
 
@@ -238,8 +238,8 @@ def any_place(function: Function, generator: Generator) -> Row:
     return (*cell, *(generator.pick((generator.uniform(0, 1), generator.pick(FIXED_FRACTIONS))) for _ in range(n)))
 
 
-def fixed(function: Function, coordinates: Sequence[float], generator: Generator) -> list[Row]:
-    """Inputs that are cut off, odd inputs, and places at edges and far; `coordinates` are the edges of positions."""
+def fixed(function: Function, generator: Generator) -> list[Row]:
+    """Inputs that are cut off, odd inputs, and places at edges and far."""
     n, (_, edges, more_edges) = function.axes, edges_of(function)
 
     def row(place: Row, octaves: int, lacunarity: float, gain: float, special: float | None = None) -> Row:
@@ -257,7 +257,7 @@ def fixed(function: Function, coordinates: Sequence[float], generator: Generator
                  for cell in (0, INT_MAX) for f, lacunarity in zip(FIXED_FRACTIONS, itertools.cycle((1.5, 1.0, 1.9)))]
         rows += [row((cell,) * n + (f,) * n, 3, 1.9, 1.0) for cell in CELLS for f in (0.5, 1.0)]
     else:
-        rows += [row((x,) * n, 3, 1.9, 0.7) for x in coordinates]
+        rows += [row((x,) * n, 3, 1.9, 0.7) for x in FIXED_COORDINATES]
     for octaves, lacunarity, gain, amplitude in LARGEST_JACOBIANS * (function.bound in JACOBIAND):
         rows.append(row(any_place(function, generator), octaves, lacunarity, gain, amplitude))
     for special in edges + more_edges:

@@ -125,6 +125,6 @@ def plain(function: Function, generator: Generator) -> list[Row]:
     return values(generator) if function.form == "spread_value" else sums(generator)
 
 
-def for_fixed(function: Function, generator: Generator) -> list[Row]:
+def fixed(function: Function, generator: Generator) -> list[Row]:
     """Rows for fixed arithmetic alone."""
     return fixed_values(generator) if function.form == "spread_value" else fixed_sums(generator)

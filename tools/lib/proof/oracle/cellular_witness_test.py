@@ -9,6 +9,7 @@ import unittest
 import numpy as np
 from scipy.spatial import Voronoi, cKDTree
 
+from proof.golden.cellular_rows import METRICS
 from proof.golden.generator import generator_of
 from proof.oracle import feature_points, hashes, nearest, noises
 from proof.oracle.gradients import Knobs
@@ -67,6 +68,7 @@ class Witness(unittest.TestCase):
     """A point at another place, a point that a search leaves out, or a distance, a border or a sum that is another."""
 
     def check_distances(self, n: int, jitter: float, points: np.ndarray, cells: np.ndarray) -> None:
+        self.assertEqual({*DISTANCES}, {*METRICS})
         for metric, of in DISTANCES.items():
             choice = Choice(jitter, metric)
             for p in positions(n, 20):

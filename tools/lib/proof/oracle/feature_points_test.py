@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from unittest import mock
 
+from proof.golden.cellular_rows import METRICS
 from proof.golden.generator import INT_MAX, INT_MIN, to_f32
 from proof.oracle import feature_points, nearest, noises
 from proof.oracle.feature_points import (
@@ -25,7 +26,6 @@ from proof.oracle.integers import UNIT
 from proof.oracle.lattice import EUCLIDEAN, Choice, Lattice
 
 LATTICE = Knobs("lattice")
-METRICS = (EUCLIDEAN, SQUARED, MANHATTAN, CHEBYSHEV, HYBRID)
 EIGHTH = Fraction(1, 8)
 
 
@@ -75,7 +75,8 @@ class Points(unittest.TestCase):
         expected = {EUCLIDEAN: tuple(map(root, squares)), SQUARED: squares, MANHATTAN: (4 * EIGHTH, 6 * EIGHTH),
                     CHEBYSHEV: (3 * EIGHTH, 5 * EIGHTH),
                     HYBRID: (4 * EIGHTH + squares[0], 6 * EIGHTH + squares[1])}
-        for metric in (0, 6, -3, INT_MIN, INT_MAX):
+        self.assertEqual({*expected}, {*METRICS})
+        for metric in (0, len(METRICS) + 1, -3, INT_MIN, INT_MAX):
             expected[metric] = expected[EUCLIDEAN]
         for metric, distances in expected.items():
             noise = noises.find("cellular").chosen(Choice(0.0, metric))

@@ -1,13 +1,15 @@
-"""Chooses how the oracle evaluates a function of the library, by its row: the family, its arguments, and its name."""
+"""Chooses how the oracle evaluates a function of the library, by its row: by its noise or sum, its arguments, or its
+name in the library."""
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from catalog.tables.configurations import Configuration
-from catalog.tables.functions import NOISES, OCTAVE_SUMS, Function
+from catalog.tables.functions import Function
 from proof.oracle import (
     gradients,
     gullies,
@@ -23,37 +25,63 @@ from proof.oracle import (
     uniform,
 )
 from proof.oracle.components import component
-from proof.oracle.curl import CURL
 from proof.oracle.gradients import Knobs, Real
-from proof.oracle.hexes import HEXES
 from proof.oracle.lattice import Choice, Lattice
 from proof.oracle.nearest import NEAREST, OFFSET
 from proof.oracle.noises import Noise
 from proof.oracle.self_check import self_check
 
-Evaluate = Callable[[Knobs, Sequence[Real]], tuple[Real, ...]]
+Values = tuple[Real, ...]
+Evaluate = Callable[[Knobs, Sequence[Real]], Values]
 
-# Whatever the knobs: of words, by the id of the row.
-OF_WORDS: dict[str, Callable[..., tuple[Real, ...]]] = {
-    "hash.unorm": lambda h: (gradients.unorm(h),), "hash.snorm": lambda h: (gradients.snorm(h),),
-    "hash.gradient1": gradients.gradient1, "hash.gradient2": gradients.gradient2,
-    "hash.gradient3": gradients.gradient3, "hash.gradient4": gradients.gradient4,
-    "hash.lowbias32": lambda key: (hashes.lowbias32(key),),
-    "hash.pcg2d": hashes.pcg2d, "hash.pcg3d": hashes.pcg3d, "hash.pcg4d": hashes.pcg4d,
-    "numbers.rehash": lambda h, k: (numbers.rehash(h, k),),
-    "numbers.unorm_two": lambda h: numbers.unorms(h, 2), "numbers.unorm_three": lambda h: numbers.unorms(h, 3),
-    "numbers.unorm_four": lambda h: numbers.unorms(h, 4), "numbers.gaussian": lambda h: (numbers.gaussian(h),),
-    "numbers.circle": numbers.circle, "numbers.disk": numbers.disk,
-    "numbers.sphere": numbers.sphere, "numbers.ball": numbers.ball,
-    "numbers.shuffle": lambda i, n, seed: (numbers.shuffle(i, n, seed),), "numbers.sobol": numbers.sobol,
-    "uniform.spread": uniform.spread}
-# Whatever the knobs but the arithmetic: exact, and in fixed arithmetic.
-OF_SPREADS: dict[str, tuple[Callable[..., tuple[Real, ...]], Callable[..., tuple[Real, ...]]]] = {
-    "uniform.uniform": (lambda *row: uniform.uniform_d(*row)[:1], lambda *row: uniform.fixed_uniform_d(*row)[:1]),
-    "uniform.uniform_d": (uniform.uniform_d, uniform.fixed_uniform_d),
-    "uniform.spread_fbm": (uniform.spread_fbm, uniform.fixed_spread_fbm)}
-# They take a position that is a whole number, along one axis, and cells and units.
-OF_A_PLACE: dict[str, Callable[[int, int, int], Real]] = {"cell": positions.cell, "fraction": positions.fraction}
+
+def along_axes(of: Callable[[int, int, int], Real], *row: int) -> Values:
+    """A row has a position that is a whole number along each axis, and cells and units."""
+    *position, cells, units = row
+    return tuple(of(x, cells, units) for x in position)
+
+
+def scatter_point(knobs: Knobs, *row: int) -> Values:
+    *place, seed = row
+    n = len(place) // 2
+    return scatter.point(Lattice(knobs, seed, tuple(place[n:])), place[:n])
+
+
+def scattered(knobs: Knobs, *row: Real) -> Values:
+    *place, radius, seed = row
+    n = len(place) // 2
+    return (scatter.scattered(Lattice(knobs, seed, tuple(place[n:])), place[:n], radius),)
+
+
+# The functions that are neither noises nor sums, by their names. They take a row, whatever the knobs; ...
+OF_ROWS: dict[str, Callable[..., Values]] = {
+    "hn_unorm": lambda h: (gradients.unorm(h),), "hn_snorm": lambda h: (gradients.snorm(h),),
+    "hn_gradient1": gradients.gradient1, "hn_gradient2": gradients.gradient2,
+    "hn_gradient3": gradients.gradient3, "hn_gradient4": gradients.gradient4,
+    "hn_hash_lowbias32": lambda key: (hashes.lowbias32(key),),
+    "hn_hash_pcg2d": hashes.pcg2d, "hn_hash_pcg3d": hashes.pcg3d, "hn_hash_pcg4d": hashes.pcg4d,
+    "hn_rehash": lambda h, k: (numbers.rehash(h, k),),
+    "hn_unorm_two": lambda h: numbers.unorms(h, 2), "hn_unorm_three": lambda h: numbers.unorms(h, 3),
+    "hn_unorm_four": lambda h: numbers.unorms(h, 4), "hn_gaussian": lambda h: (numbers.gaussian(h),),
+    "hn_circle": numbers.circle, "hn_disk": numbers.disk, "hn_sphere": numbers.sphere, "hn_ball": numbers.ball,
+    "hn_shuffle": lambda i, n, seed: (numbers.shuffle(i, n, seed),), "hn_sobol": numbers.sobol,
+    "hn_cell": functools.partial(along_axes, positions.cell),
+    "hn_fraction": functools.partial(along_axes, positions.fraction),
+    "hn_distribution": uniform.spread, "hn_distribution_fbm": uniform.spread_fbm,
+    "hn_uniform": lambda *row: uniform.uniform_d(*row)[:1], "hn_uniform_d": uniform.uniform_d}
+# the knobs and a row; ...
+OF_KNOBS: dict[str, Callable[..., Values]] = {
+    "hn_hash": lambda knobs, *words: (hashes.hash_words(knobs.hash, words),),
+    "hn_lattice": lambda knobs, *point: (hashes.lattice(knobs.hash, point[:-1], point[-1]),),
+    "hn_gradient": lambda knobs, *point: gradients.gradient(knobs, point[:-1], point[-1]),
+    "hn_self_check": lambda knobs, zero: (self_check(knobs.hash, zero),),
+    "hn_scatter_point": scatter_point, "hn_scattered": scattered}
+# and in fixed arithmetic, where that changes them.
+FIXED: dict[str, Callable[..., Values]] = {
+    "hn_gradient": lambda knobs, *point: integers.gradient(knobs, point[:-1], point[-1]),
+    "hn_distribution_fbm": lambda _, *row: uniform.fixed_spread_fbm(*row),
+    "hn_uniform": lambda _, *row: uniform.fixed_uniform_d(*row)[:1],
+    "hn_uniform_d": lambda _, *row: uniform.fixed_uniform_d(*row)}
 
 # Sums of noises that nobody chooses.
 OF_THEIR_OWN = {"gullies": gullies, "perlin_worley": perlin_worley}
@@ -80,54 +108,21 @@ def evaluator(function: Function, fixed: bool) -> Evaluate:
 
 
 def _evaluator_of(function: Function, fixed: bool) -> Evaluate:
-    n, family = function.axes, function.family
-    if function.id in OF_WORDS:
-        return lambda _, row: OF_WORDS[function.id](*row)
-    if function.id in OF_SPREADS:
-        return lambda _, row: OF_SPREADS[function.id][fixed](*row)
-    if function.form == "place":
-        along_axis = OF_A_PLACE[function.name.rstrip("1234")]
-        return lambda _, row: tuple(along_axis(x, *row[n:]) for x in row[:n])
-    if function.form == "zero":
-        return lambda knobs, row: (self_check(knobs.hash, *row),)
-    if function.form == "candidate":
-        return _candidate_evaluator(function)
-    if function.bound == HEXES.name:
-        return _evaluator(HEXES, function, fixed)
-    if family == "hash" and function.form == "words":
-        return lambda knobs, row: (hashes.hash_words(knobs.hash, row),)
-    if family == "hash" and function.form == "point":
-        return lambda knobs, row: (hashes.lattice(knobs.hash, row[:n], row[n]),)
-    if family in ("gradient", "sine_gradient") and function.form == "point":
-        gradient = integers.gradient if fixed else gradients.gradient
-        return lambda knobs, row: gradient(knobs, row[:n], row[n])
-    if family == "curl" and function.form in ("position", "cell"):
-        return _evaluator(CURL, function, fixed)
-    if family in NOISES and function.form in ("position", "cell", "place_of_noise"):
+    called = function.calls
+    if fixed and called in FIXED:
+        return lambda knobs, row: FIXED[called](knobs, *row)
+    if called in OF_KNOBS:
+        return lambda knobs, row: OF_KNOBS[called](knobs, *row)
+    if called in OF_ROWS:
+        return lambda _, row: OF_ROWS[called](*row)
+    if function.form in ("position", "cell", "place_of_noise"):
         return _noise_evaluator(function, fixed)
-    if family in OCTAVE_SUMS and function.bound in (*sums.SUMS, *jacobians.SUMS, *OF_THEIR_OWN):
+    if function.form == "sum" and function.bound in (*sums.SUMS, *jacobians.SUMS, *OF_THEIR_OWN):
         return _sum_evaluator(function, fixed)
+    where = ("sums.py, and name it in SUMS there; with slopes, and of vectors, in jacobians.py"
+             if function.form == "sum" else "functions.py, in OF_ROWS or OF_KNOBS, or as a new form")
     raise function.error(f"the oracle has no {function.id}: write its values from docs/reference/contract.md in "
-                         f"tools/lib/proof/oracle/{place_of(family)}")
-
-
-def place_of(family: str) -> str:
-    """Where the oracle has the functions of a family; those that are no noises and sums are named in this file, too."""
-    if family in OCTAVE_SUMS:
-        return "sums.py, and name it in SUMS there; with slopes, and of vectors, in jacobians.py"
-    return "noises/" if family in NOISES else "functions.py, in OF_WORDS, OF_SPREADS or OF_A_PLACE, or as a new form"
-
-
-def _candidate_evaluator(function: Function) -> Evaluate:
-    """Where the candidate of a cell is, or whether it stands among those within a radius."""
-    n = function.axes
-
-    def evaluate(knobs: Knobs, row: Sequence[Real]) -> tuple[Real, ...]:
-        *radius, seed = row[2 * n:]
-        lattice, cell = Lattice(knobs, seed, tuple(row[n:2 * n])), row[:n]
-        return (scatter.scattered(lattice, cell, *radius),) if radius else scatter.point(lattice, cell)
-
-    return evaluate
+                         f"tools/lib/proof/oracle/{where}")
 
 
 def _of_a_place(position: Sequence[int], cells: int, units: int) -> tuple[list[int], list[float]]:
@@ -140,27 +135,15 @@ def _of_a_place(position: Sequence[int], cells: int, units: int) -> tuple[list[i
 SETS = {"nearest": NEAREST, "offset": OFFSET}
 
 
-def _noise_evaluator(function: Function, fixed: bool) -> Evaluate:
-    if function.sets:
-        return _evaluator(SETS[function.sets], function, fixed)
-    try:
-        noise = noises.find(function.noise)
-    except LookupError as error:
-        raise function.error(str(error)) from error
-    if function.component is not None:
-        noise = component(noise, function.component)
-    return _evaluator(noise, function, fixed)
-
-
 def chosen(noise: Noise, function: Function, numbers: list[Real]) -> Noise:
     """The noise with the wave, the phase, the jitter and the metric that it takes from the end of the numbers."""
     choice = Choice()
-    if function.has_metric:
+    if "metric" in function.takes:
         choice = replace(choice, metric=numbers.pop())
-    if function.has_jitter:
+    if "jitter" in function.takes:
         choice = replace(choice, jitter=numbers.pop())
     of = noise.rotated(numbers.pop()) if function.has_phase else noise
-    if function.has_wave:
+    if "wave" in function.takes:
         choice = replace(choice, wave=tuple(numbers[-function.axes:]))
         del numbers[-function.axes:]
     return of.chosen(choice)
@@ -170,7 +153,7 @@ def values_of(noise: Noise, function: Function, fixed: bool) -> Evaluate:
     """All that a noise returns, of a row of the function's inputs."""
     n = function.axes
 
-    def values(knobs: Knobs, row: Sequence[Real]) -> tuple[Real, ...]:
+    def values(knobs: Knobs, row: Sequence[Real]) -> Values:
         *numbers, seed = row
         of = chosen(noise, function, numbers)
         at_position, in_cell = (of.fixed, of.fixed_cell) if fixed else (of.exact, of.exact_cell)
@@ -189,19 +172,25 @@ def names_of(function: Function) -> list[str]:
     return [name.replace("d", "q") if len(name) == 2 else name for name in names] if "quadrature" in names else names
 
 
-def _evaluator(noise: Noise, function: Function, fixed: bool) -> Evaluate:
+def _noise_evaluator(function: Function, fixed: bool) -> Evaluate:
+    try:
+        noise = SETS[function.sets] if function.sets else noises.find(function.bound)
+    except LookupError as error:
+        raise function.error(str(error)) from error
+    if function.component is not None:
+        noise = component(noise, function.component)
     values = values_of(noise, function, fixed)
     # In four dimensions the value and the derivatives have a row each.
     indices = [noise.outputs.index(name) for name in names_of(function)]
 
-    def evaluate(knobs: Knobs, row: Sequence[Real]) -> tuple[Real, ...]:
+    def evaluate(knobs: Knobs, row: Sequence[Real]) -> Values:
         found = values(knobs, row)
         return tuple(found[i] for i in indices)
 
     return evaluate
 
 
-def sum_values(name: str, fixed: bool) -> Callable[..., tuple[Real, ...]]:
+def sum_values(name: str, fixed: bool) -> Callable[..., Values]:
     """The results of a sum: of the knobs, the place, the options, the seed and the periods."""
     if name in OF_THEIR_OWN:
         return OF_THEIR_OWN[name].fixed if fixed else OF_THEIR_OWN[name].exact
@@ -220,7 +209,7 @@ def _sum_evaluator(function: Function, fixed: bool) -> Evaluate:
     behind_periods = behind_place + n * function.has_period
     names = ["octaves" if name == "detail" else name for name in function.settings]
 
-    def evaluate(knobs: Knobs, row: Sequence[Real]) -> tuple[Real, ...]:
+    def evaluate(knobs: Knobs, row: Sequence[Real]) -> Values:
         *settings, seed = row[behind_periods:]
         place = in_cell(row[:n], row[n:behind_place]) if function.has_cell else at_position(row[:n])
         options = sums.Options(**dict(zip(names, settings, strict=True)))

@@ -233,19 +233,13 @@ Exact = Callable[[Lattice, Sequence[int], Sequence[Fraction]], tuple[Fraction, .
 Fixed = Callable[[Lattice, Sequence[int], Sequence[int]], tuple[int, ...]]
 
 
-def noise(kernels: Mapping[int, Kernel]) -> tuple[Exact, Fixed]:
+def noise(kernels: Mapping[int, Kernel], with_derivatives: bool = False) -> tuple[Exact, Fixed]:
     """The two definitions of a noise, from its kernels by the number of dimensions."""
-    return (lambda lattice, cell, f: (value(kernels[len(cell)], lattice, cell, f),),
-            lambda lattice, cell, fraction: (fixed_value(kernels[len(cell)], lattice, cell, fraction),))
+    def of(value_of: Callable, derivatives_of: Callable) -> Callable:
+        def in_cell(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction | int]) -> tuple[Fraction | int, ...]:
+            arguments = (kernels[len(cell)], lattice, cell, f)
+            return (value_of(*arguments), *(derivatives_of(*arguments) if with_derivatives else ()))
 
+        return in_cell
 
-def noise_with_derivatives(kernels: Mapping[int, Kernel]) -> tuple[Exact, Fixed]:
-    def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple[Fraction, ...]:
-        arguments = (kernels[len(cell)], lattice, cell, f)
-        return (value(*arguments), *derivatives(*arguments))
-
-    def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int, ...]:
-        arguments = (kernels[len(cell)], lattice, cell, fraction)
-        return (fixed_value(*arguments), *fixed_derivatives(*arguments))
-
-    return exact, fixed
+    return of(value, derivatives), of(fixed_value, fixed_derivatives)

@@ -14,12 +14,11 @@ from fractions import Fraction
 from base.thorough import THOROUGH
 from proof.bounds import table
 from proof.bounds.table import Bounds
+from proof.golden.cellular_rows import METRICS
 from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
 from proof.oracle import gradients, noises
 from proof.oracle.components import component
-from proof.oracle.curl import CURL
 from proof.oracle.gradients import Knobs
-from proof.oracle.hexes import HEXES
 from proof.oracle.lattice import Choice
 from proof.oracle.noises import Noise
 from proof.oracle.testing import FORMS, Place, moved, places, quotient
@@ -30,10 +29,8 @@ PHASE = 0.3  # of noises that rotate
 WAVE = (2.25, -1.5, 0.7)  # of phasor noise
 # Of noises whose gradients rotate, by that of the noise without a phase.
 OTHER_SCALES = {("perlin", 3): Fraction(879, 985), ("simplex", 3): Fraction(4902, 4918)}
-# Functions that have bounds and a place as noises have, and are none. For a vector with derivatives the second
-# component stands for all.
-NO_NOISES = {of.name: of for of in (CURL, HEXES)} | {
-    f"{of}_vector_d": component(noises.find(f"{of}_d"), 1) for of in ("perlin", "value")}
+# For a vector with derivatives the second component stands for all.
+COMPONENTS = {f"{of}_vector_d": component(noises.find(f"{of}_d"), 1) for of in ("perlin", "value")}
 # In fixed arithmetic interpolation to the end of a cell, and a rotation of positions, round.
 ROUND_AT_SEAMS = ("perlin", "value", "cellular_phase")
 
@@ -50,7 +47,7 @@ def tried_settings(bounds: Bounds) -> list[Knobs]:
 
 def named(name: str, n: int) -> Noise:
     """With its gradients rotated, if they rotate."""
-    noise = NO_NOISES.get(name) or noises.find(name)
+    noise = COMPONENTS.get(name) or noises.find(name)
     if name.startswith("phasor"):
         noise = noise.chosen(Choice(wave=WAVE[:n]))
     return noise if noise.phase is None else noise.rotated(PHASE)
@@ -68,7 +65,7 @@ def is_cellular(noise: Noise) -> bool:
 def with_each_metric(noise: Noise) -> list[Noise]:
     """Its bounds are those of all metrics; points that move have one."""
     has_metrics = is_cellular(noise) and noise.phase is None
-    return [noise.chosen(Choice(metric=metric)) for metric in (1, 2, 3, 4, 5)] if has_metrics else [noise]
+    return [noise.chosen(Choice(metric=metric)) for metric in METRICS] if has_metrics else [noise]
 
 
 def values_of(noise: Noise, numbers: Sequence[Fraction]) -> Sequence[Fraction]:
@@ -101,7 +98,7 @@ class EveryNoise(unittest.TestCase):
     seed, a hash or a period that does not count."""
 
     def test_every_noise_has_bounds(self) -> None:
-        self.assertEqual(sorted({bounds.noise for bounds in table.read()}), sorted([*noises.names(), *NO_NOISES]))
+        self.assertEqual(sorted({bounds.noise for bounds in table.read()}), sorted([*noises.names(), *COMPONENTS]))
 
     @of_every_noise
     def test_a_position_is_a_cell_and_a_fraction(self, noise: Noise, bounds: Bounds) -> None:

@@ -7,7 +7,7 @@ import struct
 import subprocess
 import tempfile
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
@@ -20,6 +20,7 @@ from base.twin import NotBuilt, compile_program
 from catalog import suite
 from catalog.tables.configurations import Configuration, read_configurations
 from catalog.tables.functions import Function, read_functions
+from proof.golden.files import Values
 from proof.vectors.choice import chosen, features
 from translate.pick.program import name_of, names
 
@@ -29,7 +30,7 @@ LARGEST_BOUND = 2.0**-6  # of a row. Octave sums of floats far out have larger o
 DEFAULTS = {"lattice", "lattice+sine"}  # the settings of noise that are written out, without their arithmetic
 PROGRAM = Path(__file__).with_name("tolerances.cpp")
 OPTIONS = ("-O0", f"-I{CONFORMANCE}", f"-I{ROOT / 'src'}", "-lfmt")
-KINDS = {"i32": (4, struct.Struct(">i")), "f32": (4, struct.Struct(">f")), "f64": (8, struct.Struct(">d"))}
+KINDS = {name: struct.Struct(form) for name, form in (("u32", ">I"), ("i32", ">i"), ("f32", ">f"), ("f64", ">d"))}
 
 Words = Sequence[int]
 
@@ -40,10 +41,7 @@ class NoVectors(NotBuilt):
 
 def meaning(kind: str, word: int) -> int | float:
     """The number that a word of a golden file stands for."""
-    if kind == "u32":
-        return word
-    size, form = KINDS[kind]
-    value, = form.unpack(word.to_bytes(size, "big"))
+    value, = KINDS[kind].unpack(word.to_bytes(KINDS[kind].size, "big"))
     return value
 
 
@@ -52,23 +50,8 @@ def unit_of(values: Iterable[float]) -> int:
     return -max((Fraction(value).denominator.bit_length() - 1 for value in values), default=0)
 
 
-@dataclass(frozen=True)
-class Group:
+class Group(Values):
     """A function with a setting."""
-    function: Function
-    setting: Configuration | None  # none where no knob matters
-
-    @property
-    def name(self) -> str:
-        return self.setting.name if self.setting else "any"
-
-    @property
-    def arithmetic(self) -> str:
-        return "exact" if self.function.exact else self.setting.arithmetic
-
-    @property
-    def configuration(self) -> str:
-        return self.setting.name if self.setting else "lattice"
 
     @cached_property
     def golden(self) -> Golden:
@@ -83,9 +66,9 @@ class Group:
         """A line for each row, for the program that prints bounds."""
         if self.arithmetic in ("exact", "fixed"):
             return []
-        return [f"{self.configuration} {self.function.id} {hexadecimal(words)}" for words in self.golden.inputs]
+        return [f"{self.configuration.name} {self.function.id} {hexadecimal(words)}" for words in self.golden.inputs]
 
-    def said(self, bounds: Sequence[Sequence[float]], known: dict[str, tuple[list, set]]) -> dict:
+    def said(self, bounds: Sequence[Sequence[float]], known: dict[str, tuple[list, set]]) -> str:
         """Its part of the file. `bounds` are for all rows, or none if every bit counts; `known` keeps numbers
         and features of rows by their words, since settings have most of them alike."""
         golden, results = self.golden, self.results
@@ -97,17 +80,16 @@ class Group:
                 known[words[i]] = list(row.values()), features(row)
         numbers = [allowed[i] for i in chosen([known[words[i]][1] for i in allowed], [results[i] for i in allowed])]
         head: dict = {"name": self.name, "arithmetic": self.arithmetic}
-        if self.setting:
-            head |= {"hash": self.setting.hash, "gradient": self.setting.gradient}
+        if self.function.family != "independent":
+            head |= {"hash": self.configuration.hash, "gradient": self.configuration.gradient}
         rows: list[dict] = [{"in": known[words[i]][0], "words": words[i], "out": results[i]} for i in numbers]
         if bounds:
             rows = [{**row, "bound": bounds[i]} for i, row in zip(numbers, rows)]
-            return {**head, "rows": rows}
-        if self.arithmetic == "fixed" and all(kind == "f64" for _, kind in golden.head.results):
+        elif self.arithmetic == "fixed" and all(kind == "f64" for _, kind in golden.head.results):
             head["units"] = [unit_of(values) for values in zip(*results)]
             rows = [{**row, "units": [int(value * 2.0**-unit) for value, unit in zip(row["out"], head["units"])]}
                     for row in rows]
-        return {**head, "rows": rows}
+        return written(head, "rows", map(compact, rows), " ")
 
 
 def hexadecimal(words: Words) -> str:
@@ -116,8 +98,6 @@ def hexadecimal(words: Words) -> str:
 
 def groups_of(function: Function, settings: Sequence[Configuration]) -> list[Group]:
     """Words and gradients have values of every hash, noise has only the default's: above the words it is the same."""
-    if function.family == "independent":
-        return [Group(function, None)]
     with_values = [one for one in settings if one.has_golden_values and one.covers(function) and one.hash != "custom"]
     if function.family in ("hash", "gradient"):
         return [Group(function, one) for one in with_values]
@@ -158,8 +138,8 @@ def vectors() -> dict[str, str]:
                 "inputs": [*map(asdict, function.inputs)], "outputs": [*map(asdict, function.outputs)]}
         of_words: dict[str, tuple[list, set]] = {}
         said = [group.said(bounds[id(group)], of_words) for group in groups]
-        files[f"{function.id}.json"] = written({**head, "settings": said})
-    files[INDEX] = written({"format": FORMAT, "bits": bits, "files": listed})
+        files[f"{function.id}.json"] = written(head, "settings", said) + "\n"
+    files[INDEX] = written({"format": FORMAT, "bits": bits}, "files", map(compact, listed)) + "\n"
     return files
 
 
@@ -178,27 +158,12 @@ def vectors_folder() -> Path:
     return there if there.is_dir() else cached(VECTORS, sources(), vectors)
 
 
-def written(value: dict) -> str:
-    """JSON that a person can read and that a change shows up in line by line: a row is one line."""
-    lines: list[str] = []
+def compact(part: object) -> str:
+    return json.dumps(part, ensure_ascii=True, allow_nan=False, separators=(",", ":"))
 
-    def compact(part: object) -> str:
-        return json.dumps(part, ensure_ascii=True, allow_nan=False, separators=(",", ":"))
 
-    def is_long(part: object) -> bool:
-        return isinstance(part, list) and bool(part) and isinstance(part[0], dict) and "type" not in part[0]
-
-    def put(part: dict, indent: str, end: str) -> None:
-        *others, (last, rows) = part.items()
-        head = "".join(f"{compact(key)}:{compact(one)}," for key, one in others)
-        lines.append(f"{indent}{{{head}{compact(last)}:[")
-        for i, row in enumerate(rows):
-            comma = "," if i + 1 < len(rows) else ""
-            if any(is_long(one) for one in row.values()):
-                put(row, f"{indent} ", comma)
-            else:
-                lines.append(f"{indent} {compact(row)}{comma}")
-        lines.append(f"{indent}]}}{end}")
-
-    put(value, "", "")
-    return "\n".join(lines) + "\n"
+def written(head: dict, name: str, items: Iterable[str], indent: str = "") -> str:
+    """JSON that a person can read and that a change shows up in line by line: the head, then a list of that name with an
+    item on each line."""
+    lines = ",\n".join(f"{indent} {item}" for item in items)
+    return f"{compact(head)[:-1]},{compact(name)}:[\n{lines}\n{indent}]}}"

@@ -2,28 +2,16 @@
 
 from __future__ import annotations
 
-import io
-import os
 import re
-import subprocess
-import sys
-import tempfile
 import unittest
-import zipfile
 from pathlib import Path
 
-from base.tree import ROOT, TOOLS, version
+from base.tree import ROOT, version
 from catalog.tables.functions import read_functions
 from ship.godot.files import ADDON, GAP, WINDOW, package, tiles
 from ship.pages.gallery import recipes
 
 ARCHIVE = f"hashnoise-godot-{version()}.zip"
-
-
-def call(*arguments: str | Path, **variables: str) -> subprocess.CompletedProcess[str]:
-    environment = {name: value for name, value in os.environ.items() if name != "SOURCE_DATE_EPOCH"}
-    return subprocess.run([sys.executable, TOOLS / "pack", "godot", *arguments], env={**environment, **variables},
-                          capture_output=True, text=True, check=False)
 
 
 def absent(texts: dict[str, str]) -> dict[str, list[str]]:
@@ -94,16 +82,3 @@ class Addon(unittest.TestCase):
 
     def test_the_pages_name_the_file_that_is_made(self):
         self.assertIn(ARCHIVE, (ROOT / "docs" / "guide" / "godot.md").read_text(encoding="utf-8"))
-
-    def test_the_command(self):
-        with tempfile.TemporaryDirectory() as folder:
-            one, two, later = (Path(folder) / name for name in ("one", "two/deep", "later"))
-            for place, variables in ((one, {}), (two, {}), (later, {"SOURCE_DATE_EPOCH": "1700000000"})):
-                done = call(place, **variables)
-                self.assertEqual((done.returncode, done.stdout), (0, f"{place / ARCHIVE}\n"), done.stderr)
-            content = (one / ARCHIVE).read_bytes()
-            self.assertEqual(content, (two / ARCHIVE).read_bytes())
-            self.assertNotEqual(content, (later / ARCHIVE).read_bytes())
-            unpacked = zipfile.ZipFile(io.BytesIO(content))
-            self.assertEqual({name: unpacked.read(name).decode("utf-8") for name in unpacked.namelist()}, self.files)
-            self.assertEqual(zipfile.ZipFile(later / ARCHIVE).infolist()[0].date_time[:3], (2023, 11, 14))

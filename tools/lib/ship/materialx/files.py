@@ -119,7 +119,7 @@ def scaled(form: str, value: str) -> str:
 def wrapper(form: str, language: str) -> str:
     """The function that MaterialX calls, in a shading language."""
     function, of = forms()[form], LANGUAGES[language]
-    taken = ", ".join(f"{of.typed(one.type)} {one.name}" for one in inputs(form))
+    taken = ", ".join(f"{of.type(one.type)} {one.name}" for one in inputs(form))
     passed = []
     for one in function.parameters:
         if one.type == "hn_place2":
@@ -128,7 +128,7 @@ def wrapper(form: str, language: str) -> str:
             given = INPUTS[one.at.text, one.type]
             passed.append(f"uint({given.name})" if one.type == "uint" else given.name)
     call = scaled(form, f"{function.name}({', '.join(passed)})")
-    result = f"{of.out.format(of.typed(function.type))} result"
+    result = f"{of.out.format(of.type(function.type))} result"
     return f"{of.function}void {node(form)}({taken}, {result}) {{\n  result = {call};\n}}\n"
 
 

@@ -6,9 +6,7 @@ import functools
 import importlib
 import json
 import math
-import os
 import shutil
-import struct
 import sys
 from array import array
 from collections.abc import Mapping, Sequence
@@ -20,9 +18,8 @@ from base.renderer import NoRenderer, Renderer
 from base.tree import ROOT
 from proof.vectors.files import vectors_folder
 from ship.materialx import files
-from translate.pick.osl_runner import PACKAGE as BLENDER
-from translate.pick.osl_runner import RENDER
-from translate.pick.runners import ran
+from translate.pick.osl_runner import OslRunner
+from translate.pick.runners import NotInstalled, ran
 from translate.pick.slang import Slang
 from translate.wgsl.device import Absent, installed
 
@@ -235,59 +232,42 @@ class SlangLanguage(Language):
 
 class Osl(Language):
     name, ends = "osl", "\nshader shader"
-    READ = {"f32": "floats[at + {}]", "i32": "words[at + {}]", "u32": "words[at + {}]"}
+    READ = {"f32": "float w{} = floats[at++];", "i32": "int w{} = words[at++];", "u32": "int w{} = words[at++];"}
 
-    def _render(self, folder: Path, jobs: Sequence[dict]) -> None:
+    def _runner(self, folder: Path) -> OslRunner:
         headers = installed(MATERIALX, "--no-deps") / "MaterialX/libraries/stdlib/genosl/include"
         for path in headers.glob("*.h"):
             shutil.copy(path, folder)
-        (folder / "jobs.json").write_text(json.dumps(jobs), encoding="utf-8")
-        paths = os.pathsep.join(filter(None, (str(installed(BLENDER)), os.environ.get("PYTHONPATH"))))
-        ran(folder, "env", f"PYTHONPATH={paths}", sys.executable, "-B", RENDER, folder)
+        runner = OslRunner()
+        runner.beyond = math.inf
+        runner.check()
+        return runner
 
     def compile(self, made: Generated, folder: Path) -> None:
-        (folder / "whole.osl").write_text(made.shaders(self.name)[PIXEL], encoding="utf-8")
-        (folder / "shown.osl").write_text("shader shown(output color shown = 0) { shown = P; }\n", encoding="ascii")
-        self._render(folder, [{"shader": "shown.osl", "width": 4, "height": 4, "node": "whole.osl"}])
+        self._runner(folder).lint([made.shaders(self.name)[PIXEL]], folder)
 
     def run(self, jobs: Sequence[Job], folder: Path) -> list[list[list[float]]]:
-        rendered = []
-        for i, (text, form) in enumerate(jobs):
-            rows, n = vectors(form).rows, size_of(form)
-            words = [word for row in rows for word in row.words]
-            signed = struct.unpack(f"<{len(words)}i", struct.pack(f"<{len(words)}I", *words))
-            floats = array("f", struct.pack(f"<{len(words)}I", *words))
-            type_ = {1: "float", 2: "vector2", 3: "vector"}[n]
+        runner, calls = self._runner(folder), []
+        for _, form in jobs:
+            n, (kinds, rows) = size_of(form), vectors(form)
+            words = " ".join(self.READ[kind].format(i) for i, kind in enumerate(kinds))
+            made = call(form, dict.fromkeys(self.READ, "w{}"), "vector{}").replace("vector3(", "vector(")
+            made = made.replace("float(", "(float)(")
             parts = {1: ["result"], 2: ["result.x", "result.y"], 3: [f"result[{axis}]" for axis in range(3)]}[n]
-            made = call(form, self.READ, "vector{}").replace("vector3(", "vector(").replace("float(", "(float)(")
-            # Pixels have no signs: those below have the positive part of a result, and those above the negative one.
-            (folder / f"row{i}.osl").write_text(f"""#include "mx_funcs.h"
-{text}
-shader rows(output color shown = 0) {{
-  int words[{len(words)}] = {{{', '.join(map(str, signed))}}};
-  float floats[{len(words)}] = {{{', '.join(f'{x:.9g}' if math.isfinite(x) else '0' for x in floats)}}};
-  int at = {len(rows[0].words)} * (int)floor(P[0]);
-  {type_} result;
-  {made}
-  color n = color({', '.join([*parts, '0', '0'][:3])});
-  shown = P[1] < 1.0 ? max(n, color(0)) : max(-n, color(0));
-}}
-""", encoding="utf-8")
-            rendered.append({"shader": f"row{i}.osl", "width": len(rows), "height": 4})
-        self._render(folder, rendered)
-        found = []
-        for i, (_, form) in enumerate(jobs):
-            pixels = array("f", (folder / f"row{i}.pixels").read_bytes())
-            count, n = len(vectors(form).rows), size_of(form)
-            found.append([[pixels[4 * x + axis] - pixels[4 * (count + x) + axis] for axis in range(n)]
-                          for x in range(count)])
-        return found
+            calls.append(f"  {runner.loop.format(points=len(rows))} {words}\n"
+                         f"  {('float', 'vector2', 'vector')[n - 1]} result;\n  {made}"
+                         + "".join(f"\n  put_float(shown, row, to, {part});" for part in parts) + "\n  }")
+        (folder / "inputs").write_bytes(b"".join(
+            array("I", row.words).tobytes() for _, form in jobs for row in vectors(form).rows))
+        runner.build_and_run([f'#include "mx_funcs.h"\n{text}' for text, _ in jobs], calls, folder)
+        numbers = iter(array("f", (folder / "outputs").read_bytes()))
+        return [[[next(numbers) for _ in range(size_of(form))] for _ in vectors(form).rows] for _, form in jobs]
 
 
 LANGUAGES: tuple[type[Language], ...] = (Glsl, Metal, SlangLanguage, Osl)
 # Metal and Slang have the wrappers and the functions that GLSL has, by their names.
 RUN: tuple[type[Language], ...] = (Glsl, Osl)
-MISSING = (Absent, NoRenderer)
+MISSING = (Absent, NoRenderer, NotInstalled)
 
 
 def needed() -> None:
@@ -296,6 +276,6 @@ def needed() -> None:
         if not shutil.which(program):
             raise Absent(f"there is no {program}: apt-get install {package}")
     materialx()
-    installed(BLENDER)
+    OslRunner().check()
     Renderer(SIDE)
     Slang()

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from base.tree import GLSL, ROOT, glsl_files
+from catalog.javascript import as_packed
 from catalog.tables.glsl import public_files
 from ship.npm.twin import Failed, compiled
 from ship.packing import Files, of_npm, own_files, put
@@ -177,7 +178,7 @@ def package(module: bytes) -> Files:
     settings = {folder: Settings(arithmetic) for folder, arithmetic in ARITHMETICS.items()}
     modules = {folder: Module(GLSL, '#include "hashnoise.glsl"\n', one) for folder, one in settings.items()}
     definitions = {folder: one.definitions() for folder, one in modules.items()}
-    found = own_files(PACKAGE / "src")
+    found = {name: as_packed(text) for name, text in own_files(PACKAGE / "src").items()}
     found["package.json"] = of_npm((PACKAGE / "package.json").read_text(encoding="utf-8"), "hashnoise")
     found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
     found["README.md"] = of_package(ROOT / "docs" / "guide" / "javascript.md")

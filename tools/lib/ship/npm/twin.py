@@ -9,7 +9,8 @@ import tempfile
 from pathlib import Path
 
 from base.tree import ROOT
-from catalog.javascript import MOST_BYTES
+from catalog.javascript import MOST_BYTES, Twin, tables_of_module
+from catalog.model import read
 
 SOURCE = ROOT / "packages" / "npm" / "wasm" / "twin.cpp"
 # Bits do not depend on flags (HN_FIXED); size and speed do. With -Oz the module is a twelfth smaller and grids take up
@@ -53,7 +54,8 @@ def compiled(source: Path = SOURCE, include: Path = ROOT / "include") -> bytes:
     linker = _program(f"wasm-ld-{major}", "wasm-ld")
     with tempfile.TemporaryDirectory() as folder:
         object_, module = Path(folder) / "twin.o", Path(folder) / "twin.wasm"
-        _run(clang, *FLAGS, f"-I{include}", "-c", str(source), "-o", str(object_))
+        (Path(folder) / "tables.inc").write_text(tables_of_module(Twin(read())), encoding="ascii")
+        _run(clang, *FLAGS, f"-I{include}", f"-I{folder}", "-c", str(source), "-o", str(object_))
         _run(linker, *LINKED, str(object_), "-o", str(module))
         found = module.read_bytes()
     if len(found) >= MOST_BYTES:

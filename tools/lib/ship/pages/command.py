@@ -74,7 +74,7 @@ def problems(check: bool) -> list[str]:
         if not check:
             (ROOT / path).write_text(right, encoding="utf-8")
         elif page != right:
-            found.append(f"{path}: a table is not what it should be; run tools/make pages")
+            found.append(f"{path}: the table of `{name}` is not what it should be; run tools/make pages")
     readme = (ROOT / README).read_text(encoding="utf-8")
     right = SIZE.sub(rf"\g<1>{files.size('hashnoise.glsl')}", readme)
     if not check:

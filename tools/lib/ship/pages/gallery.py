@@ -62,7 +62,7 @@ def functions() -> str:
     return "\n".join(recipe.cpp for recipe in recipes())
 
 
-def sheets(folder: Path = PAGE.parent) -> list[picture.Sheet]:
+def sheets() -> list[picture.Sheet]:
     calls = {recipe.name: recipe.call() for recipe in recipes()}
-    return [picture.Sheet(folder / SHEET, list(calls.values()), columns=5),
-            *(picture.Sheet(folder / f"{name}.png", [call], side=SIDE) for name, call in calls.items())]
+    return [picture.Sheet(PAGE.parent / SHEET, list(calls.values()), columns=5),
+            *(picture.Sheet(PAGE.parent / f"{name}.png", [call], side=SIDE) for name, call in calls.items())]

@@ -135,7 +135,7 @@ class Numbers(unittest.TestCase):
                 mock.patch.object(numbers, "golden_quote", return_value="computes 7 golden values"):
             status, output = self.check()
         self.assertEqual(status, 1)
-        self.assertRegex(output, r"docs/reference/noises\.md: a table is not what it should be")
+        self.assertRegex(output, r"docs/reference/noises\.md: the table of `tools/make pages: \w[^`]*` is not what")
         self.assertRegex(output, r"README\.md: it must state 'computes 7 golden values'")
 
     @unittest.skipIf(is_deleted("measuring"), "measuring was deleted")
@@ -154,7 +154,7 @@ class Numbers(unittest.TestCase):
                 mock.patch.object(tables, "peer_costs", return_value=peers):
             status, output = self.check()
         self.assertEqual(status, 1)
-        self.assertRegex(output, r"docs/measured/measuring\.md: a table is not what it should be")
+        self.assertRegex(output, r"docs/measured/measuring\.md: the table of `[^`]+` is not what it should be")
         self.assertRegex(output, r"README\.md: it must state \".* a quarter \(0\.36 and ")
 
     @unittest.skipIf(is_deleted("measuring"), "measuring was deleted")

@@ -1,20 +1,14 @@
-// Draws the pictures of pages with the C++ twin: of the lines of tiles.inc, which picture.py makes of the pages, each
-// is a tile. They may call the functions of functions.inc.
-//   picture (FILE.png SIDE COLUMNS TILE,TILE...)...          draws files, each of these tiles, COLUMNS of them in a
-//   row;
-//                                                            a tile has SIDE by SIDE pixels
-//   picture --check (FILE.png SIDE COLUMNS TILE,TILE...)...  exit status 1 if a file shows another picture; of tiles
-//                                                            above 256 pixels it compares a grid of 256 by 256 pixels
-// Exit status: 0 done, 1 another picture, 2 bad usage or a file that cannot be read or written.
+// Draws the pictures of pages with the C++ twin: the sheets of sheets.inc, whose tiles are lines of tiles.inc, which
+// picture.py makes of the pages. They may call the functions of functions.inc.
+//   picture            draws the files
+//   picture --check    exit status 1 if a file shows another picture; of tiles above 256 pixels it compares a grid of
+//                      256 by 256 pixels
+// Exit status: 0 done, 1 another picture, 2 a file that cannot be read or written.
 #include <png.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <sstream>
-#include <string>
 #include <vector>
 
 #include "shading.hpp"
@@ -50,11 +44,6 @@ using Pixel = std::array<png_byte, 3>;
 
 // Some of the tiles in rows.
 struct Sheet {
-  Sheet(int side_of_tile, int most_columns, const char* numbers) : side(side_of_tile), most(most_columns) {
-    std::istringstream words(numbers);
-    for (std::string word; std::getline(words, word, ',');) tiles.push_back(std::stoul(word));
-  }
-
   int columns() const { return std::min(static_cast<int>(tiles.size()), most); }
   int width() const { return columns() * (side + kBorder) - kBorder; }
   int height() const {
@@ -71,13 +60,14 @@ struct Sheet {
     // As a shader sees a square: the middle of the pixel, and y upwards.
     const vec2 uv =
         vec2(static_cast<float>(2 * x + 1), static_cast<float>(2 * (side - y) - 1)) * (0.5f / static_cast<float>(side));
-    const vec3 colour = kTiles[tiles[place]](uv);
+    const vec3 colour = tiles[place](uv);
     return {to_byte(colour.x), to_byte(colour.y), to_byte(colour.z)};
   }
 
-  std::vector<std::size_t> tiles;
+  const char* path;
   int side;  // pixels of a tile
-  int most;
+  int most;  // columns
+  std::vector<Tile> tiles;
 };
 
 png_image empty_image() {
@@ -86,7 +76,7 @@ png_image empty_image() {
   return image;
 }
 
-int write(const Sheet& sheet, const char* path) {
+int write(const Sheet& sheet) {
   std::vector<Pixel> pixels;
   for (int y = 0; y < sheet.height(); ++y) {
     for (int x = 0; x < sheet.width(); ++x) pixels.push_back(sheet.pixel(x, y));
@@ -95,8 +85,8 @@ int write(const Sheet& sheet, const char* path) {
   image.width = static_cast<png_uint_32>(sheet.width());
   image.height = static_cast<png_uint_32>(sheet.height());
   image.format = PNG_FORMAT_RGB;
-  if (png_image_write_to_file(&image, path, 0, pixels.data(), 0, nullptr)) return 0;
-  std::fprintf(stderr, "picture: cannot write %s: %s\n", path, image.message);
+  if (png_image_write_to_file(&image, sheet.path, 0, pixels.data(), 0, nullptr)) return 0;
+  std::fprintf(stderr, "picture: cannot write %s: %s\n", sheet.path, image.message);
   return 2;
 }
 
@@ -110,33 +100,27 @@ bool shows(const Sheet& sheet, const png_image& image, const std::vector<Pixel>&
   return true;
 }
 
-int check(const Sheet& sheet, const char* path) {
+int check(const Sheet& sheet) {
   png_image image = empty_image();
-  if (!png_image_begin_read_from_file(&image, path)) {
-    std::fprintf(stderr, "picture: cannot read %s: %s\n", path, image.message);
+  if (!png_image_begin_read_from_file(&image, sheet.path)) {
+    std::fprintf(stderr, "picture: cannot read %s: %s\n", sheet.path, image.message);
     return 2;
   }
   image.format = PNG_FORMAT_RGB;
   std::vector<Pixel> pixels(PNG_IMAGE_SIZE(image) / sizeof(Pixel));
   png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr);
   if (shows(sheet, image, pixels)) return 0;
-  std::fprintf(stderr, "picture: %s shows another picture; draw it again by tools/make pages\n", path);
+  std::fprintf(stderr, "picture: %s shows another picture; draw it again by tools/make pages\n", sheet.path);
   return 1;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  const bool checks = argc > 1 && std::strcmp(argv[1], "--check") == 0;
-  const int first = checks ? 2 : 1;
-  if (argc == first || (argc - first) % 4 != 0) {
-    std::fprintf(stderr, "usage: picture [--check] (FILE.png SIDE COLUMNS TILE,TILE...)...\n");
-    return 2;
-  }
+int main(int argc, char**) {
+  const Sheet sheets[] = {
+#include "sheets.inc"
+  };
   int worst = 0;
-  for (int i = first; i < argc; i += 4) {
-    const Sheet sheet(std::atoi(argv[i + 1]), std::atoi(argv[i + 2]), argv[i + 3]);
-    worst = std::max(worst, checks ? check(sheet, argv[i]) : write(sheet, argv[i]));
-  }
+  for (const Sheet& sheet : sheets) worst = std::max(worst, argc > 1 ? check(sheet) : write(sheet));
   return worst;
 }

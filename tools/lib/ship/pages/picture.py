@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import itertools
+import json
 import re
 import subprocess
 from collections.abc import Sequence
@@ -73,12 +73,12 @@ def draw(sheets: Sequence[Sheet], check: bool = False, functions: str = "") -> i
         folder = Path(name)
         (folder / "functions.inc").write_text(functions, encoding="utf-8")
         (folder / "tiles.inc").write_text("".join(f"TILE({in_cpp(code)})\n" for code in numbers), encoding="utf-8")
+        (folder / "sheets.inc").write_text("".join(
+            f'{{{json.dumps(str(sheet.path))}, {sheet.side}, {sheet.columns}, '
+            f'{{{", ".join(f"kTiles[{numbers[code]}]" for code in sheet.expressions)}}}}},\n' for sheet in sheets), encoding="utf-8")
         compile_program("the code of the pictures", Path(__file__).with_name("picture.cpp"), folder / "picture", SOON,
                         "-I", name, "-lpng")
-        asked = ([sheet.path, str(sheet.side), str(sheet.columns),
-                  ",".join(str(numbers[code]) for code in sheet.expressions)] for sheet in sheets)
-        return subprocess.run([folder / "picture", *(["--check"] if check else []), *itertools.chain(*asked)],
-                              check=False).returncode
+        return subprocess.run([folder / "picture", *(["--check"] if check else [])], check=False).returncode
 
 
 def of_pages() -> list[Sheet]:

@@ -63,6 +63,6 @@ def page(tell: Callable[[str], None] = lambda _: None) -> str:
     style = (SOURCES / "style.css").read_text(encoding="utf-8").strip()
     looks = base64.b64encode((SOURCES / "looks.webp").read_bytes()).decode("ascii")
     parts = {"style": style, "looks": looks, "script": code, "hash": hash_of(code), "version": version(),
-             **picks.kept_texts(tell)}
+             "pieces": picks.kept_text(tell)}
     return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]],
                   (SOURCES / "index.html").read_text(encoding="utf-8"))

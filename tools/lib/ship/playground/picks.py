@@ -40,7 +40,6 @@ DIMENSIONS = (1, 2, 3, 4)
 # The page has the other hashes for shading languages. They differ in one function, which is the same in a small program
 # of any dimension and arithmetic.
 OTHER_HASHES = ("fnv1", "partial_fnv1", "jenkins", "partial_jenkins", "murmur", "pcg", "xxhash32")
-WORD = "hn_i_point_hash uint uint"  # the function in which hashes differ, and its helpers
 COMMENT = re.compile(r"^\s*//.*\n", re.MULTILINE)
 BLOCK = re.compile(r"^/\*\*\n(?: \*.*\n)+", re.MULTILINE)
 
@@ -134,17 +133,17 @@ def pieces_of(setting: Setting) -> tuple[Setting, dict[str, list[Piece]]]:
 
 
 def own_pieces(small: Sequence[list[Piece]]) -> list[list[Piece]]:
-    """The pieces that not all programs with different hashes have: WORD, and before it its helpers."""
+    """The pieces that not all programs with different hashes have: a function, and before it its helpers."""
     common = set.intersection(*map(set, small))
     own = [[piece for piece in pieces if piece not in common] for pieces in small]
-    if set.intersection(*({piece.name for piece in pieces} for pieces in own)) != {WORD}:
-        raise ValueError(f"hashes differ in more than {WORD}")
+    if set.intersection(*({piece.name for piece in pieces} for pieces in own)) != {own[0][-1].name}:
+        raise ValueError("hashes differ in more than one function")
     return own
 
 
 def with_hash(base: list[Piece], own: list[Piece]) -> list[Piece]:
     """The pieces of a program with one hash, with the pieces of another in their place."""
-    at, = (i for i, piece in enumerate(base) if piece.name == WORD)
+    at, = (i for i, piece in enumerate(base) if piece.name == own[-1].name)
     return [*base[:at], *own, *base[at + 1:]]
 
 
@@ -184,7 +183,8 @@ def data(modules_: dict[str, list[Piece]]) -> dict:
     languages = {piece: order[key.split()[0]] for key, pieces in modules_.items() for piece in pieces}
 
     def place(piece: Piece) -> tuple:
-        return re.sub(r"\d", "", piece.name), piece.name, languages[piece], piece.text
+        of_cpu = languages[piece] >= len(SHADING)
+        return of_cpu, re.sub(r"\d", "", piece.name), piece.name, languages[piece], piece.text
 
     numbers = {piece: at for at, piece in enumerate(sorted(every, key=place))}
     return {"pieces": [part for piece in numbers for part in piece], "shells": shells(),
@@ -200,19 +200,14 @@ def compressed(text: str) -> str:
 
 
 def texts(tell: Callable[[str], None] = lambda _: None) -> dict[str, str]:
-    """The texts of the languages of shaders and of the CPU: JSON, compressed."""
+    """JSON, compressed."""
     tell(f"Picking what pictures call, in {len(SHADING) + len(CPU)} languages: about 20 seconds of a processor core ...")
     # Nodes of expressions are in no cycles: looking for some takes a quarter of the time, and frees nothing.
     with ProcessPoolExecutor(initializer=gc.disable) as pool:
         every = every_module(pool.map(pieces_of, settings()))
-    found = {}
-    for name, languages in (("shading", SHADING), ("cpu", CPU)):
-        part = data({key: every[key] for key in sorted(every) if key.split()[0] in languages})
-        found[name] = compressed(json.dumps(part, separators=(",", ":")))
-    return found
+    return {"pieces": compressed(json.dumps(data({key: every[key] for key in sorted(every)}), separators=(",", ":")))}
 
 
-def kept_texts(tell: Callable[[str], None] = lambda _: None) -> dict[str, str]:
+def kept_text(tell: Callable[[str], None] = lambda _: None) -> str:
     sources = [*glsl_files().values(), *(ROOT / "catalog").glob("*.toml"), *modules.files_of([Path(__file__)])]
-    folder = cached(FOLDER, sources, partial(texts, tell))
-    return {name: (folder / name).read_text(encoding="ascii") for name in ("shading", "cpu")}
+    return (cached(FOLDER, sources, partial(texts, tell)) / "pieces").read_text(encoding="ascii")

@@ -16,7 +16,7 @@ from unittest import mock
 import ship.playground.command as command
 import ship.playground.page as page
 from base.thorough import THOROUGH, in_thorough_runs
-from base.tree import ROOT, TOOLS, version
+from base.tree import TOOLS, version
 from ship.playground import picks
 from translate.pick.command import Choice, picked
 
@@ -28,16 +28,16 @@ def unpacked(text: str) -> bytes:
 class Page(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.picks = {"shading": "YQ==", "cpu": "Yg=="}  # the test playground.page makes a page of all texts
+        cls.pieces = "YQ=="  # the test playground.page makes a page of all texts
         cls.text = cls.made(cls)
 
     def made(self) -> str:
-        with mock.patch.object(picks, "kept_texts", lambda _: self.picks):
+        with mock.patch.object(picks, "kept_text", lambda _: self.pieces):
             return page.page()
 
     def test_it_is_one_file_that_is_the_same_each_time(self):
         self.assertEqual(self.made(), self.text)
-        self.assertNotRegex(self.text, r"\{\{(?:style|looks|script|hash|version|shading|cpu)\}\}")
+        self.assertNotRegex(self.text, r"\{\{(?:style|looks|script|hash|version|pieces)\}\}")
         self.assertNotRegex(self.text, r'(?i)(?:src|href)="(?!data:)')
         self.assertNotRegex(self.text, r"\bimport\(|@import|url\((?!data:)")
 
@@ -51,8 +51,7 @@ class Page(unittest.TestCase):
 
     def test_the_functions_are_in_it(self):
         self.assertIn(f'<span id="version">{version()}</span>', self.text)
-        for name, text in self.picks.items():
-            self.assertIn(f'id="{name}">{text}<', self.text)
+        self.assertIn(f'id="pieces">{self.pieces}<', self.text)
 
 
 class Picks(unittest.TestCase):
@@ -95,11 +94,11 @@ class Picks(unittest.TestCase):
 
     def test_hashes_that_differ_elsewhere_are_refused(self):
         one, other, step = picks.Piece("one", "1"), picks.Piece("one", "2"), picks.Piece("step", "3")
-        word, second = picks.Piece(picks.WORD, "4"), picks.Piece(picks.WORD, "5")
+        word, second = picks.Piece("word", "4"), picks.Piece("word", "5")
         self.assertEqual(picks.own_pieces([[one, word], [one, step, second]]), [[word], [step, second]])
         self.assertEqual(picks.with_hash([one, word, other], [step, second]), [one, step, second, other])
         for small in ([[one, word], [other, second]], [[one, step], [one, word]]):
-            with self.assertRaisesRegex(ValueError, "differ in more than hn_i_point_hash"):
+            with self.assertRaisesRegex(ValueError, "differ in more than one function"):
                 picks.own_pieces(small)
         with self.assertRaises(ValueError):
             picks.with_hash([one], [word])
@@ -157,26 +156,7 @@ class Command(unittest.TestCase):
             path = Path(folder).resolve() / "a" / "page.html"
             self.assertEqual((out.getvalue(), path.read_text()), (f"{path}\n", "the page"))
 
-    def test_the_picture_is_that_of_the_page_and_its_status_counts(self):
-        with tempfile.TemporaryDirectory() as folder, mock.patch.object(command, "page", lambda _: "the page"), \
-                mock.patch.object(command, "draw", return_value=77) as draw, \
-                mock.patch.object(sys, "argv", ["playground", "--out", f"{folder}/page.html", "--picture"]), \
-                contextlib.redirect_stdout(io.StringIO()):
-            self.assertEqual(command.main(), 77)
-            draw.assert_called_once_with(Path(folder) / "page.html")
-
     def test_bad_usage_is_status_2(self):
         for arguments in (["--out"], ["more"], ["--out", "/dev/null/page.html"], ["--picks"]):
             done = subprocess.run([sys.executable, TOOLS / "playground", *arguments], capture_output=True, text=True, check=False)
             self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
-
-
-class Tutorial(unittest.TestCase):
-    def test_its_links_are_what_the_page_knows(self):
-        links = re.findall(r"\*\*Playground\*\*: `#([^`]+)`", (ROOT / "docs" / "guide" / "tutorial.md").read_text())
-        self.assertGreater(len(links), 3)
-        settings, tables = ((ROOT / "playground" / name).read_text() for name in ("model.js", "tables.js"))
-        for name, value in (part.split("=") for link in links for part in link.split("&")):
-            self.assertRegex(settings, rf"(?m)^  {name}: ", name)
-            if name in ("sum", "noise") and value != "none":
-                self.assertRegex(tables, rf"(?m)^  {value}: \{{", value)

@@ -1,19 +1,16 @@
-"""tools/pack rust: the content of the crate, as far as no cargo is needed to check it, and its command line."""
+"""tools/pack rust: the content of the crate, as far as no cargo is needed to check it."""
 
 from __future__ import annotations
 
-import contextlib
-import io
 import re
-import tempfile
 import unittest
-from pathlib import Path
 from unittest import mock
 
 from base.thorough import some
-from base.tree import GOLDEN, version
+from base.tree import GOLDEN
 from catalog.tables.functions import read_functions
-from ship import command
+from ship import packing
+from ship.packing import Refused
 from ship.rust import files
 from translate.pick.scalars import bare
 
@@ -77,33 +74,13 @@ class Comments(unittest.TestCase):
                 self.assertNotRegex(comments, r"HN_|hn_|tools/pick|- nearest|set to|[iu]vec")
 
 
-class Command(unittest.TestCase):
-    def setUp(self) -> None:
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
-
-    def call(self, *arguments: str) -> str:
-        out = io.StringIO()
-        with contextlib.redirect_stdout(out):
-            self.assertEqual(command.main(["rust", *arguments, str(self.folder)]), 0)
-        return out.getvalue().strip()
-
-    def test_modules_are_chosen(self) -> None:
-        with mock.patch.object(files, "package", return_value={}) as package:
-            self.assertEqual(self.call("--only", "hash,place"), str(self.folder / f"hashnoise-{version()}"))
-            package.assert_called_with(only="hash,place")
-            self.call("--zip")
-            package.assert_called_with()
+class Modules(unittest.TestCase):
+    def test_they_are_chosen(self) -> None:
         self.assertEqual(files.chosen("hash, place,hash"), ["hash", "place"])
-
-    def test_what_is_asked_wrongly_is_told(self) -> None:
-        (self.folder / "file").touch()
-        for arguments, said in ((["--only", "place,hash,perlim"], "there is no module perlim (did you mean perlin?)"),
-                                (["--only", "perlin,hash"], "the others need the module place"),
-                                ([""], "the folder has no name"), ([str(self.folder / "file")], "file is a file")):
-            error = io.StringIO()
-            with self.subTest(said), contextlib.redirect_stderr(error), self.assertRaises(SystemExit) as ended:
-                command.main(["rust", *arguments])
-            self.assertEqual(ended.exception.code, 2)
-            self.assertIn(said, error.getvalue())
+        for only, said in (("place,hash,perlim", r"there is no module perlim \(did you mean perlin\?\)"),
+                           ("perlin,hash", "the others need the module place")):
+            with self.assertRaisesRegex(Refused, said):
+                files.chosen(only)
+        with mock.patch.object(files, "package", return_value={}) as package:
+            packing.files_of("rust", only="hash,place")
+        package.assert_called_with(only="hash,place")

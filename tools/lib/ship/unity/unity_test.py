@@ -118,10 +118,16 @@ class Package(unittest.TestCase):
         self.assertEqual(named, re.findall(r"^void (\w+)_float\(", shader, re.MULTILINE))
 
     def test_csharp_has_the_values_of_the_vectors(self) -> None:
-        rows = next(setting for setting in json.loads((vectors_folder() / "noise2d.perlin.json").read_text())["settings"]
-                    if setting["name"] == "lattice+fixed")["rows"]
-        calls = "".join("        Show(HashNoiseFixed.Perlin2(Number(0x{}u), Number(0x{}u), 0x{}u));\n"
-                        .format(*row["words"].split()) for row in rows)
+        rows, calls = [], ""
+        for name, arguments in (("noise2d.perlin", "ffu"), ("fbm.fbm2", "ffiffu")):
+            settings = json.loads((vectors_folder() / f"{name}.json").read_text())["settings"]
+            of_name = next(setting for setting in settings if setting["name"] == "lattice+fixed")["rows"]
+            self.assertGreater(len(of_name), 10)
+            rows += of_name
+            call = ", ".join({"f": "Number(0x{}u)", "i": "unchecked((int)0x{}u)", "u": "0x{}u"}[one] for one in arguments)
+            method = f"{name.rpartition('.')[2].rstrip('2').title()}2"
+            calls += "".join(f"        Show(HashNoiseFixed.{method}({call.format(*row['words'].split())}));\n"
+                             for row in of_name)
         (self.root / "engine.cs").write_text(ENGINE)
         (self.root / "main.cs").write_text(f"""class Run {{
     static float Number(uint bits) {{ return System.BitConverter.ToSingle(System.BitConverter.GetBytes(bits), 0); }}
@@ -138,7 +144,6 @@ class Package(unittest.TestCase):
                     *self.scripts())
         *values, of_sample, expected = self.run_in("mono", "main.exe").split()
         self.assertEqual(values, [struct.pack(">f", row["out"][0]).hex() for row in rows])
-        self.assertGreater(len(rows), 10)
         self.assertEqual(of_sample, expected)
 
     def test_the_normal_of_the_page_is_that_of_the_land(self) -> None:

@@ -29,9 +29,6 @@ from translate.pick import pages as snippets
 HERE = Path(__file__).parent
 ENVIRONMENT = ROOT / "build" / "site-environment"
 MARK = "searchindex.js"  # by which a folder is known as a site
-# Products beside the pages: the command, where its page appears, and its name in the site.
-EXTRA = () if is_deleted("playground") else (
-    ("playground.html", ["playground", "--out", "{}/playground.html"], "playground.html"),)
 MORE = """
 ## On this site
 
@@ -47,14 +44,10 @@ class NoSite(Exception):
         self.status = status
 
 
-def extra(folder: Path) -> None:
-    for name, (tool, *options), made in EXTRA:
-        with tempfile.TemporaryDirectory() as scratch:
-            done = subprocess.run([TOOLS / tool, *(option.format(scratch) for option in options)], capture_output=True,
-                                  text=True, check=False)
-            if done.returncode != 0:
-                raise NoSite(4, f"tools/{tool} ended with status {done.returncode}: {done.stderr.strip()}")
-            shutil.copyfile(Path(scratch) / made, folder / name)
+def playground(folder: Path) -> None:
+    done = subprocess.run([TOOLS / "playground", "--out", folder / "playground.html"], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise NoSite(4, f"tools/playground ended with status {done.returncode}: {done.stderr.strip()}")
 
 
 def build(source: Path, out: Path) -> None:
@@ -80,11 +73,13 @@ def make(out: Path) -> None:
     with tempfile.TemporaryDirectory(dir=out.parent, prefix=f".{out.name}.") as scratch:
         source, made = Path(scratch) / "source", Path(scratch) / "made"
         (source / "extra").mkdir(parents=True)
-        pages.write(ROOT, source, MORE if EXTRA else "")
+        has_playground = not is_deleted("playground")
+        pages.write(ROOT, source, MORE * has_playground)
         for page in snippets.whole().iterdir():
             name = f"docs/reference/snippets/{page.name}"
             (source / name).write_text(pages.searched(name, page.read_text(encoding="utf-8")), encoding="utf-8")
-        extra(source / "extra")
+        if has_playground:
+            playground(source / "extra")
         shutil.copyfile(HERE / "live.js", source / "extra" / "live.js")
         build(source, made)
         for name in (".buildinfo", "objects.inv"):

@@ -4,12 +4,13 @@
   "use strict";
   const drawing = document.createElement("canvas");
   const gl = drawing.getContext("webgl2");
+  const library = document.getElementById("library").textContent;
   const corners = "#version 300 es\nvoid main() {\n" +
     "  gl_Position = vec4(float(gl_VertexID & 1) * 4.0 - 1.0, float(gl_VertexID >> 1) * 4.0 - 1.0, 0.0, 1.0);\n}\n";
 
   function programOf(text) {
     const program = gl.createProgram();
-    for (const [kind, source] of [[gl.VERTEX_SHADER, corners], [gl.FRAGMENT_SHADER, text]]) {
+    for (const [kind, source] of [[gl.VERTEX_SHADER, corners], [gl.FRAGMENT_SHADER, library + text]]) {
       const shader = gl.createShader(kind);
       gl.shaderSource(shader, source);
       gl.compileShader(shader);

@@ -105,7 +105,7 @@ class Umbrella(unittest.TestCase):
         self.assertEqual(self.run_main(), (0, []))
         path.write_text(path.read_text().replace("b * q.x + a * q.y", "a * q.y + b * q.x"))  # by hand in each
         self.assertEqual(self.run_main("--check"), (0, []))
-        path.write_text(path.read_text().replace("o.y = hn_i_fixed_position(", "o.y = hn_i_hole("))
+        path.write_text(path.read_text().replace("o.y = hn_i_", "o.y = hn_i_hole_"))
         self.assertEqual(self.run_main("--check"), (1, ["octaves2d.glsl,"]))  # what would o.z be?
         self.assertEqual(self.run_main(), (1, ["octaves2d.glsl,"]))
 

@@ -17,6 +17,7 @@ from typing import NamedTuple
 from translate.parsing.tokens import Token, Unknown, tokens_of
 
 DIRECTIVE = re.compile(r"\s*#\s*(\w+)\s*(.*)")
+CONDITIONAL = ("if", "ifdef", "ifndef", "elif", "else", "endif")
 NAME = re.compile(r"(\w+)\s*\(")  # the first of a head
 DEFINE = re.compile(r"(\w+)(\(([\w\s,]*)\))?\s*(.*)")
 BINARY = {  # of the conditions of #if, by how strongly they bind
@@ -94,6 +95,40 @@ class Item:
         return self._expanded(tokens + [token for line in lines for token in line.tokens()])
 
 
+@dataclass
+class Branch:
+    """The present branch of an #if. If the condition is unknown it is not decided, and all branches hold."""
+    condition: str
+    decided: bool
+    holds: bool
+    before: bool  # whether one above it holds, or it
+
+
+class Conditions:
+    """The open #ifs."""
+
+    def __init__(self) -> None:
+        self.open: list[Branch] = []
+
+    def active(self) -> bool:
+        return all(branch.holds for branch in self.open)
+
+    def take(self, name: str, condition: str, value: Callable[[str, str], bool | None]) -> bool:
+        """Takes a directive; returns whether it is decided. `value` evaluates a condition, None if that is unknown."""
+        if name in ("if", "ifdef", "ifndef"):
+            holds = value(name, condition) if self.active() else False
+            self.open.append(Branch(condition, holds is not None, holds is not False, holds is not False))
+            return holds is not None
+        branch = self.open.pop()
+        if name == "endif":
+            return branch.decided
+        if branch.decided:
+            branch.holds = self.active() and not branch.before and (name == "else" or value(name, condition) is True)
+            branch.before |= branch.holds
+        self.open.append(branch)
+        return branch.decided
+
+
 class Preprocessor:
     """The definitions of a text, in the order in which a compiler sees them."""
 
@@ -130,21 +165,20 @@ class Preprocessor:
     def _read(self, text: str, path: str) -> None:
         heading = text.partition("\n")[0]
         self._heading = heading if heading.startswith("//") else ""
-        taken = [True]      # of each open #if: whether its present branch is active
-        finished = [False]  # and whether one of its branches was
+        conditions = Conditions()
         guard, outside = "", 0  # stands outside of a guard, or may
         for number, line in enumerate(text.split("\n"), 1):
             code, slashes, comment = line.partition("//")
             if "#" in code and (directive := DIRECTIVE.fullmatch(code.rstrip())):
-                if len(taken) == 1:
+                if not conditions.open:
                     outside += 1
                     guard = directive[2].strip() if directive[1] == "ifndef" and outside == 1 else ""
                 comment = f"//{comment.rstrip()}" if slashes else ""
-                self._direct(directive[1], directive[2].strip(), comment, path, number, taken, finished)
-            elif taken[-1] and all(taken) and line != self._heading:
-                outside += len(taken) == 1 and code.strip() != ""
+                self._direct(directive[1], directive[2].strip(), comment, path, number, conditions)
+            elif conditions.active() and line != self._heading:
+                outside += not conditions.open and code.strip() != ""
                 self._take(code, f"//{comment.rstrip()}" if slashes else "", path, number)
-        if len(taken) > 1:
+        if conditions.open:
             raise Unknown(f"{path}: an #if has no #endif")
         if guard and outside == 1:
             self._guards[path] = guard
@@ -157,32 +191,15 @@ class Preprocessor:
         self._chunk.append(Line(code, path, line, (*heading, *self._comments), comment))
         self._heading, self._comments = "", []
 
-    def _direct(self, name: str, rest: str, comment: str, path: str, line: int, taken: list[bool],
-                finished: list[bool]) -> None:
-        if name in ("if", "ifdef", "ifndef"):
-            active = all(taken)
-            if name == "if":
-                holds = active and self._holds(rest, path, line)
-            else:
-                holds = (rest in self.macros) == (name == "ifdef")
-            taken.append(holds)
-            finished.append(holds)
-        elif name in ("elif", "else", "endif"):
-            if len(taken) == 1:
+    def _direct(self, name: str, rest: str, comment: str, path: str, line: int, conditions: Conditions) -> None:
+        if name in CONDITIONAL:
+            if name in ("elif", "else", "endif") and not conditions.open:
                 raise Unknown(f"{path}:{line}: #{name} has no #if")
-            before = finished[-1]
-            taken.pop()
-            finished.pop()
-            if name == "endif":
-                self._comments = [] if all(taken) else self._comments
-            elif name == "else":
-                taken.append(not before)
-                finished.append(True)
-            else:
-                holds = not before and all(taken) and self._holds(rest, path, line)
-                taken.append(holds)
-                finished.append(before or holds)
-        elif not all(taken):
+            conditions.take(name, rest, lambda name, rest: self._holds(rest, path, line) if name in ("if", "elif") else
+                            (rest in self.macros) == (name == "ifdef"))
+            if name == "endif" and conditions.active():
+                self._comments = []
+        elif not conditions.active():
             return
         elif name == "define":
             self._flush()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from translate.pick.printer import UNARY, guard
+from translate.pick.printer import UNARY, Notation, guard
 from translate.pick.scalars import Part, Piece, Syntax, Taken
 from translate.pick.values import AXES, PREFIXES
 
@@ -40,7 +40,8 @@ class C(Syntax):
     indent = 2
     keeps_names, cased = True, staticmethod(str)
     vector_of, struct_of, field_of = "({type}){{{parts}}}", "({type}){{{parts}}}", ".{name} = {value}"
-    least_int, bools = "(-2147483647 - 1)", ("0", "1")
+    least_int, bools = Notation.least_int, ("0", "1")
+    struct_form = "typedef struct {{\n{fields}}} {name};\n"
     types = TYPES
     reserved = frozenset("""auto break case char const continue default do double else enum extern float for goto if
         inline int long register restrict return short signed sizeof static struct switch
@@ -112,10 +113,6 @@ static inline uint32_t hn_i_as_uint(float x) {
     def beginning(self, parameters: Sequence[Taken], is_public: bool) -> list[str]:
         """Compilers may require unread names."""
         return [f"(void){one.name};" for one in parameters if not one.is_read]
-
-    def struct(self, name: str, fields: Sequence[Part]) -> str:
-        inside = "".join(f"  {self.type(field.type)} {field.name};\n" for field in fields)
-        return f"typedef struct {{\n{inside}}} {name};\n"
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
         contraction = [CONTRACTION] if self.precise else []

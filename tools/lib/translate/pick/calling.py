@@ -42,14 +42,14 @@ class Form:
 
         for i, parameter in enumerate(function.parameters):
             value = f" = {made(parameter.type)}" if module.passed(parameter) else ""
-            lines.append(self.declare.format(type=self.language.typed(parameter.type), name=f"v{i}", value=value))
+            lines.append(self.declare.format(type=self.language.type(parameter.type), name=f"v{i}", value=value))
             arguments.append(self.passed.format(f"v{i}") if parameter.is_set else f"v{i}")
             outputs += self._written(module, f"v{i}", parameter.type) if parameter.is_set else []
         call = f"{self.language.public_name(function)}({', '.join(arguments)});"
         if function.type == "void":
             lines.append(call)
         else:
-            lines.append(self.result.format(type=self.language.typed(function.type)) + call)
+            lines.append(self.result.format(type=self.language.type(function.type)) + call)
             outputs = [*self._written(module, "result", function.type), *outputs]
         lines += [f"outputs[to + {i}u] = {value};" for i, value in enumerate(outputs)]
         return lines, count, len(outputs)

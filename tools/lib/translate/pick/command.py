@@ -36,45 +36,28 @@ import importlib
 import re
 import shlex
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from base.tree import GLSL
 from translate.library_file import ARITHMETICS, IMPORT_PATH_HELP, add_options, import_path, imported_as, write
 from translate.names import wgsl_name
 from translate.parsing.tokens import Unknown
+from translate.pick import scalars, tsl
 from translate.pick.evaluate import Module
 from translate.pick.printer import guard
 from translate.pick.program import Program, check_sums, chosen, expanded, facts, heading, listed, origin, over, read
+from translate.pick.scalars import Syntax
 from translate.pick.shading import LANGUAGES
 from translate.settings import Settings, settings_of
 
-if TYPE_CHECKING:
-    from translate.pick.scalars import Syntax
-
-
-class Syntaxes(Mapping):
-    """The languages of the CPU by their names, as far as their files are here. Each is imported when it is first used:
-    nobody needs all at once."""
-    CLASSES = {language: of for language, of in {
-        "rust": ("rust", "Rust"), "csharp": ("csharp", "CSharp"), "c": ("c", "C"),
-        "typescript": ("javascript", "TypeScript"), "javascript": ("javascript", "JavaScript"), "java": ("java", "Java"),
-        "go": ("go", "Go"), "osl": ("osl", "Osl")}.items() if Path(__file__).with_name(f"{of[0]}.py").is_file()}
-
-    def __getitem__(self, language: str) -> type[Syntax]:
-        module, name = self.CLASSES[language]
-        return getattr(importlib.import_module(f"translate.pick.{module}"), name)
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self.CLASSES)
-
-    def __len__(self) -> int:
-        return len(self.CLASSES)
-
-
-SYNTAXES = Syntaxes()
+# The languages of the CPU by their names, as far as their files are here.
+SYNTAXES: dict[str, type[Syntax]] = {
+    language: getattr(importlib.import_module(f"translate.pick.{module}"), name) for language, module, name in (
+        ("rust", "rust", "Rust"), ("csharp", "csharp", "CSharp"), ("c", "c", "C"),
+        ("typescript", "javascript", "TypeScript"), ("javascript", "javascript", "JavaScript"),
+        ("java", "java", "Java"), ("go", "go", "Go"), ("osl", "osl", "Osl")) if Path(__file__).with_name(f"{module}.py").is_file()}
 ALIASES = {"glsl-es": "glsl"}  # since one text is for both
 VERILOG = "verilog"  # modules for programs that make circuits; verilog.py can be deleted
 OTHERS = [VERILOG] if Path(__file__).with_name("verilog.py").is_file() else []
@@ -143,7 +126,7 @@ class Choice:
             raise Unknown(f"--hash-function is of shading languages: {', '.join(LANGUAGES)}")
 
 
-def settings(arithmetic: str, hash_: str, gradient: str = "octahedral") -> dict[str, str]:
+def settings(arithmetic: str, hash_: str = "lattice", gradient: str = "octahedral") -> dict[str, str]:
     return Choice(arithmetic=arithmetic, hash=hash_, gradient=gradient).knobs.macros()
 
 
@@ -192,7 +175,6 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
         made = program(tuple(names), kinds.setdefault((alike, syntax is None, *macros.items()), choice))
         command, precise = command_of(names, choice), choice.arithmetic == "precise"
         if syntax:
-            from translate.pick import scalars
             written = syntax(precise)
             written.name = choice.name or written.name
             written.is_fixed = choice.arithmetic == "fixed"
@@ -201,7 +183,6 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
                 raise Unknown(choice.taken)
             return text
         if choice.language == TSL:
-            from translate.pick import tsl
             return tsl.text(made, facts(made, library, True, choice.knobs), origin(command))
         code = made.text(language, precise, with_seedless=True)
         renamed = renaming(code, choice)

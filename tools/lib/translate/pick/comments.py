@@ -30,11 +30,19 @@ METRIC = ". This is with the Euclidean metric and a jitter of 1"
 
 
 class Facts(NamedTuple):
-    """Paragraphs. The parameters are GLSL's."""
+    """Paragraphs. The parameters are GLSL's, or by their names in a language, a position's together."""
     what: str = ""
     parameters: Mapping[str, str] = {}
     returns: str = ""
     error: str = ""
+    call: str = ""
+    sets: Sequence[str] = ()  # its results beside the first: the outputs' names in GLSL
+
+    @property
+    def all_returns(self) -> str:
+        """With the other results behind it."""
+        described = (f"{one}, {self.parameters.get(one, '').removeprefix('set to ')}".rstrip(", ") for one in self.sets)
+        return "; then ".join(filter(None, [self.returns, *described]))
 
 
 class Block(NamedTuple):

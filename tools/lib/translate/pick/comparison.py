@@ -1,5 +1,5 @@
-"""Programs that compare picked functions with the library in C++, bit by bit, at points that they draw: one in C++,
-and for other languages one that writes arguments and results."""
+"""A program in C++ that draws points, and writes the library's arguments and results there, for programs in other
+languages to be compared with bit by bit."""
 
 from __future__ import annotations
 
@@ -17,17 +17,12 @@ HEAD = """#include <bit>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <optional>
 #include <random>
 
 #include "hashnoise/hashnoise.hpp"
 
 namespace hashnoise {
-// Structs are compared part by part, since there may be gaps between the parts.
-template <typename T>
-bool differs(const T& a, const T& b) { return std::memcmp(&a, &b, sizeof a) != 0; }
-
 // Seldom a NaN or an infinity, which have bits with HN_FIXED alone.
 std::optional<float> no_number(unsigned drawn) {
   constexpr float kNoNumbers[] = {NAN, INFINITY, -INFINITY};
@@ -35,6 +30,7 @@ std::optional<float> no_number(unsigned drawn) {
   return kNoNumbers[drawn / 64 % 3];
 }
 """
+OTHER_KNOBS = "fast pcg sine"  # in which two functions are compared, in one language
 # From where to where settings are drawn: beyond their ranges, too. Others are positions and fractions.
 RANGES = {"lacunarity": (0.5, 4), "gain": (0, 1.5), "jitter": (-0.2, 1.2), "detail": (-0.5, 7), "footprint": (0, 0.5),
           "amplitude": (0, 2), "strength": (0, 3), "phase": (-2, 2), "f": (0, 1)}
@@ -76,58 +72,16 @@ def drawn(parameter: Parameter) -> str:
     return {"octaves": OCTAVES, "metric": METRIC}.get(name) or made(type_, f"{scalar_of(type_)}(g())")
 
 
-def source(module: Module, functions: Mapping[str, Function], texts: Mapping[str, str], points: int) -> str:
-    """The program: it prints each function that differs, and how often. The texts are in C++, by the names of the
-    functions."""
-    lines = [HEAD]
-    lines += [f"bool differs(const {name}& a, const {name}& b) {{ "
-              f"return {' || '.join(f'differs(a.{field}, b.{field})' for field, _, _ in struct.fields)}; }}"
-              for name, struct in module.structs.items()]
-    # Other names than the library's, which C++ would find by their arguments.
-    lines += [f"namespace picked{i} {{\n" + re.sub(r"\bhn_(?=\w+\()", "picked_", texts[name]) + "}"
-              for i, name in enumerate(texts)]
-    lines.append("}  // namespace hashnoise\nusing namespace hashnoise;\n\nint main() {")
-    lines += [_compared(i, name, functions[name], points) for i, name in enumerate(texts)]
-    return "\n".join([*lines, "}", ""])
-
-
-def _compared(number: int, name: str, function: Function, points: int) -> str:
-    lines: list[str] = []
-    sets: list[str] = []
-    passed: list[Sequence[str]] = []
-    for parameter in function.parameters:
-        variable = f"v_{parameter.at.text}"
-        is_read = not parameter.is_set or parameter.type not in SIZES
-        lines.append(f"{parameter.type} {variable} = {drawn(parameter) if is_read else '{}'};")
-        if parameter.is_set:
-            lines.append(f"{parameter.type} a_{variable} = {variable}, b_{variable} = {variable};")
-            sets.append(f"differs(a_{variable}, b_{variable})")
-        passed.append((f"a_{variable}", f"b_{variable}") if parameter.is_set else (variable, variable))
-    ours, picked = (f"{where}({', '.join(names)})" for where, names in zip(
-        (function.name, f"picked{number}::{function.name.replace('hn_', 'picked_', 1)}"), zip(*passed)))
-    if function.type == "void":
-        lines += [f"{ours};", f"{picked};"]
-    else:
-        lines += [f"const auto a = {ours}, b = {picked};"]
-        sets.append("differs(a, b)")
-    differs = " || ".join(sets)
-    if function.name == "hn_next":
-        differs = f"a != b || (a && ({differs}))"  # in C++ it stops before the octave that is none
-    body = "\n      ".join(lines)
-    end = f'    if (count > 0) std::printf("{name}: %d of {points}\\n", count);\n  }}'
-    return _drawing(f"{number}u", f"{body}\n      count += {differs};", points, end, "    int count = 0;\n")
-
-
-def _drawing(seed: str, body: str, points: int, end: str = "  }", start: str = "") -> str:
+def _drawing(seed: str, body: str, points: int) -> str:
     """A block of the program that does so at points that it draws."""
     return f"""  {{
     std::mt19937 g({seed});
     const auto r = [&g](double a, double b) {{ return float(a + (b - a) * (g() / 4294967296.0)); }};
     [[maybe_unused]] const auto any = [&](double a, double b) {{ return no_number(g()).value_or(r(a, b)); }};
-{start}    for (int i = 0; i < {points}; i++) {{
+    for (int i = 0; i < {points}; i++) {{
       {body}
     }}
-{end}"""
+  }}"""
 
 
 WORDS = """
@@ -165,12 +119,12 @@ def words_source(module: Module, functions: Mapping[str, Function], points: int)
     return "\n".join([*lines, "  std::fclose(inputs);", "  std::fclose(outputs);", "}", ""])
 
 
-def compile_words(module: Module, functions: Mapping[str, Function], points: int, arithmetic: str, program: Path,
+def compile_words(module: Module, functions: Mapping[str, Function], points: int, knobs: str, program: Path,
                   *options: str) -> None:
-    """Makes that program, beside its source."""
+    """Makes that program, beside its source. The knobs are an arithmetic, or an arithmetic, a hash and a gradient."""
     source = program.with_suffix(".cpp")
     source.write_text(words_source(module, functions, points), encoding="ascii")
-    macros = [f"{name}={value}" for name, value in settings(arithmetic, "lattice").items()]
+    macros = [f"{name}={value}" for name, value in settings(*knobs.split()).items()]
     compile_program("the program that draws points", source, program, *options, macros=macros)
 
 

@@ -14,7 +14,6 @@ from translate.pick.scalars import (
     Syntax,
     Taken,
     bare,
-    components,
     indented,
     paragraph_lines,
     pascal,
@@ -33,7 +32,8 @@ class CSharp(Syntax):
         object operator out override params private protected public readonly ref return sbyte
         sealed short sizeof stackalloc static string struct switch this throw true try typeof
         uint ulong unchecked unsafe ushort using var virtual void volatile while""".split())
-    shifts_by_int = True
+    shifts_by_int = names_components = True
+    struct_form, field_form = "public struct {name} {{\n{fields}}}\n", "    public {type} {name};\n"
     vector_of, struct_of, field_of = "({parts})", "new {type} {{ {parts} }}", "{name} = {value}"
     builtins = {**{name: name.capitalize() for name in ("floor", "trunc", "sqrt", "min", "max")},
                 **{f"{name} {type_}": f"System.Math.{name.capitalize()}" for name in ("min", "max") for type_ in ("int", "uint")},
@@ -91,9 +91,6 @@ private struct Bits {
     def vector(self, type_: str, axes: Sequence[str] = AXES) -> str:
         return f"({', '.join(f'{self.type(scalar_of(type_))} {pascal(axis)}' for axis in axes[:SIZES[type_]])})"
 
-    def axes(self, result: Part) -> Sequence[str]:
-        return components(result.function) if result.function else AXES
-
     def returned_type(self, result: Part, is_public: bool) -> str:
         is_vector = is_public and SIZES.get(result.type, 1) > 1
         return self.vector(result.type, self.axes(result)) if is_vector else self.type(result.type)
@@ -140,10 +137,6 @@ private struct Bits {
         """Words wrap, also with a compiler option that checks all other integers."""
         wraps, self.wraps = self.wraps, False
         return ["    unchecked {", *(f"    {line}" for line in lines), "    }"] if wraps else lines
-
-    def struct(self, name: str, fields: Sequence[Part]) -> str:
-        inside = "".join(f"    public {self.type(field.type)} {self.field_name(field.name)};\n" for field in fields)
-        return f"public struct {self.type_name(name)} {{\n{inside}}}\n"
 
     def documented(self, name: str, facts: Facts) -> list[str]:
         returns = facts.all_returns[:1].upper() + facts.all_returns[1:]

@@ -33,7 +33,8 @@ class Go(Syntax):
     example_of, example_struct = "{}.", "&{}"
     passed = "const {} = {}"
     end = ""
-    head = "{}"
+    condition, while_, forever = "{}", "for", "for {"
+    struct_form, field_form = "type {name} struct {{\n{fields}}}\n", "    {name} {type}\n"
     index, vector_of, struct_of, field_of = "[{number}]", "{type}{{{parts}}}", "{type}{{{parts}}}", "{name}: {value}"
     results_of = "{}"
     float_end = word_end = ""
@@ -141,12 +142,6 @@ func toWord(x float32) uint32 {
     def do(self, body: list[str], condition: Piece, negated: str) -> list[str]:
         return ["for {", *body, f"    if {negated} {{", "        break", "    }", "}"]
 
-    def while_(self, condition: str) -> str:
-        return f"for {condition} {{"
-
-    def forever(self) -> str:
-        return "for {"
-
     def loop(self, type_: str, name: str, start: str, condition: Piece, step: str, is_read: bool) -> str:
         return f"for {name} := {self.type(type_)}({start}); {condition.text}; {step} {{"
 
@@ -156,10 +151,6 @@ func toWord(x float32) uint32 {
         taken = ", ".join(f"{one.name} {'*' if one.is_set else ''}{self.type(one.type)}" for one in parameters)
         types = ", ".join(self.type(part.type) for part in results)
         return f"func {name}({taken}) {f'({types})' if len(results) > 1 else types}".rstrip() + " {"
-
-    def struct(self, name: str, fields: Sequence[Part]) -> str:
-        inside = "".join(f"    {self.field_name(field.name)} {self.type(field.type)}\n" for field in fields)
-        return f"type {self.type_name(name)} struct {{\n{inside}}}\n"
 
     def struct_comment(self, name: str) -> str:
         text = comments.of_struct(name, lambda function: self.function_name(function, is_public=True))

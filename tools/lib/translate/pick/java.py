@@ -7,7 +7,7 @@ import textwrap
 from collections.abc import Mapping, Sequence
 
 from translate.pick.printer import STRENGTH, UNARY
-from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, block_comment, components, indented, pascal
+from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, block_comment, indented, pascal
 from translate.pick.values import AXES, SIZES, scalar_of
 
 UNSIGNED = {"/": "divideUnsigned", "%": "remainderUnsigned"}
@@ -30,6 +30,7 @@ class Java(Syntax):
         true false null var record yield""".split())
     index, vector_of, struct_of = ".{axis}()", "new {type}({parts})", "new {type}({parts})"
     word_end = ""
+    names_components = True
     builtins = {"uintBitsToFloat": "Float.intBitsToFloat", "floatBitsToUint": "Float.floatToRawIntBits", "abs": "Math.abs",
                 **{f"{name} {type_}": called for name in ("min", "max")
                    for type_, called in (("int", f"Math.{name}"), ("uint", f"{name}Word"))}}
@@ -63,9 +64,6 @@ private static int toWord(float x) {
     def vector(self, type_: str) -> str:
         scalar, size = scalar_of(type_), SIZES[type_]
         return self._record(f"{'Float' if scalar == 'float' else 'Int'}{size}", [self.type(scalar)] * size, AXES)
-
-    def axes(self, result: Part) -> Sequence[str]:
-        return components(result.function) if result.function else AXES
 
     def returned_type(self, result: Part) -> str:
         """Users get a record with the names of the components, also where these are no axes."""

@@ -45,6 +45,7 @@ class JavaScript(Syntax):
         throw true try typeof var void while with yield fround imul numbers words NaN Infinity
         undefined""".split())
     is_typed = False
+    struct_form, field_form = " * @typedef {{object}} {name}\n{fields} */\n", " * @property {{{type}}} {name}\n"
     needs = {"asFloat": ("numbers",), "asUint": ("numbers",)}
 
     @property
@@ -200,13 +201,8 @@ class JavaScript(Syntax):
                 if one.type == "float" and one.is_read]
 
     def struct(self, name: str, fields: Sequence[Part]) -> str:
-        written = [(self.field_name(field.name), self.type(field.type)) for field in fields]
-        if self.is_typed:
-            body = "".join(f"  {field}: {type_};\n" for field, type_ in written)
-            return f"export interface {self.type_name(name)} {{\n{body}}}\n"
-        body = "".join(f" * @property {{{type_}}} {field}\n" for field, type_ in written)
-        about = super().struct_comment(name).removesuffix(" */\n") or "/**\n"
-        return f"{about} * @typedef {{object}} {self.type_name(name)}\n{body} */\n"
+        about = "" if self.is_typed else super().struct_comment(name).removesuffix(" */\n") or "/**\n"
+        return about + super().struct(name, fields)
 
     def documented(self, name: str, facts: Facts) -> list[str]:
         return block_comment(facts, "@returns", types=self.types_now)
@@ -224,3 +220,4 @@ class JavaScript(Syntax):
 
 class TypeScript(JavaScript):
     is_typed = True
+    struct_form, field_form = "export interface {name} {{\n{fields}}}\n", "  {name}: {type};\n"

@@ -23,7 +23,7 @@ from base.tree import GLSL, ROOT
 from base.twin import compile_program
 from translate.parsing.syntax import Function
 from translate.pick import command
-from translate.pick.comparison import compile_words
+from translate.pick.comparison import OTHER_KNOBS, compile_words
 from translate.pick.evaluate import Module
 from translate.pick.osl_runner import OslRunner
 from translate.pick.program import Program, chosen, read
@@ -60,12 +60,14 @@ SERVERS = {
 
 @functools.cache
 def module(arithmetic: str, syntax: type[Syntax] = Syntax) -> Module:
-    return read(GLSL, {**command.settings(arithmetic, "lattice"), **syntax.library}, splits=True)
+    return read(GLSL, {**command.settings(*arithmetic.split()), **syntax.library}, splits=True)
 
 
 def functions(of: Module, arithmetic: str) -> dict[str, Function]:
     """By default some, in each arithmetic others."""
     known = of.forms
+    if arithmetic == OTHER_KNOBS:
+        return {name: known[name] for name in ("hn_perlin2", "hn_cellular3_jitter")}
     turn = command.ARITHMETICS.index(arithmetic)
     names = list(known) if THOROUGH else [TOGETHER[0], *SPECIAL[turn::3], *list(known)[turn * 48::144]]
     return {name: known[name] for name in dict.fromkeys(names)}
@@ -74,7 +76,7 @@ def functions(of: Module, arithmetic: str) -> dict[str, Function]:
 def write_points(folder: Path) -> None:
     """The functions' arguments and results, for each arithmetic."""
     folder.mkdir(parents=True, exist_ok=True)
-    for arithmetic in command.ARITHMETICS:
+    for arithmetic in (*command.ARITHMETICS, OTHER_KNOBS):
         of = module(arithmetic)
         program = folder / arithmetic
         compile_words(of, functions(of, arithmetic), POINTS, arithmetic, program, "-O0", "-Dalways_inline=unused")

@@ -31,6 +31,7 @@ class Osl(Syntax):
     indent = 2
     keeps_names, cased = True, staticmethod(str)
     float_end = word_end = ""
+    forever = "while (1) {"
     least_int, bools = "0x80000000", ("0", "1")
     builtins = {"min uint": "hn_i_smaller", "max uint": "hn_i_larger"}
     library = {"__VERSION__": "130"}
@@ -142,9 +143,6 @@ int hn_i_to_word(float x) {
     def change(self, type_: str, name: str, sign: str, by: str) -> str | None:
         return None if type_ == "uint" and sign in (">>", *UNSIGNED) else super().change(type_, name, sign, by)
 
-    def forever(self) -> str:
-        return "while (1) {"
-
     # Functions.
 
     def function(self, name: str, parameters: Sequence[Taken], results: Sequence[Part], is_public: bool) -> str:
@@ -163,7 +161,6 @@ int hn_i_to_word(float x) {
                 if one.changes and not one.is_set]
 
     def struct(self, name: str, fields: Sequence[Part]) -> str:
-        inside = "".join(f"  {self.type(field.type)} {self.field_name(field.name)};\n" for field in fields)
         made = ""
         if self._is_nested(fields):
             names = [self.field_name(field.name) for field in fields]
@@ -171,7 +168,7 @@ int hn_i_to_word(float x) {
             head = "\n".join(wrapped(f"{name} {self._maker(name)}({taken}) {{", 0))
             sets = "".join(f"  made.{one} = {one};\n" for one in names)
             made = f"\n{head}\n  {name} made;\n{sets}  return made;\n}}\n"
-        return f"struct {name} {{\n{inside}}};\n{made}"
+        return super().struct(name, fields) + made
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
         return super().file(heading, names, [*parts, *shader(self, *self.public[0])])

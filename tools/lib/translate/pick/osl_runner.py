@@ -50,6 +50,7 @@ class OslRunner(CRunner):
                                                                        "put(shown, row, to, {});")}
     faults = {("int", ">>"): "(({}) / (1 << ({})))", ("uint", ">>"): "(({}) >> ({}))"}
     loop = "if (at < {points} * 1000) {{"  # each pixel is a point
+    beyond = 1e38  # floats that are not below this are 0
     indent = "  "
 
     def check(self, lints: bool = False) -> None:
@@ -67,7 +68,7 @@ class OslRunner(CRunner):
             words, inputs = inputs[:points * taken], inputs[points * taken:]
             functions = without_shader(text)
             signed, = struct.iter_unpack(f"{len(words)}i", words.tobytes())
-            floats = (f"{x:.9g}" if abs(x) < 1e38 else "0" for x in array("f", words.tobytes()))
+            floats = (f"{x:.9g}" if abs(x) < self.beyond else "0" for x in array("f", words.tobytes()))
             (folder / f"m{i}.osl").write_text(functions + WORDS + SHADER.format(
                 size=len(words), words=", ".join(map(str, signed)), floats=", ".join(floats), taken=taken, call=call),
                 encoding="ascii")

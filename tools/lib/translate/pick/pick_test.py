@@ -19,22 +19,19 @@ from unittest import mock
 
 from base.thorough import THOROUGH
 from base.tree import GLSL, ROOT, TOOLS
-from base.twin import compile_program
 from translate.names import is_passed
 from translate.parsing.preprocessor import Preprocessor
 from translate.parsing.syntax import Binary, Function, Name, Number, Parentheses, Parser, definitions
 from translate.parsing.tokens import Unknown, tokens_of
-from translate.pick import command, comments, pages, printer, shader, tsl, values
-from translate.pick.comparison import source
+from translate.pick import command, comments, pages, shader, tsl, values
 from translate.pick.evaluate import Module
 from translate.pick.printer import Language
 from translate.pick.program import Program, chosen, read
-from translate.pick.shading import CPP, LANGUAGES
+from translate.pick.shading import LANGUAGES
 
 # The largest that a text may be, without the comment.
 SIZES = {"hn_perlin2": (1600, 42), "hn_value2": (1600, 42), "hn_simplex2": (2600, 48), "hn_cellular2": (2700, 52),
          "hn_fbm2": (2225, 48)}
-POINTS = 300
 OPERATORS = {"+": operator.add, "-": operator.sub, "*": operator.mul, "<<": operator.lshift, ">>": operator.rshift,
              "&": operator.and_, "|": operator.or_, "^": operator.xor}
 WITHOUT_HIGHP = Language()  # as GLSL is, for readers of a test
@@ -64,7 +61,7 @@ def program(of: Module, *names: str, calls_first: bool = False) -> Program:
 def text(*names: str, arithmetic: str = "fast", language: str = "glsl", of: Module | None = None,
          calls_first: bool = False) -> str:
     made = program(of or module(arithmetic), *names, calls_first=calls_first)
-    return made.text(LANGUAGES.get(language, CPP), arithmetic == "precise")
+    return made.text(LANGUAGES[language], arithmetic == "precise")
 
 
 def code(shown: str) -> str:
@@ -77,51 +74,6 @@ def is_node(function: Function) -> bool:
         return bool(tsl.signature(function))
     except Unknown:
         return False
-
-
-class Values(unittest.TestCase):
-    """Every function has the bits of the library in C++: by default some of them, each arithmetic others."""
-
-    def differing(self, arithmetic: str, texts: dict[str, str], *knobs: str) -> list[str]:
-        of = module(arithmetic, *knobs)
-        with tempfile.TemporaryDirectory() as folder:
-            program = Path(folder) / "program"
-            file = program.with_suffix(".cpp")
-            file.write_text(source(of, of.forms, texts, POINTS), encoding="ascii")
-            given = command.settings(arithmetic, *(knobs or ["lattice"]))
-            macros = [f"{name}={value}" for name, value in given.items()]
-            compile_program("what tools/pick writes", file, program, "-O0", macros=(*macros, "always_inline=unused"))
-            return subprocess.run([program], capture_output=True, text=True, check=True).stdout.splitlines()
-
-    def test_they_are_those_of_the_library(self) -> None:
-        ways = list(itertools.product(command.ARITHMETICS, (False, True)))
-        for turn, (arithmetic, calls_first) in enumerate(ways if THOROUGH else (ways[0], ways[3], ways[4])):
-            of = module(arithmetic)
-            names = list(of.forms) if THOROUGH else list(of.forms)[turn * 20::60]
-            self.assertGreater(len(names), 6)
-            with self.subTest(arithmetic=arithmetic, calls_first=calls_first):
-                texts = {name: text(name, of=of, language="cpp", calls_first=calls_first) for name in names}
-                self.assertEqual(self.differing(arithmetic, texts), [])
-
-    def test_with_other_knobs_too(self) -> None:
-        choices = (("pcg", "sine"), ("fnv1", "octahedral"), ("pcg", "octahedral"), ("jenkins", "sine"))
-        for knobs in choices if THOROUGH else choices[:1]:
-            of = module("fast", *knobs)
-            texts = {name: text(name, of=of, language="cpp") for name in ("hn_perlin2", "hn_cellular3_jitter")}
-            with self.subTest(knobs=knobs):
-                self.assertEqual(self.differing("fast", texts, *knobs), [])
-
-    def test_a_difference_is_noticed(self) -> None:
-        right = text("hn_perlin2", language="cpp")
-        wrong = right.replace("0x85EBCA77u", "0x85EBCA79u")
-        self.assertNotEqual(wrong, right)
-        shown = self.differing("fast", {"hn_value2": text("hn_value2", language="cpp"), "hn_perlin2": wrong})
-        self.assertRegex(shown[0], rf"^hn_perlin2: \d+ of {POINTS}$")
-
-    def test_a_fault_of_the_printer_is_noticed(self) -> None:
-        with mock.patch.dict(printer.STRENGTH, {"-": 11}):  # as strong as a product
-            wrong = text("hn_perlin2", language="cpp")
-        self.assertTrue(self.differing("fast", {"hn_perlin2": wrong}))
 
 
 class Constants(unittest.TestCase):
@@ -220,31 +172,11 @@ class Shaders(unittest.TestCase):
         for refused in ("#version 330\nvoid main() {}\n", f"struct pair {{ mediump int a; }};\n{main}"):
             self.assertRaises(Unknown, shader.shortened, refused)
 
-    def test_versions(self) -> None:
-        """Each in its lowest version; ES where the user's own floats are of a lower precision. Godot's is compiled as
-        ES."""
-        for language, head in (("glsl", "#version 330\n"), ("glsl", "#version 300 es\nprecision mediump float;\n"),
-                               ("godot", "#version 300 es\nprecision highp float;\nprecision highp int;\n")):
-            shader = head + text(*MIXED, language=language) + "void main() { int metric = HN_METRIC_HYBRID; }\n"
-            with self.subTest(language=language), tempfile.TemporaryDirectory() as folder:
-                file = Path(folder) / "shader.frag"
-                file.write_text(shader, encoding="ascii")
-                done = subprocess.run(["glslangValidator", file], capture_output=True, text=True, check=False)
-                self.assertEqual(done.returncode, 0, done.stdout)
+    def test_every_number_is_highp(self) -> None:
         bare = r"(?<!highp )\b(?:float|u?int|[iu]?vec\d) \w+(?: =|[,;)])"
         for name in list(module("fast").forms)[::1 if THOROUGH else 24]:
             self.assertNotRegex(text(name), bare)
         self.assertRegex(text(name).replace("highp ", ""), bare)
-
-    def test_hlsl(self) -> None:
-        for arithmetic in command.ARITHMETICS if THOROUGH else ("fast",):
-            hlsl = text(*MIXED, language="hlsl", arithmetic=arithmetic)
-            with self.subTest(arithmetic=arithmetic), tempfile.TemporaryDirectory() as folder:
-                file = Path(folder) / "shader.frag"
-                file.write_text(f"{hlsl}float4 main() : SV_Target {{ return float4(0, 0, 0, 0); }}\n", encoding="ascii")
-                done = subprocess.run(["glslangValidator", "-D", "-V", "-e", "main", "-o", f"{folder}/out", file],
-                                      capture_output=True, text=True, check=False)
-                self.assertEqual(done.returncode, 0, done.stdout)
 
     def test_an_int_becomes_a_float_apart_from_its_uint_in_hlsl(self) -> None:
         """For vkd3d, which takes both conversions for one (detail/word.glsl)."""
@@ -601,24 +533,6 @@ class Comments(unittest.TestCase):
         shown = self.pick(["hn_perlin2_place"], command.Choice("rust"))
         self.assertRegex(shown, r"/// Only functions that return one make a valid one:.*\n#\[derive.*\n"
                                 r"pub struct Place2 \{\n    pub cell_x: i32,")
-
-    def test_they_compile_in_c_and_in_hlsl(self) -> None:
-        cases = {"c": ("float x = 1.0f, y = 1.0f;\nhn_ivec2 nearest;\nhn_vec2 offset;", "gcc", "-x", "c",
-                       "-fsyntax-only", "-Wall", "-Werror", "-Wno-unused-function", "-include", "text", "call"),
-                 "hlsl": ("float2 uv = 1.0;\nint2 nearest;\nfloat2 offset;", "glslangValidator", "-D", "-V", "-S",
-                          "frag", "-e", "main", "-o", "out", "whole")}
-        for language, (variables, *compiler) in cases.items():
-            shown = self.pick(["hn_cellular2_nearest"], command.Choice(language))
-            comment = self.comment(shown)
-            call = re.search(r"(?:example |Example: `)(hn_\w+\(.*?\))(?:`| returns )", comment)[1]
-            for made, status in ((call, 0), (call.replace(", 7u", ""), 1)):
-                with self.subTest(language, call=made), tempfile.TemporaryDirectory() as folder:
-                    main = f"float made() {{\n{variables}\nreturn {made}.x + offset.x + nearest.x;\n}}\n"
-                    entry = "float4 main() : SV_Target { return made(); }\n"
-                    for name, text_ in (("text", shown), ("call", main), ("whole", shown + main + entry)):
-                        (Path(folder) / name).write_text(text_, encoding="ascii")
-                    done = subprocess.run(compiler, cwd=folder, capture_output=True, text=True, check=False)
-                    self.assertEqual(bool(done.returncode), bool(status), done.stdout + done.stderr)
 
     def test_two_texts_are_an_error_in_c(self) -> None:
         """The guard of one must not leave out another one, whose bits are others. The same text may come twice."""

@@ -6,11 +6,11 @@ import zlib
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 from translate.names import PASSED
 from translate.parsing.lines import wrapped
-from translate.parsing.syntax import Function, Parameter
+from translate.parsing.syntax import STRENGTHS, Function, Parameter
 from translate.pick.comments import arguments_of
 from translate.pick.evaluate import Module, Specialization
 from translate.pick.statements import (
@@ -37,9 +37,8 @@ RESERVED = frozenset("""abs floor trunc sqrt min max float int uint bool vec2 ve
     asint line point triangle linear texture matrix vector string double pass technique register shared static lerp frac
     """.split())
 # How strongly operators bind.
-STRENGTH = {"||": 1, "&&": 2, "|": 4, "^": 5, "&": 6, "==": 7, "!=": 7, "<": 8, ">": 8, "<=": 8, ">=": 8, "<<": 9,
-            ">>": 9, "+": 10, "-": 10, "*": 11, "/": 11, "%": 11}
-CHOICE, UNARY, PRIMARY = 0, 12, 13
+STRENGTH = {**STRENGTHS}
+CHOICE, UNARY, PRIMARY = 0, 11, 12
 BITS = ("|", "^", "&", "<<", ">>")  # readers want parentheses around and in these
 TRUTH = ("&&", "||")
 EXAMPLES = {"metric": "HN_METRIC_EUCLIDEAN", "kind": "HN_DISTRIBUTION_PERLIN2"}  # of what users pass
@@ -59,16 +58,139 @@ class Declaration(str):
         return made
 
 
+class Piece(NamedTuple):
+    """An expression as text, how strongly it binds, and its operator if that stands between two operands."""
+    text: str
+    binds: float = PRIMARY
+    sign: str = ""
+
+    def within(self, strength: float) -> str:
+        """In parentheses, unless it binds more strongly than that."""
+        return self.text if self.binds > strength else f"({self.text})"
+
+
 def guard(name: str, code: str) -> str:
     """The name of the include guard of a text. It belongs to this text alone, so it leaves out no other."""
     return f"{name.upper()}_{zlib.crc32(code.encode('ascii')):08X}_H"
 
 
+class Notation:
+    """How a language writes expressions and statements. These are the common parts of C's descendants."""
+    end = ";"
+    condition = "({})"          # as it stands in if and while
+    while_, forever = "while", "while (true) {"
+    names_choices = False       # whether both choices are computed before
+    shortens = False            # whether a branch of one statement may stand on its line
+    float_end, word_end = "", "u"  # of literals
+    least_int = "(-2147483647 - 1)"
+    bools = ("false", "true")
+    index = ".{axis}"           # of a component
+    joins = True                # whether declarations of one type may share a line
+    breaks = " "                # where a long line may be broken
+    no_precise = ""             # why it has no `precise`, and what to take
+    library: Mapping[str, str] = {}  # macros with which the library is read
+    # A struct and a field of it.
+    struct_form, field_form = "struct {name} {{\n{fields}}};\n", "  {type} {name};\n"
+
+    # Names.
+
+    def variable(self, name: str) -> str:
+        return name
+
+    def field_name(self, name: str) -> str:
+        return name
+
+    def type_name(self, name: str) -> str:
+        return name
+
+    def type(self, type_: str) -> str:
+        raise NotImplementedError
+
+    def path(self, name: str) -> str:
+        """A parameter, or a field of one."""
+        first, *fields = name.split(".")
+        return ".".join([self.variable(first), *map(self.field_name, fields)])
+
+    # Expressions.
+
+    def constant(self, constant: Constant) -> str:
+        value = constant.value
+        if constant.type == "bool":
+            return self.bools[bool(value)]
+        if constant.type == "float":
+            return self.float(str(value).rstrip("fF"))
+        return self.int(int(value)) if constant.type == "int" else self.uint(int(value))
+
+    def float(self, text: str) -> str:
+        return f"{text}{self.float_end}"
+
+    def int(self, value: int) -> str:
+        return self.least_int if value == -(1 << 31) else str(value)
+
+    def uint(self, value: int) -> str:
+        return f"{f'0x{value:X}' if value > 9999 else value}{self.word_end}"
+
+    def stands_apart(self, inside: str, around: str) -> bool:
+        """Whether an operation in another one is in parentheses for readers."""
+        return inside != around and (around in BITS or (inside in BITS and around not in TRUTH))
+
+    def infix(self, sign: str, left: Piece, right: Piece) -> Piece:
+        strength = STRENGTH[sign]
+        parts = [f"({piece.text})" if piece.binds < strength + i or piece.sign and self.stands_apart(piece.sign, sign)
+                 else piece.text for i, piece in enumerate((left, right))]
+        return Piece(f"{parts[0]} {sign} {parts[1]}", strength, sign)
+
+    def binary(self, sign: str, type_: str, left: Piece, right: Piece) -> Piece:
+        """`type_` is the operands', or the left one's in shifts."""
+        return self.infix(sign, left, right)
+
+    def unary(self, sign: str, type_: str, operand: Piece) -> Piece:
+        return Piece(f"{sign}{operand.within(UNARY)}", UNARY)
+
+    def choice(self, condition: Piece, yes: Piece, no: Piece, type_: str) -> Piece:
+        return Piece(" ".join((condition.within(CHOICE), "?", yes.within(CHOICE), ":", no.within(CHOICE))), CHOICE)
+
+    def member(self, of: Piece, axis: str) -> Piece:
+        return Piece(of.within(UNARY) + self.index.format(axis=axis, number="xyzw".find(axis)))
+
+    def component_of(self, of: Piece, axis: str, type_: str) -> Piece:
+        """The component of an expression of that type."""
+        return self.member(of, axis)
+
+    def construct(self, type_: str, of: str, parts: Sequence[Piece]) -> Piece:
+        """A number of another type, which is `of`, or a vector."""
+        raise NotImplementedError
+
+    def builtin(self, name: str, type_: str, arguments: Sequence[Piece]) -> Piece:
+        """A function of GLSL whose result has this type."""
+        raise NotImplementedError
+
+    def call(self, name: str, arguments: Sequence[Piece]) -> Piece:
+        return Piece(f"{name}({', '.join(piece.text for piece in arguments)})")
+
+    # Statements.
+
+    def change(self, type_: str, name: str, sign: str, by: str) -> str | None:
+        """The short form of an assignment, if there is one."""
+        if sign in "+-" and by == "1":
+            return f"{name}{sign * 2}"
+        return f"{name} {sign}= {by}"
+
+    def do(self, body: list[str], condition: Piece, negated: str) -> list[str]:
+        return ["do {", *body, f"}} while ({condition.text});"]
+
+    def struct(self, name: str, fields: Sequence[tuple]) -> str:
+        """A field begins with its name and its type."""
+        inside = "".join(self.field_form.format(name=self.field_name(field), type=self.type(type_))
+                         for field, type_, *_ in fields)
+        return self.struct_form.format(name=self.type_name(name), fields=inside)
+
+
 @dataclass(frozen=True)
-class Language:
-    """How a language writes the same. This is what those that come from C have in common."""
+class Language(Notation):
+    """A language with vectors: its text is that of GLSL, but for this."""
     opening: str = ""     # stands first
-    float_suffix: str = ""
+    float_end: str = ""
     qualifier: str = ""   # before each type
     scope: str = ""       # first in each function that makes floats of integers
     function: str = ""    # before each function
@@ -78,31 +200,31 @@ class Language:
     splats: bool = True   # whether operators take a vector and a number
     fills: bool = True    # whether constructors of vectors take one number
     structs: bool = True  # whether structs are defined
-    joins: bool = True    # whether one statement declares several variables
+    joins: bool = True
     is_included: bool = False  # whether files include the text, and a shader may include two of them
-    names_choices: bool = False  # whether both choices are computed before
-    no_precise: str = ""  # why it has no `precise`, and what to take
+    names_choices: bool = False
+    no_precise: str = ""
     names: Mapping[str, str] = field(default_factory=dict)  # of types and functions, where they are not GLSL's
-    library: Mapping[str, str] = field(default_factory=dict)  # macros with which the library is read
+    library: Mapping[str, str] = field(default_factory=dict)
     has_overloads: ClassVar[bool] = True
     braces: ClassVar[bool] = False  # whether a branch of one statement has them, too
-    forever: ClassVar[str] = "while (true) {"
-    ends: ClassVar[tuple[str, str]] = (";", ";")  # of a field, and of a struct
+    shortens: ClassVar[bool] = True
+    passed_constant: ClassVar[str] = "#define {} {}\n"
 
     def named(self, name: str) -> str:
         return self.names.get(name, name)
 
     def called(self, name: str, type_: str) -> str:
-        """A function of GLSL whose result has this type."""
+        """The name of a function of GLSL whose result has this type."""
         return self.named(name)
 
-    def variable(self, name: str) -> str:
-        return name
+    def construct(self, type_: str, of: str, parts: Sequence[Piece]) -> Piece:
+        return self.call(self.named(type_), parts)
 
-    def field(self, name: str) -> str:
-        return name
+    def builtin(self, name: str, type_: str, arguments: Sequence[Piece]) -> Piece:
+        return self.call(self.called(name, type_), arguments)
 
-    def typed(self, type_: str) -> str:
+    def type(self, type_: str) -> str:
         return f"{self.qualifier if type_ in SIZES and type_ != 'bool' else ''}{self.named(type_)}"
 
     def public_name(self, function: Function) -> str:
@@ -116,7 +238,7 @@ class Language:
     def example(self, function: Function) -> str:
         """A call. uv is a position from 0 to 1, and what else is no number is a variable."""
         def number(value: float, type_: str) -> str:
-            return f"{float(value)}{self.float_suffix}" if type_ == "float" else f"{value}{'u' * (type_ == 'uint')}"
+            return f"{float(value)}{self.float_end}" if type_ == "float" else f"{value}{'u' * (type_ == 'uint')}"
 
         def vector(type_: str, parts: Sequence[str]) -> str:
             return parts[0] if SIZES[type_] == 1 else f"{self.named(type_)}({', '.join(parts)})"
@@ -144,10 +266,8 @@ class Language:
 
     def constants(self, functions: Sequence[Function], module: Module) -> str:
         """The constants that users pass to the functions, where no library beside the text has them."""
-        return "".join(self.constant(*one) for one in constants_of(functions, module)) if self.structs else ""
-
-    def constant(self, name: str, value: str) -> str:
-        return f"#define {name} {value}\n"
+        known = constants_of(functions, module) if self.structs else []
+        return "".join(self.passed_constant.format(*one) for one in known)
 
     def pair(self, name: str, type_: str) -> str:
         """A name with its type, as in parameters and fields."""
@@ -156,18 +276,13 @@ class Language:
     def parameter(self, one: Parameter, is_read: bool = False) -> str:
         """A parameter in a head. It may be both set and read."""
         form = (self.inout if is_read else self.out) if one.is_set else "{}"
-        return self.pair(self.variable(one.at.text), form.format(self.typed(one.type)))
+        return self.pair(self.variable(one.at.text), form.format(self.type(one.type)))
 
     def prototype(self, type_: str, name: str, parameters: Iterable[str]) -> str:
-        return f"{self.function}{self.typed(type_)} {name}({', '.join(parameters)})"
+        return f"{self.function}{self.type(type_)} {name}({', '.join(parameters)})"
 
     def head(self, type_: str, name: str, parameters: Iterable[Parameter], read: set[str]) -> str:
         return f"{self.prototype(type_, name, (self.parameter(one, one.at.text in read) for one in parameters))} {{"
-
-    def struct(self, name: str, fields: Iterable[tuple[str, str]]) -> str:
-        after_field, after_struct = self.ends
-        inside = "".join(f"  {self.pair(self.field(one), self.typed(type_))}{after_field}\n" for one, type_ in fields)
-        return f"struct {name} {{\n{inside}}}{after_struct}\n"
 
     def writer(self, block: list[Statement], hints: Mapping[Node, str], parameters: Sequence[Parameter],
                names: Mapping[Specialization, str], precise: bool) -> Writer:
@@ -184,74 +299,54 @@ def constants_of(functions: Sequence[Function], module: Module) -> list[tuple[st
 class Expressions:
     """Values as text."""
 
-    def __init__(self, language: Language, names: Mapping[Specialization, str]):
+    def __init__(self, language: Notation, names: Mapping[Specialization, str]):
         self.language = language
         self.names = names  # of functions
         self.called: dict[Node, str] = {}  # the names of values and variables
 
-    def _text(self, node: Node, strength: int = -1) -> str:
-        """In parentheses, unless it binds more strongly than that."""
-        text, binds = self._expression(node)
-        return text if binds > strength else f"({text})"
+    def _text(self, node: Node) -> str:
+        return self._piece(node).text
 
-    def _constant(self, constant: Constant) -> str:
-        value = constant.value
-        if constant.type == "bool":
-            return "true" if value else "false"
-        if constant.type == "float":
-            return value.rstrip("fF") + self.language.float_suffix
-        if constant.type == "int":
-            return str(value) if value != -(1 << 31) else "(-2147483647 - 1)"
-        return f"0x{value:X}u" if value > 9999 else f"{value}u"
-
-    def _expression(self, node: Node) -> tuple[str, int]:
-        """Its text, and how strongly it binds."""
+    def _piece(self, node: Node) -> Piece:
+        language = self.language
         if isinstance(node, Constant):
             text = self._constant(node)
-            return text, UNARY if text.startswith("-") else PRIMARY
+            return Piece(text, UNARY if text.startswith("-") else PRIMARY)
         if node in self.called or isinstance(node, Variable):
-            return self._named(node), PRIMARY
-        arguments = node.arguments
+            return self._named(node)
         if node.kind == "copy":
-            return self._expression(arguments[0])
+            return self._piece(node.arguments[0])
+        pieces = [self._piece(argument) for argument in self._arguments(node)]
+        of = node.arguments[0].type if node.arguments else ""
         if node.kind == "member":
-            return f"{self._text(arguments[0], UNARY)}.{node.name}", PRIMARY
+            return language.component_of(pieces[0], node.name, of)
         if node.kind == "unary":
-            return f"{node.name}{self._text(arguments[0], UNARY)}", UNARY
+            return language.unary(node.name, of, pieces[0])
         if node.kind == "choice":
-            return self._choice(*arguments)
+            return language.choice(*pieces, node.type)
         if node.kind == "binary":
-            return self._binary(node)
-        if self.language.fills and (number := splatted(node)) is not None:
-            arguments = (number,)
-        if isinstance(node.name, Specialization):
-            name = self.names[node.name]
-        else:
-            name = (self.language.called(node.name, node.type) if node.kind == "builtin" else
-                    self.language.named(node.name))
-        return f"{name}({', '.join(self._text(argument) for argument in arguments)})", PRIMARY
+            return language.binary(node.name, of, *pieces)
+        if node.kind == "construct":
+            return language.construct(node.type, of, pieces)
+        if node.kind == "builtin":
+            return language.builtin(node.name, node.type, pieces)
+        return language.call(self.names.get(node.name, node.name), pieces)
 
-    def _named(self, node: Node) -> str:
-        """The text of a named value: a field's name is behind a point."""
-        name, *fields = (self.called.get(node) or node.name).split(".")
-        return ".".join([self.language.variable(name), *map(self.language.field, fields)])
+    def _constant(self, constant: Constant) -> str:
+        return self.language.constant(constant)
 
-    def _choice(self, condition: Node, yes: Node, no: Node) -> tuple[str, int]:
-        texts = [self._text(argument, CHOICE) for argument in (condition, yes, no)]
-        return f"{texts[0]} ? {texts[1]} : {texts[2]}", CHOICE
+    def _named(self, node: Node) -> Piece:
+        """A named value: a field's name is behind a point."""
+        return Piece(self.language.path(self.called.get(node) or node.name))
 
-    def _binary(self, node: Operation) -> tuple[str, int]:
-        strength = STRENGTH[node.name]
-        parts = []
-        for i, argument in enumerate(self._operands(node)):
-            text, binds = self._expression(argument)
-            is_chain = isinstance(argument, Operation) and argument.kind == "binary" and binds < UNARY
-            apart = is_chain and self._stands_apart(argument.name, node.name)
-            parts.append(f"({text})" if binds < strength + i or apart else text)
-        return f"{parts[0]} {node.name} {parts[1]}", strength
+    def _arguments(self, node: Operation) -> Sequence[Node]:
+        """The arguments of an operation, as the language takes them."""
+        if node.kind == "binary":
+            return self._operands(node)
+        number = splatted(node) if self.language.fills else None
+        return node.arguments if number is None else (number,)
 
-    def _operands(self, node: Operation) -> list[Node]:
-        """The operands of an operator, as the language takes them."""
+    def _operands(self, node: Operation) -> Sequence[Node]:
         left, right = node.arguments
         return [self._scalar(one) if SIZES[other.type] > 1 else one for one, other in ((left, right), (right, left))]
 
@@ -260,16 +355,12 @@ class Expressions:
         number = splatted(node) if self.language.splats else None
         return node if number is None else number
 
-    def _stands_apart(self, inside: str, around: str) -> bool:
-        """Whether an operation is in parentheses for readers."""
-        return inside != around and (around in BITS or (inside in BITS and around not in TRUTH))
-
 
 class Writer(Expressions):
     """Writes the body of one function. `hints` has the library's names of values, `names` the names of calls."""
     indent = 2
 
-    def __init__(self, language: Language, block: list[Statement], hints: Mapping[Node, str], parameters: Iterable[str],
+    def __init__(self, language: Notation, block: list[Statement], hints: Mapping[Node, str], parameters: Iterable[str],
                  names: Mapping[Specialization, str], precise: bool = False, reserved: Iterable[str] = ()):
         super().__init__(language, names)
         self.block = block
@@ -456,7 +547,7 @@ class Writer(Expressions):
         lines: list[str] = []
         for i in range(len(block) + 1):
             for node in self._starts.get((number, i), []):
-                text = self._expression(node)[0]
+                text = self._text(node)
                 name = self._new_name(node, self.hints.get(node, ""))
                 lines.append(self._declaration(node.type, name, text))
             if i < len(block) and id(block[i]) not in self._dropped:
@@ -478,7 +569,7 @@ class Writer(Expressions):
 
     def _type(self, type_: str) -> str:
         precise = self.precise and not self.language.no_precise and type_ in SIZES and _is_float(type_)
-        return f"{'precise ' if precise else ''}{self.language.typed(type_)}"
+        return f"{'precise ' if precise else ''}{self.language.type(type_)}"
 
     def _new_name(self, node: Node, hint: str) -> str:
         name = hint or (UNNAMED.get(str(node.name), "") if isinstance(node, Operation) else "") or "n"
@@ -494,12 +585,15 @@ class Writer(Expressions):
             name = self.called.get(statement.variable) or self._new_name(statement.variable, statement.variable.name)
             return [self._declared(statement.variable, name, value)]
         if isinstance(statement, Set):
-            return [f"{self._change(statement)};"]
+            return [f"{self._change(statement)}{self.language.end}"]
         if isinstance(statement, Return):
-            return [f"return {self._text(statement.value)};"] if statement.value is not None else []
+            return self._returned(statement.value) if statement.value is not None else []
         if isinstance(statement, Break):
-            return ["break;"]
+            return [f"break{self.language.end}"]
         return self._if(statement) if isinstance(statement, If) else self._loop(statement)
+
+    def _returned(self, value: Node) -> list[str]:
+        return [f"return {self._text(value)};"]
 
     def _change(self, statement: Set) -> str:
         name, value = self._text(statement.variable), statement.value
@@ -509,26 +603,23 @@ class Writer(Expressions):
             left_is, right_is = (isinstance(one, Variable) and _key(one) == changed for one in (left, right))
             if value.name == "+" and right_is:  # the same bits, of floats as well
                 left, right = right, left
-            if (left_is or value.name == "+" and right_is) and (short := self._updated(value.type, name, value.name, right)):
+            if (left_is or value.name == "+" and right_is) and (
+                    short := self.language.change(value.type, name, value.name, self._text(right))):
                 return short
         return f"{name} = {self._text(value)}"
 
-    def _updated(self, type_: str, name: str, sign: str, by: Node) -> str | None:
-        """The short form of a change, if there is one."""
-        if sign in "+-" and by == Constant("int", 1):
-            return f"{name}{sign * 2}"
-        return f"{name} {sign}= {self._text(by)}"
-
     def _if(self, statement: If) -> list[str]:
-        head = f"if ({self._text(statement.condition)}) {{"
-        if not statement.yes:
-            head = f"if (!{self._text(statement.condition, UNARY)}) {{"
+        condition = self._text(statement.condition) if statement.yes else self._negated(statement.condition)
+        head = f"if {self.language.condition.format(condition)} {{"
         lines = [head, *self._lines(statement.yes or statement.no, self.indent)]
         if statement.yes and statement.no:
             lines += self._otherwise(statement.no)
-        if len(lines) == 2 and len(head) + len(lines[1]) < WIDTH:
+        if self.language.shortens and len(lines) == 2 and len(head) + len(lines[1]) < WIDTH:
             return [f"{head} {lines[1].strip()} }}" if self.language.braces else f"{head[:-2]} {lines[1].strip()}"]
         return [*lines, "}"]
+
+    def _negated(self, condition: Node) -> str:
+        return self.language.unary("!", "bool", self._piece(condition)).text
 
     def _otherwise(self, block: list[Statement]) -> list[str]:
         """The other branch; a lone condition in it is an `else if`."""
@@ -540,17 +631,21 @@ class Writer(Expressions):
         return ["} else {", *lines]
 
     def _loop(self, loop: Loop) -> list[str]:
+        language = self.language
         if loop.asks_behind:
-            return self._do(self._lines(loop.body, 2), loop.condition)
+            body = self._lines(loop.body, self.indent)
+            return language.do(body, self._piece(loop.condition), self._negated(loop.condition))
         if id(loop) in self._counts:
-            start, step = self._counts[id(loop)]
-            head = f"for ({self._statement(start)[0]} {self._text(loop.condition)}; {self._change(step)}) {{"
+            head = self._counted(loop, *self._counts[id(loop)])
+        elif loop.condition is not None:
+            head = f"{language.while_} {language.condition.format(self._text(loop.condition))} {{"
         else:
-            head = f"while ({self._text(loop.condition)}) {{" if loop.condition is not None else self.language.forever
-        return [head, *self._lines(loop.body, 2), "}"]
+            head = language.forever
+        return [head, *self._lines(loop.body, self.indent), "}"]
 
-    def _do(self, body: list[str], condition: Node) -> list[str]:
-        return ["do {", *body, f"}} while ({self._text(condition)});"]
+    def _counted(self, loop: Loop, start: Declare, step: Set) -> str:
+        """The head of a loop that counts."""
+        return f"for ({self._statement(start)[0]} {self._text(loop.condition)}; {self._change(step)}) {{"
 
 
 def declared(parameter: Parameter) -> str:

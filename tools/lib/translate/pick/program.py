@@ -436,9 +436,13 @@ class Program:
     def pieces(self, language: Language, precise: bool = False) -> Iterator[tuple[str, str]]:
         """Structs and functions, each behind its helpers. A name is the same in all languages of one program, and that
         of a function that is wanted is the one of its form."""
-        names = self._names(language)
+        def key(name: str, one: Evaluated) -> object:
+            types = tuple(parameter.type for parameter in one.parameters)
+            return (name, types) if language.has_overloads else name
+
+        names = self.names([key(language.public_name(root.function), root) for root in self.roots], key=key)
         for name in self.structs() if language.structs else []:
-            yield name, language.struct(name, [(field, type_) for field, type_, _ in self.module.structs[name].fields])
+            yield name, language.struct(name, self.module.structs[name].fields)
         for special, evaluated in self.called.items():
             yield f"{special.name} {' '.join(special.types)}", self._function(evaluated, names[special], language, names, precise)
         for root in self.roots:
@@ -449,20 +453,17 @@ class Program:
         """Whether GLSL has it without the seed behind its other parameters."""
         return function.types[-1:] == ("uint",) and self.module.overload(function.name, function.types[:-1]) is not None
 
-    def _names(self, language: Language) -> dict[Specialization, str]:
+    def names(self, taken: Iterable[object], named: Callable[[str], str] = str,
+              key: Callable[[str, Evaluated], object] = lambda name, _: name) -> dict[Specialization, str]:
         """The names of the functions that are called. Overloads may differ in what is left out alone: the later has a
-        number."""
-        def head(name: str, types: tuple[str, ...]) -> object:
-            return (name, types) if language.has_overloads else name
-
-        taken = {head(language.public_name(root.function), root.function.types) for root in self.roots}
-        names: dict[Specialization, str] = {}
+        number. A key distinguishes functions, and `taken` has those of others."""
+        found: dict[Specialization, str] = {}
+        known = {*taken}
         for special, evaluated in self.called.items():
-            types = tuple(parameter.type for parameter in evaluated.parameters)
-            numbered = (special.name, *(f"{special.name}_{i}" for i in range(2, 100)))
-            names[special] = next(name for name in numbered if head(name, types) not in taken)
-            taken.add(head(names[special], types))
-        return names
+            numbered = map(named, (special.name, *(f"{special.name}_{i}" for i in range(2, 100))))
+            found[special] = next(name for name in numbered if key(name, evaluated) not in known)
+            known.add(key(found[special], evaluated))
+        return found
 
     def structs(self) -> list[str]:
         """The structs in parameters and results, with the structs inside, in the order of the library."""

@@ -10,7 +10,7 @@ from decimal import Decimal
 
 from translate.names import OF_AXES
 from translate.pick.printer import CHOICE, PRIMARY, UNARY, Declaration
-from translate.pick.scalars import Part, Piece, Syntax, Taken, bare, pascal
+from translate.pick.scalars import Part, Piece, Syntax, Taken
 from translate.pick.values import SIZES, Operation, scalar_of
 
 CAST = UNARY - 0.5  # `as` binds more strongly than *, and more weakly than an operator before its operand
@@ -68,7 +68,8 @@ class Rust(Syntax):
     word = "u32"
     example_struct = "&mut {}"
     passed = "#[allow(dead_code)] pub const {}: i32 = {};"
-    head = "{}"
+    condition, forever = "{}", "loop {"
+    struct_form, field_form = "pub struct {name} {{\n{fields}}}\n", "    pub {name}: {type},\n"
     cased = staticmethod(str)
     index, vector_of, struct_of = "[{number}]", "[{parts}]", "{type} {{ {parts} }}"
     word_end = ""
@@ -233,9 +234,6 @@ fn abs(x: f32) -> f32 {
     def do(self, body: list[str], condition: Piece, negated: str) -> list[str]:
         return ["loop {", *body, f"    if {negated} {{", "        break;", "    }", "}"]
 
-    def forever(self) -> str:
-        return "loop {"
-
     def loop(self, type_: str, name: str, start: str, condition: Piece, step: str, is_read: bool) -> str:
         return f"for {name if is_read else '_'} in {start}..{condition.text.removeprefix(f'{name} < ')} {{"
 
@@ -256,8 +254,7 @@ fn abs(x: f32) -> f32 {
         return f"{super().struct_comment(name)}{made}"
 
     def struct(self, name: str, fields: Sequence[Part]) -> str:
-        inside = "".join(f"    pub {self.field_name(field.name)}: {self.type(field.type)},\n" for field in fields)
         if all(field.type in ("int", "uint", "bool", *self.whole) for field in fields):
             self.whole.add(name)
         equal = "PartialEq, Eq" if name in self.whole else "PartialEq"
-        return f"#[derive(Clone, Copy, Debug, Default, {equal})]\npub struct {pascal(bare(name))} {{\n{inside}}}\n"
+        return f"#[derive(Clone, Copy, Debug, Default, {equal})]\n{super().struct(name, fields)}"

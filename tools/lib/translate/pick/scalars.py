@@ -19,18 +19,14 @@ from translate.names import PASSED, wgsl_name
 from translate.parsing.lines import wrapped
 from translate.parsing.syntax import Function, Parameter
 from translate.pick import comments
+from translate.pick.comments import Facts
 from translate.pick.evaluate import Module, Specialization, dotted
 from translate.pick.printer import (
-    BITS,
-    CHOICE,
     EXAMPLES,
-    PRIMARY,
-    STRENGTH,
-    TRUTH,
-    UNARY,
     UNNAMED,
     Declaration,
-    Language,
+    Notation,
+    Piece,
     Writer,
     constants_of,
     declarations_joined,
@@ -38,7 +34,6 @@ from translate.pick.printer import (
 )
 from translate.pick.program import Evaluated, Program
 from translate.pick.statements import (
-    Break,
     Declare,
     If,
     Loop,
@@ -59,38 +54,11 @@ DISTANCES = {"first": "f1", "second": "f2", "third": "f3"}
 NEGATED = {"<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "=="}  # of whole numbers
 
 
-class Piece(NamedTuple):
-    """An expression as text, how strongly it binds, and its operator if that stands between two operands."""
-    text: str
-    binds: int = PRIMARY
-    sign: str = ""
-
-    def within(self, strength: int) -> str:
-        """In parentheses, unless it binds more strongly than that."""
-        return self.text if self.binds > strength else f"({self.text})"
-
-
 class Part(NamedTuple):
     """A field of a struct, or a result, with the function that returns it."""
     name: str
     type: str
     function: Function | None = None
-
-
-class Facts(NamedTuple):
-    """The library's comment on a function: paragraphs."""
-    what: str
-    returns: str
-    error: str
-    parameters: Mapping[str, str] = {}  # by their names in the language, a position's together
-    call: str = ""
-    sets: Sequence[str] = ()  # its results beside the first: the outputs' names in GLSL
-
-    @property
-    def all_returns(self) -> str:
-        """With the other results behind it."""
-        described = (f"{one}, {self.parameters.get(one, '').removeprefix('set to ')}".rstrip(", ") for one in self.sets)
-        return "; then ".join(filter(None, [self.returns, *described]))
 
 
 def paragraph_lines(text: str, width: int = 96, begin: str = "", indent: str = "") -> list[str]:
@@ -125,7 +93,7 @@ def block_comment(facts: Facts, tag: str, begin: str = "", types: Mapping[str, s
     return ["/**", *(f" * {line}".rstrip() for line in lines), " */"] if lines else []
 
 
-def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: comments.Facts) -> Facts:
+def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: Facts) -> Facts:
     function, module = evaluated.function, evaluated.evaluation.library
     names = iter(syntax.variable(one.at.text) for one in evaluated.parameters)
     taken = {one.at.text: [next(names) for _ in module.passed(one)] for one in function.parameters}
@@ -163,7 +131,7 @@ def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: comments.Fa
     shown = {", ".join(taken[one]) or syntax.variable(one): of_language(_of_numbers(text, one, syntax))
              for one, text in known.parameters.items()}
     call = f"{syntax.example_of.format(syntax.name)}{name}({passed})" if known.what else ""
-    return Facts(of_language(known.what), of_language(known.returns), of_language(known.error), shown, call,
+    return Facts(of_language(known.what), shown, of_language(known.returns), of_language(known.error), call,
                  () if syntax.sets_parameters else sets)
 
 
@@ -199,23 +167,17 @@ def bare(name: str) -> str:
     return re.sub("^hn_(i_)?", "", name)
 
 
-class Syntax:
-    """How a language writes the same. These are the common parts of C's descendants."""
+class Syntax(Notation):
+    """A language that knows numbers alone."""
     indent = 4
-    end = ";"
-    head = "({})"                    # of a condition
     keeps_names = False              # whether names are the library's
     cased = staticmethod(camel)      # the name of a variable or a field
-    index = ".{axis}"                # of a component
     # A vector and a struct of these parts, and a part of a struct, which may be its name alone.
     vector_of, struct_of, field_of = "{type}({parts})", "{type}({parts})", "{value}"
     results_of = "({})"              # several results
-    float_end, word_end = "f", "u"   # of literals
+    float_end = "f"
     least_int = "-2147483648"
-    bools = ("false", "true")
     types: Mapping[str, str] = {}    # of scalars
-    library: Mapping[str, str] = {}  # macros with which the library is read
-    no_precise = ""                  # why it has no `precise`, and what to take
     reserved: frozenset[str] = frozenset()
     helpers: Mapping[str, str] = {}  # functions that the language lacks, with their comments
     builtins: Mapping[str, str] = {}  # by GLSL's names, some with a type: the names of helpers, or of the language's own
@@ -224,6 +186,7 @@ class Syntax:
     sets_parameters = False          # whether other results are set by parameters of that name
     set_to = "{}"                    # such a parameter, where it is set
     shifts_by_int = False            # whether the right operand of a shift has to be an int
+    names_components = False         # whether those of a result that is no vector have the catalog's names
     counts_a_range = False           # whether loops that count go through a range
     branches_are_values = False      # whether an if has a value
     # The name of a component, and the line that the components of a vector share, if they do.
@@ -237,8 +200,6 @@ class Syntax:
     example_struct = "{}"  # the argument for a struct that changes
     example_set = ""       # the argument for an output
     passed = ""            # the declaration of a constant that users pass, with a place for its name and its number
-    joins = True           # whether declarations of one type may share a line
-    breaks = " "           # where a long line may be broken
 
     def __init__(self, precise: bool = False):
         self.precise = precise
@@ -266,11 +227,6 @@ class Syntax:
         name = self.cased(name)
         return f"{name}_" if name in self.reserved else name
 
-    def path(self, name: str) -> str:
-        """A parameter, or a field of one."""
-        first, *fields = name.split(".")
-        return ".".join([self.variable(first), *(self.field_name(field) for field in fields)])
-
     def type(self, type_: str) -> str:
         return self.types.get(type_) or (self.vector(type_) if "vec" in type_ else self.type_name(type_))
 
@@ -279,7 +235,7 @@ class Syntax:
 
     def axes(self, result: Part) -> Sequence[str]:
         """The names that users read the components of a result by."""
-        return AXES
+        return components(result.function) if self.names_components and result.function else AXES
 
     def helper(self, name: str) -> str:
         """The name of a function that the language lacks, which is then written behind the functions."""
@@ -292,33 +248,7 @@ class Syntax:
 
     # Expressions.
 
-    def constant(self, constant: Constant) -> str:
-        value = constant.value
-        if constant.type == "bool":
-            return self.bools[bool(value)]
-        if constant.type == "float":
-            return self.float(str(value).rstrip("fF"))
-        return self.int(int(value)) if constant.type == "int" else self.uint(int(value))
-
-    def float(self, text: str) -> str:
-        return f"{text}{self.float_end}"
-
-    def int(self, value: int) -> str:
-        return self.least_int if value == -(1 << 31) else str(value)
-
-    def uint(self, value: int) -> str:
-        return f"{f'0x{value:X}' if value > 9999 else value}{self.word_end}"
-
-    def infix(self, sign: str, left: Piece, right: Piece) -> Piece:
-        strength = STRENGTH[sign]
-        parts = []
-        for i, piece in enumerate((left, right)):
-            mixed = piece.sign not in ("", sign) and (sign in BITS or (piece.sign in BITS and sign not in TRUTH))
-            parts.append(f"({piece.text})" if piece.binds < strength + i or mixed else piece.text)
-        return Piece(f"{parts[0]} {sign} {parts[1]}", strength, sign)
-
     def binary(self, sign: str, type_: str, left: Piece, right: Piece) -> Piece:
-        """`type_` is the operands', or the left one's in shifts."""
         made = self.infix(sign, left, right)
         return self.rounded(made) if type_ == "float" and sign in "+-*/" else made
 
@@ -326,18 +256,8 @@ class Syntax:
         """A float that was computed, as a float has to be."""
         return piece
 
-    def unary(self, sign: str, type_: str, operand: Piece) -> Piece:
-        return Piece(f"{sign}{operand.within(UNARY)}", UNARY)
-
-    def choice(self, condition: Piece, yes: Piece, no: Piece, type_: str) -> Piece:
-        return Piece(" ".join((condition.within(CHOICE), "?", yes.within(CHOICE), ":", no.within(CHOICE))), CHOICE)
-
-    def member(self, of: Piece, axis: str) -> Piece:
-        return Piece(of.within(UNARY) + self.index.format(axis=axis, number="xyzw".find(axis)))
-
-    def component_of(self, of: Piece, axis: str, type_: str) -> Piece:
-        """The component of an expression of that type."""
-        return self.member(of, axis)
+    def construct(self, type_: str, of: str, parts: Sequence[Piece]) -> Piece:
+        return self.make_vector(type_, parts) if "vec" in type_ else self.convert(type_, of, parts[0])
 
     def convert(self, to: str, of: str, piece: Piece) -> Piece:
         raise NotImplementedError
@@ -345,9 +265,6 @@ class Syntax:
     def builtin(self, name: str, type_: str, arguments: Sequence[Piece]) -> Piece:
         called = self.builtins.get(f"{name} {type_}") or self.builtins.get(name, name)
         return self.call(self.helper(called) if called in self.helpers else called, arguments)
-
-    def call(self, name: str, arguments: Sequence[Piece]) -> Piece:
-        return Piece(f"{name}({', '.join(piece.text for piece in arguments)})")
 
     def make_vector(self, type_: str, parts: Sequence[Piece]) -> Piece:
         of = self.vector(type_) if "{type}" in self.vector_of else ""
@@ -372,12 +289,6 @@ class Syntax:
         """The beginning of a declaration of variables by branches that have values."""
         raise NotImplementedError
 
-    def change(self, type_: str, name: str, sign: str, by: str) -> str | None:
-        """The short form of an assignment, if there is one."""
-        if sign in "+-" and by == "1":
-            return f"{name}{sign * 2}"
-        return f"{name} {sign}= {by}"
-
     def returned(self, results: Sequence[Part], pieces: Sequence[Piece]) -> list[str]:
         """The end of a function: its result, and its other results, which parameters may be set to."""
         if self.sets_parameters:
@@ -386,15 +297,6 @@ class Syntax:
             return [*lines, *(f"return {piece.text};" for part, piece in zip(results, pieces) if part.name == "value")]
         whole = pieces[0] if len(pieces) == 1 else self.make_results(results, pieces)
         return [f"return {whole.text}{self.end}"]
-
-    def do(self, body: list[str], condition: Piece, negated: str) -> list[str]:
-        return ["do {", *body, f"}} while ({condition.text});"]
-
-    def while_(self, condition: str) -> str:
-        return f"while {self.head.format(condition)} {{"
-
-    def forever(self) -> str:
-        return "while (true) {"
 
     def loop(self, type_: str, name: str, start: str, condition: Piece, step: str, is_read: bool) -> str:
         """The head of a loop that counts. Its body may not read the number."""
@@ -413,13 +315,10 @@ class Syntax:
         """The body of a function, as it stands in the text."""
         return lines
 
-    def struct(self, name: str, fields: Sequence[Part]) -> str:
-        raise NotImplementedError
-
     def struct_comment(self, name: str) -> str:
         """The lines above a struct."""
         text = comments.of_struct(name, lambda function: self.function_name(function, is_public=True))
-        lines = self.documented(self.type_name(name), Facts(text, "", "")) if text else []
+        lines = self.documented(self.type_name(name), Facts(text)) if text else []
         return "".join(f"{line}\n" for line in lines)
 
     def documented(self, name: str, facts: Facts) -> list[str]:
@@ -476,11 +375,11 @@ class Syntax:
 
 class Scalars(Writer):
     """Writes the body of one function."""
+    language: Syntax
 
     def __init__(self, syntax: Syntax, structs: Mapping[str, Sequence[Part]], block: list[Statement],
                  hints: Mapping[Node, str], axes: Mapping[Node, str], parameters: Iterable[str],
                  names: Mapping[Specialization, str], results: Sequence[Part]):
-        self.syntax = syntax
         self.results = results
         self.axes = axes
         self.structs = structs
@@ -489,7 +388,7 @@ class Scalars(Writer):
         self._valued: dict[int, list[Variable]] = {}  # of branches that have values, by id(): variables that get them
         self._yielded: set[Variable] = set()          # by branches
         self._last: set[int] = set()                  # branches whose values are returned, by id()
-        super().__init__(Language(), block, hints, parameters, names, reserved={*syntax.reserved, *syntax.helpers})
+        super().__init__(syntax, block, hints, parameters, names, reserved={*syntax.reserved, *syntax.helpers})
 
     def changed_parameters(self) -> set[str]:
         """The parameters that are variables as well."""
@@ -522,10 +421,10 @@ class Scalars(Writer):
         """The loops through a range, if the language has them: by one, to a limit that the loop does not change.
         The others ask a condition."""
         super()._find_counts()
-        if self.syntax.branches_are_values:
+        if self.language.branches_are_values:
             self._find_values()
         for loop in walk(self.block):
-            if self.syntax.counts_a_range and id(loop) in self._counts:
+            if self.language.counts_a_range and id(loop) in self._counts:
                 start, step = self._counts[id(loop)]
                 asked = loop.condition
                 is_range = (isinstance(asked, Operation) and asked.name == "<" and asked.arguments[0] is start.variable
@@ -543,39 +442,27 @@ class Scalars(Writer):
     # Statements.
 
     def _declaration(self, type_: str, name: str, text: str | None) -> str:
-        return self.syntax.declare(type_, self.syntax.variable(name), text, changes=False)
+        return self.language.declare(type_, self.language.variable(name), text, changes=False)
 
     def _joined(self, lines: Sequence[str], indent: int) -> list[str]:
-        return self.syntax.joined(lines, indent)
+        return self.language.joined(lines, indent)
 
-    def _statement(self, statement: Statement) -> list[str]:
-        syntax = self.syntax
-        if isinstance(statement, Declare):
-            variable = statement.variable
-            value = self._text(statement.value) if statement.value is not None else None
-            name = self.called.get(variable) or self._new_name(variable, variable.name)
-            return [syntax.declare(variable.type, syntax.variable(name), value, id(variable) in self._changed)]
-        if isinstance(statement, Set):
-            return [f"{self._change(statement)}{syntax.end}"]
-        if isinstance(statement, Return):
-            value = statement.value
-            if value is None:
-                return []
-            is_whole = isinstance(value, Operation) and value.kind == "results"
-            pieces = [self._piece(one) for one in (value.arguments if is_whole else (value,))]
-            return syntax.returned(self.results, pieces)
-        if isinstance(statement, Break):
-            return [f"break{syntax.end}"]
-        if id(statement) in self._valued:
-            return self._valued_if(statement)
-        return self._if(statement) if isinstance(statement, If) else self._loop(statement)
+    def _declared(self, variable: Variable, name: str, value: str | None) -> str:
+        return self.language.declare(variable.type, self.language.variable(name), value, id(variable) in self._changed)
 
-    def _valued_if(self, statement: If) -> list[str]:
-        names = [self.syntax.variable(self._new_name(one, one.name)) for one in self._valued[id(statement)]]
-        lines = self._if(statement)
+    def _returned(self, value: Node) -> list[str]:
+        is_whole = isinstance(value, Operation) and value.kind == "results"
+        pieces = [self._piece(one) for one in (value.arguments if is_whole else (value,))]
+        return self.language.returned(self.results, pieces)
+
+    def _if(self, statement: If) -> list[str]:
+        if id(statement) not in self._valued:
+            return super()._if(statement)
+        names = [self.language.variable(self._new_name(one, one.name)) for one in self._valued[id(statement)]]
+        lines = super()._if(statement)
         if id(statement) in self._last:
             return lines
-        return [f"{self.syntax.declare_all(names)}{lines[0]}", *lines[1:-1], f"{lines[-1]}{self.syntax.end}"]
+        return [f"{self.language.declare_all(names)}{lines[0]}", *lines[1:-1], f"{lines[-1]}{self.language.end}"]
 
     def _lines(self, block: list[Statement], indent: int) -> list[str]:
         yielded = [one for one in block if isinstance(one, Set) and one.variable in self._yielded]
@@ -588,86 +475,37 @@ class Scalars(Writer):
         whole = texts[0] if len(texts) == 1 else f"({', '.join(texts)})"
         return [*lines, *wrapped(whole, indent)]
 
-    def _updated(self, type_: str, name: str, sign: str, by: Node) -> str | None:
-        return self.syntax.change(type_, name, sign, self._text(by))
-
-    def _if(self, statement: If) -> list[str]:
-        condition = self._piece(statement.condition).text if statement.yes else self._negated(statement.condition)
-        lines = [f"if {self.syntax.head.format(condition)} {{",
-                 *self._lines(statement.yes or statement.no, self.syntax.indent)]
-        if statement.yes and statement.no:
-            lines += self._otherwise(statement.no)
-        return [*lines, "}"]
-
-    def _loop(self, loop: Loop) -> list[str]:
-        syntax = self.syntax
-        if loop.asks_behind:
-            body = self._lines(loop.body, syntax.indent)
-            return syntax.do(body, self._piece(loop.condition), self._negated(loop.condition))
-        if id(loop) in self._counts:
-            start, step = self._counts[id(loop)]
-            name = self.called.get(start.variable) or self._new_name(start.variable, start.variable.name)
-            is_read = start.variable in reachable(value for one in walk(loop.body) if one is not step
-                                                  for value in operands(one))
-            head = syntax.loop(start.variable.type, syntax.variable(name), self._text(start.value),
-                               self._piece(loop.condition), self._change(step), is_read)
-        elif loop.condition is not None:
-            head = syntax.while_(self._text(loop.condition))
-        else:
-            head = syntax.forever()
-        return [head, *self._lines(loop.body, syntax.indent), "}"]
+    def _counted(self, loop: Loop, start: Declare, step: Set) -> str:
+        name = self.called.get(start.variable) or self._new_name(start.variable, start.variable.name)
+        is_read = start.variable in reachable(value for one in walk(loop.body) if one is not step
+                                              for value in operands(one))
+        return self.language.loop(start.variable.type, self.language.variable(name), self._text(start.value),
+                                self._piece(loop.condition), self._change(step), is_read)
 
     def _negated(self, condition: Node) -> str:
         if isinstance(condition, Operation) and condition not in self.called:
             if condition.kind == "unary" and condition.name == "!":
                 return self._text(condition.arguments[0])
             if condition.kind == "binary" and condition.name in NEGATED and condition.arguments[0].type != "float":
-                return self.syntax.binary(NEGATED[condition.name], condition.arguments[0].type,
+                return self.language.binary(NEGATED[condition.name], condition.arguments[0].type,
                                           *(self._piece(argument) for argument in condition.arguments)).text
-        return self.syntax.unary("!", "bool", self._piece(condition)).text
+        return super()._negated(condition)
 
     # Expressions.
 
-    def _constant(self, constant: Constant) -> str:
-        return self.syntax.constant(constant)
-
-    def _expression(self, node: Node) -> tuple[str, int]:
-        piece = self._piece(node)
-        return piece.text, piece.binds
-
     def _piece(self, node: Node) -> Piece:
-        syntax = self.syntax
-        if isinstance(node, Constant):
-            text = syntax.constant(node)
-            return Piece(text, UNARY if text.startswith("-") else PRIMARY)
-        if node in self.called or isinstance(node, Variable):
-            return Piece(syntax.path(self.called.get(node, getattr(node, "name", ""))))
-        if node.kind == "copy":
-            return self._piece(node.arguments[0])
-        arguments = [self._piece(argument) for argument in node.arguments]
-        types = [argument.type for argument in node.arguments]
-        if node.kind == "member":
-            return syntax.component_of(arguments[0], node.name, types[0])
-        if node.kind == "unary":
-            return syntax.unary(node.name, types[0], arguments[0])
-        if node.kind == "choice":
-            return syntax.choice(*arguments, node.type)
-        if node.kind == "binary":
-            if syntax.shifts_by_int and node.name in ("<<", ">>") and types[1] == "uint":
-                arguments[1] = self._piece(converted("int", node.arguments[1]))
-            return syntax.binary(node.name, types[0], *arguments)
-        if node.kind == "construct" and "vec" not in node.name:
-            return syntax.convert(node.type, types[0], arguments[0])
-        if node.kind == "construct":
-            return syntax.make_vector(node.type, arguments)
-        if node.kind == "struct":
-            return syntax.make_struct(node.type, self.structs[node.type], arguments)
-        if node.kind == "builtin":
-            return syntax.builtin(node.name, node.type, arguments)
-        return syntax.call(self.names[node.name], arguments)
+        if isinstance(node, Operation) and node.kind == "struct" and node not in self.called:
+            parts = [self._piece(one) for one in node.arguments]
+            return self.language.make_struct(node.type, self.structs[node.type], parts)
+        return super()._piece(node)
+
+    def _arguments(self, node: Operation) -> Sequence[Node]:
+        if self.language.shifts_by_int and node.name in ("<<", ">>") and node.arguments[1].type == "uint":
+            return node.arguments[0], converted("int", node.arguments[1])
+        return node.arguments
 
     def _length_of(self, node: Operation) -> int:
-        return super()._length_of(node) + self.syntax.overhead(node)
+        return super()._length_of(node) + self.language.overhead(node)
 
 
 def _only_sets(branches: If, variables: Sequence[Variable]) -> bool:
@@ -685,40 +523,51 @@ def _only_sets(branches: If, variables: Sequence[Variable]) -> bool:
     return True
 
 
-def text(program: Program, syntax: Syntax, known: Sequence[comments.Facts] = (), heading: Sequence[str] = ()) -> str:
+def text(program: Program, syntax: Syntax, known: Sequence[Facts] = (), heading: Sequence[str] = ()) -> str:
     """The functions of a program. Facts about them are in their order."""
-    public = [wgsl_name(root.function) for root in program.roots]
-    names = _names(program, syntax, [syntax.function_name(name, is_public=True) for name in public])
-    parts = {name: fields_of(program.module, name) for name in program.structs()}
-    written = [_function(evaluated, names[special], False, syntax, parts, names)
-               for special, evaluated in program.called.items()]
-    of_roots: list[str] = []
-    for name, root, of_library in itertools.zip_longest(public, program.roots, known):
-        shown = syntax.function_name(name, is_public=True)
-        written_root = _function(root, shown, True, syntax, parts, names)
-        said = syntax.documented(shown, facts_of(root, shown, syntax, of_library or comments.Facts()))
-        of_roots.append("\n".join([*said, written_root]))
-    structs = [syntax.struct_comment(name) + syntax.struct(name, fields) for name, fields in parts.items()]
+    facts = itertools.chain(known, itertools.repeat(Facts()))
+    called: list[str] = []
+    of_roots: dict[str, str] = {}
+    for name, evaluated, is_public, written in _functions(program, syntax):
+        if is_public:
+            comment = syntax.documented(name, facts_of(evaluated, name, syntax, next(facts)))
+            of_roots[name] = "\n".join([*comment, written])
+        else:
+            called.append(written)
+    structs = [syntax.struct_comment(name) + syntax.struct(name, fields) for name, fields in _structs(program).items()]
     constants = "".join(f"{syntax.passed.format(syntax.constant_name(name), number)}\n"
                         for name, number in constants_of([root.function for root in program.roots], program.module))
     helpers = [syntax.helpers[name] for name in syntax.helpers if name in syntax.used]
-    functions = [*helpers, *written, *of_roots] if syntax.helpers_first else [*of_roots, *written, *helpers]
-    return syntax.file(heading, [syntax.function_name(name, is_public=True) for name in public],
-                       [*filter(None, [constants]), *structs, *functions])
+    functions = [helpers, called, of_roots.values()]
+    in_order = itertools.chain(*(functions if syntax.helpers_first else reversed(functions)))
+    return syntax.file(heading, [*of_roots], [*filter(None, [constants]), *structs, *in_order])
 
 
 def pieces(program: Program, syntax: Syntax) -> Iterator[tuple[str, str]]:
     """The parts of text(), without comments: each piece by the name that others call it by."""
-    public = [syntax.function_name(wgsl_name(root.function), is_public=True) for root in program.roots]
-    names = _names(program, syntax, public)
-    parts = {name: fields_of(program.module, name) for name in program.structs()}
-    functions = [(names[special], _function(evaluated, names[special], False, syntax, parts, names))
-                 for special, evaluated in program.called.items()]
-    functions += [(name, _function(root, name, True, syntax, parts, names))
-                  for name, root in zip(public, program.roots)]
-    structs = [(syntax.type_name(name), syntax.struct(name, fields)) for name, fields in parts.items()]
+    functions = [(name, written) for name, _, _, written in _functions(program, syntax)]
+    structs = [(syntax.type_name(name), syntax.struct(name, fields)) for name, fields in _structs(program).items()]
     helpers = [(name, syntax.helpers[name]) for name in syntax.helpers if name in syntax.used]
     return iter([*structs, *helpers, *functions])
+
+
+def _functions(program: Program, syntax: Syntax) -> Iterator[tuple[str, Evaluated, bool, str]]:
+    """Names, whether users call them, and texts: first those that others call."""
+    public = [syntax.function_name(wgsl_name(root.function), is_public=True) for root in program.roots]
+    parameters = (one.at.text for evaluated in (*program.roots, *program.called.values())
+                  for one in evaluated.parameters)
+    # There are no overloads, and no function is called like a variable.
+    names = program.names({*public, *syntax.helpers, *syntax.reserved, *map(syntax.variable, parameters)},
+                          lambda name: syntax.function_name(name, is_public=False))
+    structs = _structs(program)
+    for name, evaluated, is_public in (
+            *((names[special], evaluated, False) for special, evaluated in program.called.items()),
+            *((name, root, True) for name, root in zip(public, program.roots))):
+        yield name, evaluated, is_public, _function(evaluated, name, is_public, syntax, structs, names)
+
+
+def _structs(program: Program) -> dict[str, list[Part]]:
+    return {name: fields_of(program.module, name) for name in program.structs()}
 
 
 def fields_of(module: Module, name: str) -> list[Part]:
@@ -746,19 +595,6 @@ def components(function: Function) -> Sequence[str]:
     is_mean_with_slopes = function.name == "hn_mean" and function.types[1:] and "slopes" in function.types[1]
     given = _results().get("hn_fbm_d" if is_mean_with_slopes else function.name, AXES)
     return expanded(given, SIZES[function.type] - 1) if len(given) > 1 and function.type in SIZES else AXES
-
-
-def _names(program: Program, syntax: Syntax, public: Sequence[str]) -> dict[Specialization, str]:
-    """The names of the functions that are called. There are no overloads: the later has a number."""
-    parameters = (one.at.text for evaluated in (*program.roots, *program.called.values())
-                  for one in evaluated.parameters)
-    taken = {*public, *syntax.helpers, *syntax.reserved, *map(syntax.variable, parameters)}
-    names: dict[Specialization, str] = {}
-    for special in program.called:
-        bases = (special.name, *(f"{special.name}_{i}" for i in range(2, 100)))
-        names[special] = next(name for base in bases if (name := syntax.function_name(base, False)) not in taken)
-        taken.add(names[special])
-    return names
 
 
 def _function(evaluated: Evaluated, name: str, is_public: bool, syntax: Syntax,

@@ -17,7 +17,7 @@ HLSL_NAMES = {f"{prefix}vec{size}": f"{scalar}{size}" for scalar, prefix in PREF
 
 class Metal(Language):
     def called(self, name: str, type_: str) -> str:
-        return f"as_type<{self.typed(type_)}>" if name in CASTS else name
+        return f"as_type<{self.type(type_)}>" if name in CASTS else name
 
 
 class Godot(Language):
@@ -38,7 +38,7 @@ HLSL = Language(fills=False, is_included=True, names=HLSL_NAMES, library={"HN_I_
 # Slang does not find a variable that was declared before it in the same statement, if `<` stands behind its name.
 SLANG = replace(HLSL, is_included=False, joins=False, no_precise="Slang's compiler leaves `precise` out of SPIR-V: "
                 "take --arithmetic fixed, whose bits are the same everywhere")
-METAL = Metal(opening="#include <metal_stdlib>\nusing namespace metal;\n\n", is_included=True, float_suffix="f",
+METAL = Metal(opening="#include <metal_stdlib>\nusing namespace metal;\n\n", is_included=True, float_end="f",
               function="inline ", out="thread {}&", inout="thread {}&", no_precise=NO_PRECISE_IN_METAL,
               names=HLSL_NAMES)
 # Its operators are used as the text of the library uses them, which Godot has compiled: of two vectors.
@@ -46,6 +46,3 @@ GODOT = Godot(splats=False, names_choices=True, no_precise="Godot's language has
               "fixed, whose bits are the same everywhere")
 LANGUAGES = {"glsl": GLSL, "glsl-desktop": DESKTOP, "hlsl": HLSL, "slang": SLANG, "metal": METAL, "godot": GODOT,
              "wgsl": Wgsl(passed="&{}", no_precise=NO_PRECISE, joins=False)}
-# For tests: over include/hashnoise/glsl.hpp, which has no operators of a number and a vector, and with its structs.
-CPP = Language(float_suffix="f", function="inline ", out="{}&", inout="{}&", splats=False, fills=False, structs=False,
-               no_precise="it always is")

@@ -15,8 +15,10 @@ from typing import NamedTuple
 from base.debian import Missing
 from base.tree import ROOT
 from translate.hlsl.compilers import compile_by_dxc, dxc
+from translate.library_file import ARITHMETICS
 from translate.parsing.syntax import Function
 from translate.pick.calling import Form
+from translate.pick.comparison import OTHER_KNOBS
 from translate.pick.evaluate import Module
 from translate.pick.runners import NotRun, ran
 from translate.pick.shading import LANGUAGES
@@ -164,7 +166,7 @@ class MetalRunner(Runner):
     form = Form(LANGUAGES["metal"],
                 read={"float": "as_type<float>({})", "int": "as_type<int>({})", "uint": "{}", "bool": "{} != 0u"},
                 write={"float": "as_type<uint>({})", "int": "as_type<uint>({})", "uint": "{}", "bool": "uint({})"})
-    arithmetics = ("fast", "fixed")
+    arithmetics = (*ARITHMETICS, OTHER_KNOBS)
     entry = """
 int run(std::FILE* read, std::FILE* written) {{
   std::vector<uint> inputs({taken}u * {points}u), outputs({given}u * {points}u);

@@ -30,12 +30,12 @@ from translate.wgsl.golden import Page, shaders_over
 
 @functools.cache
 def module(arithmetic: str, language: str = "glsl") -> Module:
-    return read(GLSL, {**command.settings(arithmetic, "lattice"), **LANGUAGES[language].library})
+    return read(GLSL, {**command.settings(*arithmetic.split()), **LANGUAGES[language].library})
 
 
-def text(language: str, arithmetic: str, *names: str) -> str:
+def text(language: str, arithmetic: str, *names: str, calls_first: bool = False) -> str:
     of = module(arithmetic, language)
-    return Program(of, chosen(of, names)).text(LANGUAGES[language])
+    return Program(of, chosen(of, names), calls_first).text(LANGUAGES[language])
 
 
 class Header(unittest.TestCase):
@@ -62,9 +62,10 @@ class Header(unittest.TestCase):
         keys = [(arithmetic, name) for arithmetic in self.runner.arithmetics
                 for name in functions(split_module(arithmetic), arithmetic)]
         self.assertGreater(len(keys), 5)
-        right = [(*key, text(self.language, *key)) for key in keys]
+        # Each function by both ways to find what is called.
+        right = [(*key, text(self.language, *key, calls_first=bool(i % 2))) for i, key in enumerate(keys)]
         key = self.runner.arithmetics[0], "hn_perlin2"
-        with mock.patch.dict(printer.STRENGTH, {"-": 11}):  # as strong as a product
+        with mock.patch.dict(printer.STRENGTH, {"-": printer.STRENGTH["*"]}):  # as strong as a product
             wrong = (*key, text(self.language, *key))
         self.assertNotIn(wrong, right)
         *found, of_wrong = self.differences([*right, wrong])

@@ -4,10 +4,7 @@
 
 A row of TRANSLATORS is a tool in a version, with how it is had and the languages it takes. By default the tools of
 Debian 12 take some functions; in a thorough run all tools take all functions in all arithmetics, in half an hour of
-processor time. Then digests of the texts that a tool has taken are kept in build/translators/, and the next run takes
-others alone. Each tool must refuse a text with a fault, too. This tries all anew:
-
-    rm -rf ../../build/translators; HN_THOROUGH=1 python3 -B -m translate.pick.translators_test
+processor time. Each tool must refuse a text with a fault, too.
 
 Exit status: 0 they do, 1 they do not, 77 what could be tried is right, but a tool cannot be had here.
 """
@@ -15,7 +12,6 @@ Exit status: 0 they do, 1 they do not, 77 what could be tried is right, but a to
 from __future__ import annotations
 
 import functools
-import hashlib
 import os
 import re
 import shutil
@@ -29,7 +25,7 @@ from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from pathlib import Path
 from typing import NamedTuple
 
-from base.debian import VERSIONS, Missing, program
+from base.debian import Missing, program
 from base.javascript.environment import NODE
 from base.thorough import THOROUGH
 from base.tree import GLSL, ROOT
@@ -309,56 +305,31 @@ def all_texts(languages: Sequence[str]) -> dict[tuple[str, str], str]:
         return {key: text for found in pool.map(texts, *zip(*jobs)) for key, text in found.items()}
 
 
-KEPT = ROOT / "build" / "translators"
-
-
-@functools.cache
-def test_and_tools() -> str:
-    """They decide, too: this test, the callers of DXC and FXC, and the packages of Debian unstable that are here."""
-    files = (Path(__file__), *sorted((ROOT / "tools" / "lib" / "translate" / "hlsl").glob("*.*")),
-             *sorted((ROOT / "build" / "debian").glob(f"*/{VERSIONS}")))
-    return "".join(file.read_text(encoding="utf-8") for file in files)
-
-
-def digest(text: str) -> str:
-    return hashlib.sha256((test_and_tools() + text).encode()).hexdigest()
-
-
 class Taken(unittest.TestCase):
     translator: Translator
     take: Take
     languages: Sequence[str]  # of all translators
 
-    def refused(self, language: str, shaders: Mapping[str, str],
-                keep: Callable[[str], object] = lambda _: None) -> dict[str, str]:
-        """Messages by the names; `keep` gets the text of each other shader."""
+    def refused(self, language: str, shaders: Mapping[str, str]) -> dict[str, str]:
+        """Messages by the names."""
         found = {}
         with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(os.cpu_count()) as pool:
             files = [Path(folder) / f"{name}.{FORMS[language][2]}" for name in shaders]
             for file, text in zip(files, shaders.values()):
                 file.write_text(text, encoding="ascii")
             parts = [files[i:i + 32] for i in range(0, len(files), 32)]
-            for part, refused in zip(parts, pool.map(type(self).take, parts)):
+            for refused in pool.map(type(self).take, parts):
                 found |= {file.stem: said for file, said in refused.items()}
-                for file in part:
-                    if file not in refused:
-                        keep(shaders[file.stem])
         return found
 
     def test_each_text(self) -> None:
         tool = f"{self.translator.tool} {self.translator.version}"
-        KEPT.mkdir(parents=True, exist_ok=True)
         for language in self.translator.languages:
             shaders = {name: text for (name, of), text in all_texts(self.languages).items() if of == language
                        and (self.translator.tool not in ("naga", "wgpu") or not name.endswith("precise"))}
             self.assertGreater(len(shaders), 600 if THOROUGH else 1)
-            with (KEPT / f"{tool} {language}" if THOROUGH else Path(os.devnull)).open("a+", encoding="ascii") as kept:
-                kept.seek(0)
-                known = {*kept.read().split()}
-                new = {name: text for name, text in shaders.items() if digest(text) not in known}
-                found = self.refused(language, new, lambda text: print(digest(text), file=kept, flush=True))
-            print(f"{tool}: {len(shaders) - len(found)} of {len(shaders)} texts of {language}, {len(new)} of them new",
-                  flush=True)
+            found = self.refused(language, shaders)
+            print(f"{tool}: {len(shaders) - len(found)} of {len(shaders)} texts of {language}", flush=True)
             with self.subTest(language):
                 self.assertEqual(found, {})
 

@@ -8,12 +8,10 @@ from dataclasses import dataclass
 from translate.names import RESERVED, variable, wgsl_name, wgsl_type
 from translate.parsing.syntax import Function, Parameter
 from translate.pick.evaluate import Specialization
-from translate.pick.printer import BITS, PRIMARY, TRUTH, UNARY, Expressions, Language, Writer, splatted
+from translate.pick.printer import BITS, TRUTH, UNARY, Expressions, Language, Piece, Writer
 from translate.pick.statements import Set, Statement, walk
 from translate.pick.typer import CASTS
-from translate.pick.values import SIZES, Node, Operation, Variable, construct, converted, scalar_of, vector_of
-
-SHIFTS = ("<<", ">>")
+from translate.pick.values import SHIFTS, SIZES, Node, Operation, Variable, construct, converted, scalar_of, vector_of
 
 
 @dataclass(frozen=True)
@@ -23,7 +21,8 @@ class Wgsl(Language):
     has_overloads = False
     braces = True
     forever = "loop {"
-    ends = (",", "")
+    passed_constant = "const {}: i32 = {};\n"
+    struct_form, field_form = "struct {name} {{\n{fields}}}\n", "  {name}: {type},\n"
 
     def named(self, name: str) -> str:
         return wgsl_type(name)
@@ -34,7 +33,7 @@ class Wgsl(Language):
     def variable(self, name: str) -> str:
         return variable(name)
 
-    def field(self, name: str) -> str:
+    def field_name(self, name: str) -> str:
         return variable(name)
 
     def public_name(self, function: Function) -> str:
@@ -43,15 +42,23 @@ class Wgsl(Language):
     def signature(self, function: Function) -> str:
         return self.prototype(function.type, wgsl_name(function), map(self.parameter, function.parameters))[len("fn "):]
 
-    def constant(self, name: str, value: str) -> str:
-        return f"const {name}: i32 = {value};\n"
-
     def pair(self, name: str, type_: str) -> str:
         return f"{name}: {type_}"
 
     def prototype(self, type_: str, name: str, parameters: Iterable[str]) -> str:
-        returned = f" -> {self.typed(type_)}" if type_ != "void" else ""
+        returned = f" -> {self.type(type_)}" if type_ != "void" else ""
         return f"fn {name}({', '.join(parameters)}){returned}"
+
+    def stands_apart(self, inside: str, around: str) -> bool:
+        if inside in SHIFTS or inside in TRUTH and around in TRUTH and inside != around:
+            return True
+        return super().stands_apart(inside, around)
+
+    def choice(self, condition: Piece, yes: Piece, no: Piece, type_: str) -> Piece:
+        return self.call("select", (no, yes, condition))
+
+    def do(self, body: list[str], condition: Piece, negated: str) -> list[str]:
+        return ["loop {", *body, f"  continuing {{ break if {negated}; }}", "}"]
 
     def writer(self, block: list[Statement], hints: Mapping[Node, str], parameters: Sequence[Parameter],
                names: Mapping[Specialization, str], precise: bool) -> Writer:
@@ -61,32 +68,23 @@ class Wgsl(Language):
 class WgslExpressions(Expressions):
     _pointers: set[str]  # parameters
 
-    def _named(self, node: Node) -> str:
-        name, *fields = super()._named(node).split(".", 1)
-        if isinstance(node, Variable) and node.is_parameter and name in self._pointers:
-            name = f"(*{name})" if fields else f"*{name}"
-        return ".".join([name, *fields])
+    def _named(self, node: Node) -> Piece:
+        text = super()._named(node).text
+        name, *fields = text.split(".", 1)
+        if not (isinstance(node, Variable) and node.is_parameter and name in self._pointers):
+            return Piece(text)
+        return Piece(".".join([f"(*{name})", *fields])) if fields else Piece(f"*{name}", UNARY)
 
-    def _expression(self, node: Node) -> tuple[str, int]:
-        if isinstance(node, Operation) and node.kind == "construct" and node not in self.called:
-            return self._constructed(node)
-        text, binds = super()._expression(node)
-        return text, UNARY if isinstance(node, Variable) and text.startswith("*") else binds
+    def _arguments(self, node: Operation) -> Sequence[Node]:
+        """A constructor's are converted first, if they are several, or if one is repeated."""
+        arguments = super()._arguments(node)
+        if node.kind == "construct" and (len(arguments) > 1 or SIZES[arguments[0].type] < SIZES[node.type]):
+            scalar = scalar_of(node.type)
+            return [one if scalar_of(one.type) == scalar else construct(vector_of(scalar, SIZES[one.type]), (one,))
+                    for one in arguments]
+        return arguments
 
-    def _constructed(self, node: Operation) -> tuple[str, int]:
-        """Arguments are converted first, if they are several, or if one is repeated."""
-        number = splatted(node) if self.language.fills else None
-        arguments = node.arguments if number is None else (number,)
-        scalar = scalar_of(node.type)
-        if len(arguments) > 1 or SIZES[arguments[0].type] < SIZES[node.type]:
-            arguments = [one if scalar_of(one.type) == scalar else construct(vector_of(scalar, SIZES[one.type]), (one,))
-                         for one in arguments]
-        return f"{wgsl_type(node.type)}({', '.join(self._text(one) for one in arguments)})", PRIMARY
-
-    def _choice(self, condition: Node, yes: Node, no: Node) -> tuple[str, int]:
-        return f"select({', '.join(self._text(one) for one in (no, yes, condition))})", PRIMARY
-
-    def _operands(self, node: Operation) -> list[Node]:
+    def _operands(self, node: Operation) -> Sequence[Node]:
         """Shifts are by unsigned counts, and of a vector and a number there are the operators of arithmetic alone."""
         if node.name not in BITS:
             return super()._operands(node)
@@ -96,11 +94,6 @@ class WgslExpressions(Expressions):
             count = converted("uint", right) if SIZES[right.type] == 1 else right
             return [left, construct(vector_of("uint", size), (count,))]
         return [construct(node.type, (one,)) for one in (left, right)]
-
-    def _stands_apart(self, inside: str, around: str) -> bool:
-        if inside in SHIFTS or inside in TRUTH and around in TRUTH and inside != around:
-            return True
-        return super()._stands_apart(inside, around)
 
 
 class WgslWriter(WgslExpressions, Writer):
@@ -121,6 +114,3 @@ class WgslWriter(WgslExpressions, Writer):
         if value is None:
             return f"var {name}: {self._type(variable.type)};"
         return f"{'var' if variable in self._changed else 'let'} {name} = {value};"
-
-    def _do(self, body: list[str], condition: Node) -> list[str]:
-        return ["loop {", *body, f"  continuing {{ break if !{self._text(condition, UNARY)}; }}", "}"]

@@ -10,11 +10,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 from base.tree import GLSL
 from translate.parsing import tokens
-from translate.parsing.preprocessor import DEFINE, DIRECTIVE, Preprocessor
+from translate.parsing.preprocessor import CONDITIONAL, DEFINE, DIRECTIVE, Conditions, Preprocessor
 
 # Functions that Godot does not define. Its language has the built-in functions of GLSL ES 3.00.
 UNDEFINED = ("__cplusplus", "HN_I_HLSL", "HN_I_FXC", "HN_I_METAL", "HN_I_OWN_SQUARES", "GL_ES",
@@ -48,58 +47,22 @@ def _directive(line: str) -> tuple[str, str]:
     return (match[1], match[2]) if match else ("", "")
 
 
-@dataclass
-class _Branch:
-    decided: bool
-    holds: bool   # the present branch may be active
-    before: bool  # and one above it is, if it is decided
-    guard: bool
+def _without_conditions(lines: Iterable[str]) -> list[str]:
+    conditions, known = Conditions(), Preprocessor(GLSL, {})
 
-
-class _Conditions:
-    def __init__(self) -> None:
-        self.branches: list[_Branch] = []
-        self.known = Preprocessor(GLSL, {})
-
-    def active(self) -> bool:
-        return all(branch.holds for branch in self.branches)
-
-    def certain(self) -> bool:
-        """Whether no knob decides if a line is there."""
-        return self.active() and all(branch.decided or branch.guard for branch in self.branches)
-
-    def take(self, name: str, rest: str) -> bool:
-        """Takes a directive of conditions; returns whether it has to stay."""
-        if name in ("if", "ifdef", "ifndef"):
-            value = self.value(name, rest) if self.active() else False
-            self.branches.append(_Branch(value is not None, value is not False, value is not False,
-                                         name == "ifndef" and bool(GUARD.fullmatch(rest))))
-            return value is None
-        branch = self.branches[-1]
-        if name == "endif":
-            self.branches.pop()
-        elif branch.decided:
-            outside = all(other.holds for other in self.branches[:-1])
-            branch.holds = outside and not branch.before and (name == "else" or self.value("if", rest) is True)
-            branch.before = branch.before or branch.holds
-        return not branch.decided
-
-    def value(self, name: str, condition: str) -> bool | None:
-        """Whether a condition holds; None if that is not known here."""
+    def value(name: str, condition: str) -> bool | None:
+        """Whether a condition holds; None if a knob decides."""
         if name in ("ifdef", "ifndef"):
             return name == "ifndef" if condition in UNDEFINED else None
-        if not set(WORD.findall(condition)) - {"defined"} <= {*UNDEFINED, *self.known.macros}:
+        if not set(WORD.findall(condition)) - {"defined"} <= {*UNDEFINED, *known.macros}:
             return None
-        return self.known.holds(condition)
+        return known.holds(condition)
 
-
-def _without_conditions(lines: Iterable[str]) -> list[str]:
-    conditions = _Conditions()
     left = []
     for line in lines:
         name, rest = _directive(line)
-        if name in ("if", "ifdef", "ifndef", "elif", "else", "endif"):
-            if conditions.take(name, rest) and conditions.active():
+        if name in CONDITIONAL:
+            if not conditions.take(name, rest, value) and conditions.active():
                 left.append(line)
             continue
         if not conditions.active():
@@ -107,8 +70,9 @@ def _without_conditions(lines: Iterable[str]) -> list[str]:
         if name == "define":
             if rest.split()[0] == NO_PRECISE:
                 line, rest = f"#define {NO_PRECISE} 0", f"{NO_PRECISE} 0"
-            if OWN.match(rest) and conditions.certain() and "(" not in rest.split()[0]:
-                conditions.known.define(rest)
+            is_certain = all(branch.decided or GUARD.fullmatch(branch.condition) for branch in conditions.open)
+            if OWN.match(rest) and is_certain and "(" not in rest.split()[0]:
+                known.define(rest)
         left.append(line)
     return left
 

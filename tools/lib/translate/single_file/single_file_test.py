@@ -151,7 +151,7 @@ class SingleFile(unittest.TestCase):
         self.assertEqual(expanded(lines), [*lines[:3], "float hn_f(hn_i_pair p_hn, vec2 seed_hn) { for (int i_hn = 0; "
                                            "i_hn < 3; ++i_hn) p_hn.seed += float(i_hn) * seed_hn.x; return p_hn.seed; }"])
         text = generate("--language", "godot", "--strip").stdout
-        declared = set(re.findall(r"\b(?:float|int|uint|[iu]?vec\d|hn_i_num\d?|hn_i_rank\d?|hn_i_\w+|HN_I_PLACE\d) (\w+)\b(?!\()",
+        declared = set(re.findall(r"\b(?:float|int|uint|[iu]?vec\d|hn_i_\w+|HN_I_PLACE\d) (\w+)\b(?!\()",
                                   re.sub(r"(?s)struct .*?\};|#.*?\n", "", text)))
         self.assertGreater(len(declared), 100)
         self.assertEqual({name for name in declared if not name.endswith("_hn")}, set())
@@ -227,8 +227,7 @@ class SingleFile(unittest.TestCase):
         for own, other in (("2", "3"), ("3", "2")):
             with self.subTest(dimension=own):
                 text = generate(f"fbm{own}d.glsl").stdout
-                for function in ("hn_i_perlin(hn_i_cell_corners", "hn_perlin(hn_vec", "hn_i_next(hn_vec",
-                                 "hn_octaves(hn_vec"):
+                for function in ("hn_perlin(hn_vec", "hn_octaves(hn_vec"):
                     self.assertIn(f"{function}{own} ", text)
                     self.assertNotIn(f"{function}{other} ", text)
 

@@ -65,7 +65,7 @@ class Module:
         lines, needs = [f"struct {struct.name} {{"], []
         for name, type_, comments in struct.fields:
             lines += [f"  {line}" for line in comments.before if line]
-            field = LANGUAGE.pair(LANGUAGE.field(name), LANGUAGE.typed(type_))
+            field = LANGUAGE.pair(LANGUAGE.field_name(name), LANGUAGE.type(type_))
             lines.append(f"  {field},{comments.after and f'  {comments.after}'}")
             needs += [type_] * (type_ in self.library.structs)
         return Definition(struct.name, struct.comments.before, [*lines, "}"], needs)

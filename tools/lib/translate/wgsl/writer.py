@@ -12,7 +12,7 @@ from translate.parsing import syntax
 from translate.parsing.lines import WIDTH, wrapped
 from translate.parsing.syntax import Expression, Function, Parameter, Statement
 from translate.parsing.tokens import Token
-from translate.pick.printer import PRIMARY
+from translate.pick.printer import UNARY, Piece
 from translate.pick.typer import Typed, Typer, number, plain
 from translate.pick.values import SIZES, Constant, Node, Operation, Variable, result_type, scalar_of, vector_of
 from translate.pick.wgsl import Wgsl, WgslExpressions
@@ -64,19 +64,18 @@ class Expressions(WgslExpressions):
     def _constant(self, constant: Constant) -> str:
         return constant.written or super()._constant(constant)
 
-    def _expression(self, node: Node) -> tuple[str, int]:
+    def _piece(self, node: Node) -> Piece:
         if isinstance(node, Operation) and node.kind == "address":
             text = self._text(node.arguments[0])
-            return text.removeprefix("*") if text.startswith("*") else f"&{text}", PRIMARY
+            return Piece(text.removeprefix("*") if text.startswith("*") else f"&{text}")
         if isinstance(node, Operation) and node.kind == "parentheses":
-            text, binds = self._expression(node.arguments[0])
-            return text if binds == PRIMARY else f"({text})", PRIMARY
-        return super()._expression(node)
+            return Piece(self._piece(node.arguments[0]).within(UNARY))
+        return super()._piece(node)
 
 
 class FunctionWriter(Typer):
     make = UNCHANGED
-    chosen = tuple(name for name, size in SIZES.items() if size == 1)  # hn_i_select chooses other values
+    chosen = tuple(name for name, size in SIZES.items() if size == 1)  # the library has a function for others
 
     def __init__(self, library: Library, function: Function | None = None):
         super().__init__(library)

@@ -36,11 +36,14 @@ class ProvenBounds:
                       max(self.promise, self.fixed_largest))
 
 
-def derived(promise: float, exact: float, lipschitz: float, cell_error: float, parts: dict[str, float]) -> ProvenBounds:
-    """Bounds of a noise with a fixed error that is the sum of its parts; the cut takes no value out of its range."""
-    error, fixed = position_error(cell_error, lipschitz), sum(parts.values()) * SAFE
-    return ProvenBounds(promise, exact, lipschitz, cell_error, error, exact + error, fixed,
-                        exact + (sum(parts.values()) - parts["cut"]) * SAFE, parts)
+def derived(promise: float, exact: float, lipschitz: float, cell_error: float, parts: dict[str, float],
+            fixed_error: float | None = None, fixed_largest: float | None = None) -> ProvenBounds:
+    """Bounds of a noise with a fixed error that is the sum of its parts, unless it is known to be less; the cut takes no
+    value out of its range."""
+    error, total = position_error(cell_error, lipschitz), sum(parts.values())
+    return ProvenBounds(promise, exact, lipschitz, cell_error, error, exact + error,
+                        total * SAFE if fixed_error is None else fixed_error,
+                        exact + (total - parts["cut"]) * SAFE if fixed_largest is None else fixed_largest, parts)
 
 
 def listed(ranges: list[float]) -> str:
@@ -56,8 +59,6 @@ class Proof:
     derive: Callable[[int, Gradient | None], ProvenBounds]
     # Of fixed arithmetic: by name, bounds of the magnitudes that must stay below 2^31.
     largest_intermediates: Callable[[int, Gradient | None], dict[str, float]]
-    # More numbers for tools/make bounds --table
-    describe: Callable[[int, Gradient | None], dict[str, object]] = lambda *_: {}
     # Of a number of dimensions: the ends of ranges in the order in which the comments state them, and the least value.
     ends: Callable[[int], list[float]] | None = None
     least: Callable[[int], float] | None = None
@@ -69,7 +70,7 @@ class Proof:
 def of_components(proof: Proof) -> Proof:
     """The proof of vectors whose components are the noise with other hashes."""
     return replace(proof, cases=tuple(case for case in proof.cases if case[0] in (2, 3) and case[1] is not SINE),
-                   describe=lambda *_: {}, quotes=list)
+                   quotes=list)
 
 
 @functools.cache  # prose and comments are searched for them thousands of times

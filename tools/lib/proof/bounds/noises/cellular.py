@@ -25,24 +25,22 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from proof.bounds import borders, distances, features, moving
+from proof.bounds import distances, features, moving
 from proof.bounds.boxes import SAFE
 from proof.bounds.floats import position_error
 from proof.bounds.gradients import Gradient
-from proof.bounds.noises import Proof, ProvenBounds, listed
+from proof.bounds.noises import Proof, ProvenBounds, derived, listed
 from proof.bounds.table import scientific, shortest
 
 ACCURACY = "docs/measured/accuracy.md"
 CASES = ((2, None), (3, None))
 CLEAR = 1 / 8  # a distance between two points that is seldom less
-CLIMBED = {2: 0.73, 3: 0.72}  # what borders.climb finds, rounded down
 LARGEST_SMOOTH = 7 / 8  # where no point is within 1
 
 
 def proven(largest: float, lipschitz: float, cell_error: float, fixed: float, parts: dict[str, float]) -> ProvenBounds:
     """Distances leave their range by their errors."""
-    error = position_error(cell_error, lipschitz)
-    return ProvenBounds(largest, largest, lipschitz, cell_error, error, largest + error, fixed, largest + fixed, parts)
+    return derived(largest, largest, lipschitz, cell_error, parts, fixed, largest + fixed)
 
 
 def total(parts: dict[str, float]) -> float:
@@ -69,11 +67,8 @@ def of_distances(first: int, count: int) -> Proof:
     def ends(dims: int) -> list[float]:
         return [features.largest_distance(dims, number) for number in range(first, count + 1)]
 
-    def describe(dims: int, _: Gradient | None) -> dict[str, object]:
-        return {f"{name}_largest": end for name, end in zip(("first", "second", "third")[first - 1:], ends(dims))}
-
     return Proof(CASES, lambda dims, _: derive_distances(dims, count),
-                 lambda dims, _: distances.largest_intermediates(dims), describe, ends, quotes=quotes)
+                 lambda dims, _: distances.largest_intermediates(dims), ends, quotes=quotes)
 
 
 # --- Points that move -------------------------------------------------------------------------------------------------
@@ -97,11 +92,6 @@ def quotes_of_phase() -> list[tuple[str, str]]:
         f"With a phase the two distances stay below {plane} in 2D, and below {space} in 3D",
         f"distances is at most {scientific(errors[0])} in 2D and {scientific(errors[1])} in 3D",
         f"the distances are within {scientific(off[0])} in 2D and {scientific(off[1])} in 3D")]
-
-
-def describe_phase(dims: int, _: Gradient | None) -> dict[str, object]:
-    return {"first_largest": moving.largest_distance(dims, 1), "offset_error": moving.offset_error(dims, False),
-            "fixed_offset_error": moving.offset_error(dims, True), "radius": moving.RADIUS[dims]}
 
 
 # --- Derivatives ------------------------------------------------------------------------------------------------------
@@ -149,14 +139,7 @@ def quotes_of_border() -> list[tuple[str, str]]:
     fixed = [scientific(sum(distances.fixed_border_parts(dims, CLEAR).values())) for dims in (2, 3)]
     largest = [shortest(features.largest_border(dims), 3) for dims in (2, 3)]
     return [(ACCURACY, f"at most {floats[0]} in 2D and {floats[1]} in 3D, or {fixed[0]} and {fixed[1]} with"),
-            (ACCURACY, f"to a border stays below {largest[0]} and {largest[1]}."),
-            (ACCURACY, f"a climb reaches {CLIMBED[2]} and {CLIMBED[3]}")]
-
-
-def describe_border(dims: int, _: Gradient | None) -> dict[str, object]:
-    return {"border_of_a_climb": borders.climb(dims),
-            "error_of_points_1/8_apart": distances.border_error(dims, apart=CLEAR),
-            "fixed_error_of_points_1/8_apart": sum(distances.fixed_border_parts(dims, CLEAR).values())}
+            (ACCURACY, f"to a border stays below {largest[0]} and {largest[1]}.")]
 
 
 # --- By name ----------------------------------------------------------------------------------------------------------
@@ -164,16 +147,15 @@ def describe_border(dims: int, _: Gradient | None) -> dict[str, object]:
 PROOFS = {
     "cellular": replace(of_distances(1, 2), offset_error=distances.offset_error),
     "cellular_three": of_distances(3, 3),
-    "cellular_phase": Proof(CASES, derive_phase, lambda dims, _: moving.largest_intermediates(dims), describe_phase,
+    "cellular_phase": Proof(CASES, derive_phase, lambda dims, _: moving.largest_intermediates(dims),
                             ends_of_phase, offset_error=moving.offset_error, quotes=quotes_of_phase),
     "cellular_d": Proof(CASES, derive_d, lambda dims, _: (
         distances.largest_intermediates(dims) | distances.largest_direction_intermediates(dims))),
     "cellular_smooth": Proof(
         CASES, derive_smooth,
         lambda dims, _: distances.largest_intermediates(dims) | distances.largest_smooth_intermediates(dims),
-        lambda dims, _: {"smallest": least_smooth(dims), "largest_sum_of_weights": features.largest_weights(dims)},
         lambda dims: [-least_smooth(dims)], least_smooth, quotes=quotes_of_smooth),
     "cell_border": Proof(
         CASES, derive_border,
         lambda dims, _: distances.largest_intermediates(dims) | distances.largest_border_intermediates(dims),
-        describe_border, least=lambda _: 0.0, offset_error=distances.offset_error, quotes=quotes_of_border)}
+        least=lambda _: 0.0, offset_error=distances.offset_error, quotes=quotes_of_border)}

@@ -46,10 +46,10 @@ from collections.abc import Callable, Iterator, Sequence
 import numpy as np
 
 from proof.bounds.boxes import SAFE, Boxes, cell, supremum
-from proof.bounds.floats import UNIT, position_error, rounding
+from proof.bounds.floats import UNIT, rounding
 from proof.bounds.gradients import LENGTH, OCTAHEDRAL, Gradient
 from proof.bounds.kernels import SIMPLEX, Jet, Kernel, Offsets, Quantity, jet, vector, weight_jet
-from proof.bounds.noises import Proof, ProvenBounds, simplex
+from proof.bounds.noises import Proof, ProvenBounds, derived, simplex
 
 TOLERANCE, LEVEL = 1e-3, 10
 PARTS = 64  # of a quarter, between directions
@@ -164,7 +164,7 @@ def off(error: float) -> float:
 def float_error(of_derivative: float) -> float:
     error = off(of_derivative)
     products = UNIT * (largest_sum() ** 2 / 4 + error)
-    return error + products + float(rounding(largest_product() + error + products, 1.0))
+    return error + products + float(rounding(largest_product() + error + products))
 
 
 def derive(dims: int, _: Gradient | None) -> ProvenBounds:
@@ -173,12 +173,10 @@ def derive(dims: int, _: Gradient | None) -> ProvenBounds:
         return slope
     exact, lipschitz = largest_product(), largest_sum() * slope.lipschitz
     cell_error = float_error(slope.cell_error + MOVE_ERROR * slope.lipschitz)
-    error = position_error(cell_error, lipschitz)
     parts = {"cut": off(slope.fixed_parts["cut"]),
              "points": off(slope.fixed_error) - off(slope.fixed_parts["cut"]) + 2 * FIXED_PRODUCT,
              "scaling": 2.0**-17}
-    fixed_error = sum(parts.values()) * SAFE
-    return ProvenBounds(0.0, exact, lipschitz, cell_error, error, exact + error, fixed_error, exact + fixed_error, parts)
+    return derived(0.0, exact, lipschitz, cell_error, parts, fixed_largest=exact + sum(parts.values()) * SAFE)
 
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
@@ -190,5 +188,4 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
     return of_derivatives | {"product": product, "difference of products": 2 * product + 8}
 
 
-PROOFS = {"curl": Proof(((2, None), (3, None)), derive, largest_intermediates, lambda dims, _: {
-    "largest_sum_of_components": largest_sum()} if dims == 3 else {})}
+PROOFS = {"curl": Proof(((2, None), (3, None)), derive, largest_intermediates)}

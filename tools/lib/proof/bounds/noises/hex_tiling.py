@@ -33,21 +33,21 @@ LARGEST_SKEWED = 3.0  # X, at the end of a cell
 BELOW_ONE = 1 - 2.0**-24
 
 
-def skewed_error(ulps: float = 1.0) -> float:
+def skewed_error() -> float:
     """The error of X, and so of u; a coordinate that is subnormal may be 0."""
-    return rounding(LARGEST_SKEWED, ulps) + 3 * TINY
+    return rounding(LARGEST_SKEWED) + 3 * TINY
 
 
-def weight_error(ulps: float = 1.0) -> float:
+def weight_error() -> float:
     """From a cell."""
-    return skewed_error(ulps) + rounding(BELOW_ONE, ulps)
+    return skewed_error() + rounding(BELOW_ONE)
 
 
 def offset_error(_: int, fixed: bool) -> float:
     """The error of a component of a vector, in cells."""
     if fixed:
         return 1 / ONE
-    return position_error((skewed_error() + 2 * rounding(BELOW_ONE, 1.0)) / 2, 1.0)
+    return position_error((skewed_error() + 2 * rounding(BELOW_ONE)) / 2, 1.0)
 
 
 def derive(_: int, __: Gradient | None) -> ProvenBounds:
@@ -57,6 +57,5 @@ def derive(_: int, __: Gradient | None) -> ProvenBounds:
 
 PROOFS = {"hex_tiling": Proof(
     ((2, None),), derive, lambda *_: {"skewed": LARGEST_SKEWED * ONE},
-    lambda *_: {"error_from_cell_to_nearest": weight_error(0.5), "error_of_a_vector": offset_error(2, False)},
     offset_error=offset_error,
     quotes=lambda: [("docs/measured/accuracy.md", f"vector is within {scientific(offset_error(2, False))} cells")])}

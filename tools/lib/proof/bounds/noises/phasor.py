@@ -42,11 +42,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from proof.bounds import kernel_fixed, kernel_floats, kernels, rotations
-from proof.bounds.boxes import Boxes, cell, supremum
+from proof.bounds.boxes import cell, supremum
 from proof.bounds.floats import Approx
 from proof.bounds.gradients import Gradient
-from proof.bounds.integers import ONE, UNIT, word
-from proof.bounds.kernel_floats import SKEWED
+from proof.bounds.integers import word
 from proof.bounds.kernels import Jet, Kernel, Offsets, dot, weight_jet
 from proof.bounds.noises import Proof, ProvenBounds, derived, listed
 from proof.bounds.sine import fixed_sine_largest
@@ -58,8 +57,19 @@ WAVES = 16  # per cell along an axis, at most
 
 @dataclass(frozen=True, eq=False)
 class Waves(Kernel):
-    """With so many waves per cell along an axis at most."""
+    """With so many waves per cell along an axis at most, in place of gradients."""
     waves: float = WAVES
+
+    def float_ramp(self, own: list[Approx]) -> Approx:
+        return Approx.within(1.0, wave_error(self, own))  # no sine is above 1
+
+    def fixed_ramp(self, offsets: Offsets) -> tuple[float, np.ndarray]:
+        """With the error of the cosine and the sine of a point."""
+        along = WAVE_CUT * offsets.size.sum(axis=0) / self.steps + self.dims * ANGLE_UNIT
+        return 1.0, rotations.fixed_error() + TURN * along
+
+    def along_x(self) -> float:
+        return largest(self, (1.0, 0.0), rate_along(self, 1))
 
 
 # The lattices and the distances are hn_simplex's.
@@ -76,10 +86,8 @@ def attained(kernel: Kernel, u: tuple[float, ...], rate: float, place: np.ndarra
     """The sum of | -2 m w' (d.u) + i rate w | at places: axes by places. Without a direction, and with a rate of 1, it
     is the sum of the weights."""
     total = 0.0
-    for point in kernel.points:
-        d = place - np.array(point)[:, None]
-        t = np.maximum(kernel.radius - kernel.fall * (d * d).sum(axis=0), 0.0)
-        w, dw = (kernel.weight.derivative(order, t) for order in range(2))
+    for d in kernel.offsets(place):
+        w, dw = (kernel.weight.derivative(order, kernel.nearness(d)) for order in range(2))
         total = total + np.hypot(2 * kernel.fall * dw * dot(d, u), rate * w)
     return total
 
@@ -96,13 +104,10 @@ LEVELS, TOLERANCE = {2: 16, 3: 12}, 1e-6
 @functools.cache
 def largest(kernel: Kernel, u: tuple[float, ...], rate: float, same_axes_from: int = 0) -> float:
     """A proven upper bound of that sum. From an axis on, axes may be exchanged."""
-    def bound(boxes: Boxes):
-        value = boxes.at_vertices(functools.partial(attained, kernel, u, rate)).max(axis=0)
-        second = sum(second_derivative(kernel, u, rate, Offsets.of(kernel, boxes, point), axis)
-                     for point in kernel.points for axis in range(kernel.dims))
-        return value + second / 8 * boxes.side**2, value
-    exchange = kernel.dims - 1 if kernel.triangles else min(same_axes_from, kernel.dims - 1)
-    return supremum(bound, cell(kernel.dims, half=True), LEVELS[kernel.dims], TOLERANCE, exchange)
+    bound = kernels.by_vertices(kernel, functools.partial(attained, kernel, u, rate),
+                                functools.partial(second_derivative, kernel, u, rate))
+    return supremum(bound, cell(kernel.dims, half=True), LEVELS[kernel.dims], TOLERANCE,
+                    kernels.exchange_of(kernel, same_axes_from))
 
 
 def scale_of(kernel: Kernel) -> float:
@@ -127,66 +132,23 @@ def lipschitz_of(kernel: Waves) -> float:
 
 # --- Floats -----------------------------------------------------------------------------------------------------------
 
-def angle_error(kernel: Waves, own: kernel_floats.Offsets, ulps: float):
+def angle_error(kernel: Waves, own: kernel_floats.Offsets):
     """The error of the waves along an offset, before they are cut off."""
-    along = kernel_floats.total(Approx(-d.size(), d.size(), d.err, ulps).scaled(float(kernel.waves)) for d in own)
+    along = kernel_floats.total(Approx.within(d.size(), d.err).scaled(float(kernel.waves)) for d in own)
     return TURN * along.err / kernel.steps
 
 
-def wave_error(kernel: Waves, own: kernel_floats.Offsets, ulps: float):
+def wave_error(kernel: Waves, own: kernel_floats.Offsets):
     """The error of the cosine and the sine of a point."""
-    return angle_error(kernel, own, ulps) + rotations.ANGLE_CUT + rotations.float_error(ulps)
-
-
-def value_error(kernel: Waves, ulps, lo, hi):
-    """The largest error in each box of places, given by its ends along each axis. No sine is above 1."""
-    terms = []
-    for own, q in kernel_floats.distances(kernel, lo, hi, ulps):
-        weight = kernel_floats.weighted(kernel, kernel_floats.nearness(kernel, q))
-        terms.append(Approx(-1.0, 1.0, wave_error(kernel, own, ulps), ulps).times(weight))
-    return kernel_floats.added(kernel, terms, ulps).err
-
-
-def moved(kernel: Waves, ulps: float = 1.0) -> float:
-    """The effect of the move of the place."""
-    if not kernel.triangles:
-        return 0.0
-    return SKEWED * ulps * scale_of(kernel) * largest(kernel, (1.0, 0.0), rate_along(kernel, 1))
-
-
-@functools.cache
-def error_bound(kernel: Waves, ulps: float = 1.0) -> float:
-    """A proven upper bound of the error from (cell, fraction)."""
-    return kernel_floats.error_supremum(functools.partial(value_error, kernel, ulps), kernel) + moved(kernel, ulps)
-
-
-# --- Fixed ------------------------------------------------------------------------------------------------------------
-
-def fixed_wave_error(kernel: Kernel, offsets: Offsets):
-    """The error of the cosine and the sine of a point, in each box."""
-    along = WAVE_CUT * offsets.size.sum(axis=0) / kernel.steps + kernel.dims * ANGLE_UNIT
-    return rotations.fixed_error() + TURN * along
-
-
-@functools.cache
-def fixed_rounding_effect(kernel: Kernel) -> float:
-    """All but the cut of the place and the scaling, not scaled."""
-    def of_boxes(boxes: Boxes):
-        points = [kernel_fixed.Weighted(kernel, boxes, point, RAMP_ONE) for point in kernel.points]
-        return sum(point.added(1.0, fixed_wave_error(kernel, point.offsets)) for point in points)
-    return kernel_fixed.error_supremum(kernel, of_boxes)
-
-
-def fixed_parts(kernel: Kernel, lipschitz: float) -> dict[str, float]:
-    return {"cut": lipschitz / ONE, "points": scale_of(kernel) * fixed_rounding_effect(kernel),
-            "scaling": kernel_fixed.scaling_error(kernel, UNIT)}
+    return angle_error(kernel, own) + rotations.ANGLE_CUT + rotations.float_error()
 
 
 # --- Proofs -----------------------------------------------------------------------------------------------------------
 
 def derived_value(kernel: Waves) -> ProvenBounds:
     lipschitz = lipschitz_of(kernel)
-    return derived(1.0, range_of(kernel), lipschitz, error_bound(kernel), fixed_parts(kernel, lipschitz))
+    return derived(1.0, range_of(kernel), lipschitz, kernel_floats.error_bound(kernel),
+                   kernel_fixed.error_parts(kernel, lipschitz))
 
 
 def derive(dims: int, _: Gradient | None) -> ProvenBounds:
@@ -223,9 +185,7 @@ def quotes() -> list[tuple[str, str]]:
     long = [shortest(length(dims), 5) for dims in KERNELS]
     return [("docs/measured/accuracy.md", text) for text in (
         f"`hn_phasor` stays below {below} in 2D and 3D", f"are at most {long[0]} long in 2D and {long[1]} in 3D",
-        f"which costs {scientific(moved(KERNELS[2]))}")]
+        f"which costs {scientific(kernel_floats.moved(KERNELS[2], KERNELS[2].along_x))}")]
 
 
-PROOFS = {"phasor": Proof(CASES, derive, largest_intermediates, lambda dims, _: {
-    "scale": scale_of(KERNELS[dims]), "longest": length(dims),
-    "error_from_cell_to_nearest": error_bound(KERNELS[dims], 0.5)}, quotes=quotes)}
+PROOFS = {"phasor": Proof(CASES, derive, largest_intermediates, quotes=quotes)}

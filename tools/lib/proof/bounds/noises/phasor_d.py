@@ -19,8 +19,8 @@ FLOATS. Each point adds to the derivative fall * cosine * x, in any order, and t
 
 On the plane the skewed coordinate moves the place for all of this alike.
 
-FIXED. The fall is as in kernel_fixed.py, with a cosine in place of a ramp. The sum is in units of 2^-27 per step. Its
-product with S, in units of 2^-19, is exact in units of 2^-24 per cell, and so
+FIXED. The fall is as in kernel_fixed.py, with a cosine, which is at most 1, in place of a ramp. The sum is in units of
+2^-27 per step. Its product with S, in units of 2^-19, is exact in units of 2^-24 per cell, and so
 
     TURN     2 pi k_i is off by the largest error over all integers K, 2^21 + 1 in number, and by the cut of the wave,
              times a value of at most 1. With T = 512 a + b the part of 2^8 z is z/2 a + z/2^10 b, and z >> 1 and
@@ -42,14 +42,12 @@ import numpy as np
 
 from proof.bounds import kernel_fixed, kernel_floats, kernels
 from proof.bounds.boxes import Boxes, cell, supremum
-from proof.bounds.floats import TINY, Approx, constant
+from proof.bounds.floats import TINY, Approx, constant, largest_of
 from proof.bounds.floats import UNIT as ROUNDED
 from proof.bounds.gradients import Gradient
 from proof.bounds.integers import ONE, SLOPE_UNIT, UNIT, part_intermediate
-from proof.bounds.kernel_floats import SKEWED
 from proof.bounds.kernels import Jet, Offsets, dot, weight_jet
 from proof.bounds.noises import Proof, ProvenBounds, derived, phasor
-from proof.bounds.noises.perlin.floats import largest_of
 from proof.bounds.noises.phasor import KERNELS, RAMP_ONE, TURN, WAVE_CUT, Waves, scale_of
 
 FINE, LAST = 2.0**-24, 2.0**-16  # the units of the terms of a derivative, and of the derivative
@@ -66,10 +64,8 @@ def range_of(kernel: Waves) -> float:
 def attained(kernel: Waves, u, s, rates: tuple[float, float], place: np.ndarray) -> np.ndarray:
     """The sum of the lengths of the second derivatives along u and s, at places: axes by places."""
     m, total = kernel.fall, 0.0
-    for point in kernel.points:
-        d = place - np.array(point)[:, None]
-        t = np.maximum(kernel.radius - m * (d * d).sum(axis=0), 0.0)
-        w, dw, ddw = (kernel.weight.derivative(order, t) for order in range(3))
+    for d in kernel.offsets(place):
+        w, dw, ddw = (kernel.weight.derivative(order, kernel.nearness(d)) for order in range(3))
         real = -2 * m * dw * np.dot(u, s) + 4 * m * m * ddw * dot(d, u) * dot(d, s) - rates[0] * rates[1] * w
         total = total + np.hypot(real, 2 * m * dw * (rates[0] * dot(d, s) + rates[1] * dot(d, u)))
     return total
@@ -93,14 +89,10 @@ LEVELS, TOLERANCE = {2: 14, 3: 9}, {2: 0.003, 3: 0.02}
 def steepest(kernel: Waves, u: tuple[float, ...], s: tuple[float, ...], rates: tuple[float, float],
              same_axes_from: int) -> float:
     """A proven upper bound of that sum, not scaled. From an axis on, axes may be exchanged."""
-    def bound(boxes: Boxes):
-        value, first = attained(kernel, u, s, rates, boxes.lo + boxes.side / 2), 0.0
-        for point in kernel.points:
-            offsets = Offsets.of(kernel, boxes, point)
-            first = first + sum(slope_along(kernel, u, s, rates, offsets, axis) for axis in range(kernel.dims))
-        return value + first / 2 * boxes.side, value
-    exchange = kernel.dims - 1 if kernel.triangles else min(same_axes_from, kernel.dims - 1)
-    return supremum(bound, cell(kernel.dims, half=True), LEVELS[kernel.dims], TOLERANCE[kernel.dims], exchange)
+    bound = kernels.by_middle(kernel, functools.partial(attained, kernel, u, s, rates),
+                              functools.partial(slope_along, kernel, u, s, rates))
+    return supremum(bound, cell(kernel.dims, half=True), LEVELS[kernel.dims], TOLERANCE[kernel.dims],
+                    kernels.exchange_of(kernel, same_axes_from))
 
 
 def second_derivative(kernel: Waves, u: tuple[float, ...], s: tuple[float, ...], same_axes_from: int) -> float:
@@ -111,11 +103,7 @@ def second_derivative(kernel: Waves, u: tuple[float, ...], s: tuple[float, ...],
 
 def lipschitz_of(kernel: Waves) -> float:
     """The constant of a derivative, per cell."""
-    if kernel.triangles:
-        pairs = [(axis, sign, 2) for axis in kernels.axes(kernel) for sign in ((1.0, 1.0), (1.0, -1.0))]
-    else:
-        pairs = [(kernels.axes(kernel)[0], sign, same) for sign, same in kernels.signs(kernel, 1)]
-    return kernel.steps**2 * scale_of(kernel) * max(second_derivative(kernel, *pair) for pair in pairs)
+    return kernel.steps**2 * scale_of(kernel) * max(second_derivative(kernel, *of) for of in kernels.axes_and_signs(kernel))
 
 
 # --- Floats -----------------------------------------------------------------------------------------------------------
@@ -123,80 +111,49 @@ def lipschitz_of(kernel: Waves) -> float:
 def falling(fall: Approx, cosine: Approx, d: Approx) -> Approx:
     """Their product, in any order."""
     orders = [a.times(b).times(c) for a, b, c in itertools.permutations((fall, cosine, d)) if a is not d]
-    size = largest_of(product.size() for product in orders)
-    return Approx(-size, size, largest_of(product.err for product in orders), d.ulps)
+    return Approx.within(largest_of(product.size() for product in orders), largest_of(product.err for product in orders))
 
 
-def slope_error(kernel: Waves, ulps, largest: float, lo, hi):
+def slope_error(kernel: Waves, largest: float, lo, hi):
     """The largest error of a derivative, per cell, in each box of places, given by its ends along each axis."""
     values, along = [], [[] for _ in range(kernel.dims)]
-    for own, q in kernel_floats.distances(kernel, lo, hi, ulps):
+    for own, q in kernel_floats.distances(kernel, lo, hi):
         t = kernel_floats.nearness(kernel, q)
-        cosine = Approx(-1.0, 1.0, phasor.wave_error(kernel, own, ulps), ulps)
-        ends = [2 * kernel.fall * end for end in kernel.weight.ends(1, t.lo, t.hi)]
-        fall = kernel.weight.float_fall(t, kernel.fall).clipped(*ends)
+        cosine = kernel.float_ramp(own)
+        fall = kernel_floats.fall(kernel, t)
         values.append(cosine.times(kernel_floats.weighted(kernel, t)))
         for terms, d in zip(along, own):
             terms.append(falling(fall, cosine, d))
-    z = kernel_floats.added(kernel, values, ulps)
-    rotated = rotated_value(kernel, z, ulps)
-    sums = [kernel_floats.added(kernel, terms, ulps) for terms in along]
-    derivatives = [Approx(kernel.steps * a.lo, kernel.steps * a.hi, kernel.steps * a.err, ulps) for a in sums]
-    return largest_of(last_sum(a, rotated, largest).err for a in derivatives)
+    z = kernel_floats.added(kernel, values)
+    rotated = rotated_value(kernel, z)
+    sums = [kernel_floats.added(kernel, terms) for terms in along]
+    return largest_of(last_sum(a.exactly(kernel.steps), rotated, largest).err for a in sums)
 
 
-def rotated_value(kernel: Waves, z: Approx, ulps) -> Approx:
+def rotated_value(kernel: Waves, z: Approx) -> Approx:
     """2 pi k z, in any order of its two products."""
-    rate = constant(TURN, ulps)
+    rate = constant(TURN)
     largest = kernel.waves * (rate.hi + rate.err) * (z.size() + z.err)
     err = kernel.waves * (rate.hi * z.err + rate.err * (z.size() + z.err))
-    err = err + 2.001 * ulps * ROUNDED * largest + TINY
-    return Approx(-kernel.waves * TURN * z.size(), kernel.waves * TURN * z.size(), err, ulps)
+    err = err + 2.001 * ROUNDED * largest + TINY
+    return Approx.within(kernel.waves * TURN * z.size(), err)
 
 
 def last_sum(a: Approx, b: Approx, largest: float) -> Approx:
     """A sum, whose exact value is at most `largest`."""
-    return Approx(-largest, largest, a.err + b.err, a.ulps).rounded()
-
-
-def moved(kernel: Waves, ulps: float = 1.0) -> float:
-    """The effect of the move of the place, per cell."""
-    if not kernel.triangles:
-        return 0.0
-    most = max(second_derivative(kernel, axis, (1.0, 0.0), 2) for axis in kernels.axes(kernel))
-    return SKEWED * ulps * kernel.steps * scale_of(kernel) * most
+    return Approx.within(largest, a.err + b.err).rounded()
 
 
 @functools.cache
-def error_bound(kernel: Waves, ulps: float = 1.0) -> float:
+def error_bound(kernel: Waves) -> float:
     """A proven upper bound of the error of a derivative from (cell, fraction), per cell."""
-    error = functools.partial(slope_error, kernel, ulps, range_of(kernel))
-    return kernel_floats.error_supremum(error, kernel) + moved(kernel, ulps)
+    error = functools.partial(slope_error, kernel, range_of(kernel))
+    of_move = kernel_floats.moved(kernel, lambda: max(second_derivative(kernel, axis, (1.0, 0.0), 2)
+                                                      for axis in kernels.axes(kernel)))
+    return kernel_floats.error_supremum(error, kernel) + kernel.steps * of_move
 
 
 # --- Fixed ------------------------------------------------------------------------------------------------------------
-
-class Point(kernel_fixed.Weighted):
-    """A cosine and its weight, and the fall of the weight."""
-
-    def __init__(self, kernel: Waves, boxes: Boxes, point):
-        super().__init__(kernel, boxes, point, RAMP_ONE)
-        self.wave_error = phasor.fixed_wave_error(kernel, self.offsets)
-        self.eighth = kernel.fall / 4 * kernel.weight.size(1, self.offsets.least, self.offsets.largest)  # E
-        self.eighth_error = kernel.weight.fixed_fall(self.offsets.least, self.offsets.largest, self.near_error,
-                                                     kernel.fall)
-
-    def value(self):
-        return self.added(1.0, self.wave_error)
-
-    def derivative(self, axis: int):
-        """As in kernel_fixed.py, without an upright part. No cosine is above 1."""
-        d, factor = self.offsets.size[axis], self.eighth + self.eighth_error
-        negative = self.offsets.middle[axis] + self.offsets.half <= 0
-        off = d * (self.eighth_error + self.wave_error * self.eighth)
-        rounding = d * kernel_fixed.part_rounding(factor) + kernel_fixed.part_rounding(d, negative)
-        return np.where(self.counts, 8 * (off + rounding / self.one + factor * 3 / ONE), 0.0)
-
 
 @functools.cache
 def fixed_rounding_effect(kernel: Waves) -> float:
@@ -205,10 +162,9 @@ def fixed_rounding_effect(kernel: Waves) -> float:
     rate = TURN * kernel.waves
 
     def of_boxes(boxes: Boxes):
-        points = [Point(kernel, boxes, point) for point in kernel.points]
-        through_value = rate * sum(point.value() for point in points)
-        return through_value + kernel.steps * np.maximum.reduce(
-            [sum(point.derivative(axis) for point in points) for axis in range(kernel.dims)])
+        points = [kernel_fixed.Point(kernel, boxes, point) for point in kernel.points]
+        return rate * sum(point.value() for point in points) + kernel.steps * np.maximum.reduce(
+            [sum(point.falling(axis) for point in points) for axis in range(kernel.dims)])
     return kernel_fixed.error_supremum(kernel, of_boxes)
 
 
@@ -229,8 +185,8 @@ def fixed_rotation_error(kernel: Waves) -> float:
 
 
 def fixed_parts(kernel: Waves, lipschitz: float) -> dict[str, float]:
-    scaling = (kernel.steps * kernel_fixed.scaling_error(kernel, SLOPE_UNIT)
-               + TURN * kernel.waves * kernel_fixed.scaling_error(kernel, UNIT))
+    scaling = (kernel.steps * kernel_fixed.scale_error(kernel, SLOPE_UNIT)
+               + TURN * kernel.waves * kernel_fixed.scale_error(kernel, UNIT))
     return {"cut": lipschitz / ONE, "points": scale_of(kernel) * fixed_rounding_effect(kernel), "scaling": scaling,
             "turn": fixed_rotation_error(kernel) + LAST / 2}
 
@@ -268,5 +224,4 @@ def sum_of_falls(kernel: Waves) -> float:
     return max(phasor.largest(kernel, axis, 0.0, 1) for axis in kernels.axes(kernel)) * 2**27
 
 
-PROOFS = {"phasor_d": Proof(phasor.CASES, derive, largest_intermediates, lambda dims, _: {
-    "slope_error_from_cell_to_nearest": error_bound(KERNELS[dims], 0.5)})}
+PROOFS = {"phasor_d": Proof(phasor.CASES, derive, largest_intermediates)}

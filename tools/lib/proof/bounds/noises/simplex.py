@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from proof.bounds import kernel_fixed, kernel_floats, kernels, rotations
+from proof.bounds import kernel_fixed, kernel_floats, kernels
 from proof.bounds.gradients import OCTAHEDRAL, ROTATED, Gradient
-from proof.bounds.kernel_fixed import ramp_one
 from proof.bounds.kernels import ROTATING, SIMPLEX, SMOOTH, Kernel
 from proof.bounds.noises import Proof, ProvenBounds, derived, listed
+from proof.bounds.rotations import Rotating
 
 ACCURACY = "docs/measured/accuracy.md"
 
@@ -62,67 +62,23 @@ def below(proof: Proof) -> str:
     return listed([proof.derive(*case).range for case in proof.cases])
 
 
-def describe(kernels_: dict[int, Kernel], dims: int) -> dict[str, object]:
-    return {"scale": kernels_[dims].scale / 1024,
-            "error_from_cell_to_nearest": kernel_floats.error_bound(kernels_[dims], 0.5)}
-
-
-# --- With a phase -----------------------------------------------------------------------------------------------------
-
-def unit(dims: int) -> float:
-    """The unit of scaled ramps."""
-    return ROTATING[dims].scale / 1024 / ramp_one(dims)
-
-
-def ratio(dims: int) -> float:
-    """The ratio of the scales with and without a phase."""
-    return ROTATING[dims].scale / SIMPLEX[dims].scale
-
-
-def derive_phase(dims: int, _: Gradient | None) -> ProvenBounds:
-    kernel = ROTATING[dims]
-    return rotations.rotated(derived_value(SIMPLEX[dims]), dims,
-                             kernel.scale / 1024 * kernels.range_of(kernel, ROTATED),
-                             lipschitz_of(kernel, ROTATED), unit(dims), ratio(dims))
-
-
-def derive_slope_phase(dims: int) -> ProvenBounds:
-    kernel = ROTATING[dims]
-    return rotations.rotated(derived_slope(SIMPLEX[dims]), dims, slope_of(kernel, ROTATED),
-                             slope_lipschitz_of(kernel, ROTATED), 4 * kernel.steps * unit(dims), ratio(dims))
-
-
-def scaled_intermediates(name: str, dims: int, largest: float, of_unit: float) -> dict[str, float]:
-    return rotations.largest_intermediates(name, dims, largest / of_unit, kernel_fixed.fixed_scale(ROTATING[dims]))
-
-
-def largest_phase_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
-    return (kernel_fixed.largest_intermediates(ROTATING[dims])
-            | scaled_intermediates("value", dims, derive_phase(dims, None).fixed_largest, unit(dims)))
-
-
-def largest_slope_phase_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
-    slope, of_unit = derive_slope_phase(dims).fixed_largest, 4 * ROTATING[dims].steps * unit(dims)
-    return (largest_phase_intermediates(dims, None) | largest_slope_intermediates(dims, None)
-            | scaled_intermediates("derivative", dims, slope, of_unit))
-
-
 CASES, ROTATING_CASES, SMOOTH_CASES = (tuple((dims, None) for dims in of) for of in (SIMPLEX, ROTATING, SMOOTH))
+PHASE, PHASE_D = Rotating(
+    lambda dims: derive_d(dims, None), lambda dims: (ROTATING[dims].scale / 1024 * kernels.range_of(ROTATING[dims], ROTATED),
+                                                    lipschitz_of(ROTATING[dims], ROTATED)),
+    lambda dims: [of(ROTATING[dims], ROTATED) for of in (slope_of, slope_lipschitz_of)],
+    lambda dims: ROTATING[dims].scale / 1024, lambda dims: SIMPLEX[dims].scale / 1024,
+    lambda dims: SIMPLEX[dims].steps).proofs(
+        ROTATING_CASES, lambda dims, _: kernel_fixed.largest_intermediates(ROTATING[dims]), largest_slope_intermediates)
 PROOFS = {
     "simplex": Proof(
-        CASES, derive, largest_intermediates, lambda dims, _: describe(SIMPLEX, dims),
+        CASES, derive, largest_intermediates,
         quotes=lambda: [(ACCURACY, f"`hn_simplex` stays below {below(PROOFS['simplex'])} in 2D to 4D")]),
-    "simplex_d": Proof(
-        CASES, derive_d, largest_slope_intermediates, lambda dims, _: {
-            "slope_error_from_cell_to_nearest": kernel_floats.slope_error_bound(SIMPLEX[dims], 0.5)}),
-    "simplex_phase": Proof(
-        ROTATING_CASES, derive_phase, largest_phase_intermediates,
-        lambda dims, _: {"scale": ROTATING[dims].scale / 1024},
-        quotes=lambda: [(ACCURACY, f"and `hn_simplex` below {below(PROOFS['simplex_phase'])}.")]),
-    "simplex_d_phase": Proof(
-        ROTATING_CASES, lambda dims, _: replace(derive_phase(dims, None), slope=derive_slope_phase(dims)),
-        largest_slope_phase_intermediates),
+    "simplex_d": Proof(CASES, derive_d, largest_slope_intermediates),
+    "simplex_phase": replace(PHASE, quotes=lambda: [
+        (ACCURACY, f"and `hn_simplex` below {below(PROOFS['simplex_phase'])}.")]),
+    "simplex_d_phase": PHASE_D,
     "simplex_smooth": Proof(
         SMOOTH_CASES, lambda dims, _: derived_value(SMOOTH[dims]),
-        lambda dims, _: kernel_fixed.largest_intermediates(SMOOTH[dims]), lambda dims, _: describe(SMOOTH, dims),
+        lambda dims, _: kernel_fixed.largest_intermediates(SMOOTH[dims]),
         quotes=lambda: [(ACCURACY, f"`hn_simplex_smooth` below {below(PROOFS['simplex_smooth'])} in 2D")])}

@@ -43,7 +43,6 @@ from proof.bounds.floats import (
     approx_number_derivatives,
     approx_offsets,
     error_supremum,
-    position_error,
 )
 from proof.bounds.gradients import Gradient
 from proof.bounds.integers import (
@@ -61,61 +60,46 @@ from proof.bounds.integers import (
     slope_rounding,
     slopes,
 )
-from proof.bounds.noises import Proof, ProvenBounds, of_components
+from proof.bounds.noises import Proof, ProvenBounds, derived, of_components
 
 OFFSET = 3.0  # of numbers in floats
 NUMBER_ONE = 2**29  # the unit of such a number in fixed arithmetic
 STEEPEST = 2 * FADE_MAX[1]
 
 
-def numbers_and_fractions(lo, hi, ulps):
+def numbers_and_fractions(lo, hi):
     """The errors of the corners, without the offset."""
-    numbers = [Approx(-1.0, 1.0, 0.0, ulps)] * 2 ** len(lo)
-    return numbers, [approx_offsets(a, b, ulps)[0] for a, b in zip(lo, hi)]
+    numbers = [Approx.within(1.0)] * 2 ** len(lo)
+    return numbers, [approx_offsets(a, b)[0] for a, b in zip(lo, hi)]
 
 
-def value_error(lo, hi, ulps):
+def value_error(lo, hi):
     """The largest error in floats from a cell and a fraction in each box, given by its ends along each axis."""
-    return approx_interpolation(*numbers_and_fractions(lo, hi, ulps), OFFSET).err
+    return approx_interpolation(*numbers_and_fractions(lo, hi), OFFSET).err
 
 
-def slope_error(lo, hi, ulps):
-    derivatives = approx_number_derivatives(*numbers_and_fractions(lo, hi, ulps), OFFSET)
+def slope_error(lo, hi):
+    derivatives = approx_number_derivatives(*numbers_and_fractions(lo, hi), OFFSET)
     return functools.reduce(np.maximum, (derivative.err for derivative in derivatives))
 
 
-@functools.cache
-def error_bound(dims: int, ulps: float = 1.0) -> float:
-    return error_supremum(functools.partial(value_error, ulps=ulps), dims)
-
-
-@functools.cache
-def slope_error_bound(dims: int, ulps: float = 1.0) -> float:
-    return error_supremum(functools.partial(slope_error, ulps=ulps), dims)
-
-
 def derive(dims: int, _: Gradient | None) -> ProvenBounds:
-    lipschitz, cell_error = suprema.largest(suprema.LIPSCHITZ, dims, None), error_bound(dims)
-    error = position_error(cell_error, lipschitz)
+    lipschitz, cell_error = suprema.largest(suprema.LIPSCHITZ, dims, None), error_supremum(value_error, dims)
     lerp = largest_rounding(dims) / NUMBER_ONE
     parts = {"cut": lipschitz / ONE, "fade": largest_fade_effect(dims, None), "interpolation": lerp,
              "scaling": UNIT / 2}
     fixed_error = lipschitz / ONE + largest_joint_effect(dims, None, NUMBER_ONE) + UNIT / 2
     fixed_largest = (1 + 2 * overshoot()) ** dims + lerp + UNIT / 2
-    return ProvenBounds(1.0, 1.0, lipschitz, cell_error, error, 1.0 + error, fixed_error * SAFE, fixed_largest * SAFE,
-                        parts)
+    return derived(1.0, 1.0, lipschitz, cell_error, parts, fixed_error * SAFE, fixed_largest * SAFE)
 
 
 def derive_slope(dims: int) -> ProvenBounds:
-    lipschitz, cell_error = suprema.largest(suprema.SLOPE_LIPSCHITZ, dims, None), slope_error_bound(dims)
-    error = position_error(cell_error, lipschitz)
+    lipschitz, cell_error = suprema.largest(suprema.SLOPE_LIPSCHITZ, dims, None), error_supremum(slope_error, dims)
     others = largest_fade_effect(dims - 1, None)
     parts = {"cut": lipschitz / ONE,
              "fade": 2 * (float(np.abs(slope_errors()).max()) + slopes().max() / FADE_ONE * others),
              "interpolation": slope_rounding(dims, gradients=False) / (NUMBER_ONE / 4), "scaling": SLOPE_UNIT / 2}
-    fixed_error = sum(parts.values()) * SAFE
-    return ProvenBounds(0.0, STEEPEST, lipschitz, cell_error, error, STEEPEST + error, fixed_error,
-                        STEEPEST + fixed_error, parts)
+    return derived(0.0, STEEPEST, lipschitz, cell_error, parts, fixed_largest=STEEPEST + sum(parts.values()) * SAFE)
 
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
@@ -128,11 +112,8 @@ def largest_slope_intermediates(dims: int, gradient: Gradient | None) -> dict[st
 
 
 CASES = tuple((dims, None) for dims in (1, 2, 3, 4))
-VALUE = Proof(CASES, derive, largest_intermediates,
-              lambda dims, _: {"error_from_cell_to_nearest": error_bound(dims, 0.5)})
-VALUE_D = Proof(CASES, lambda dims, _: replace(derive(dims, None), slope=derive_slope(dims)),
-                largest_slope_intermediates,
-                lambda dims, _: {"slope_error_from_cell_to_nearest": slope_error_bound(dims, 0.5)})
+VALUE = Proof(CASES, derive, largest_intermediates)
+VALUE_D = Proof(CASES, lambda dims, _: replace(derive(dims, None), slope=derive_slope(dims)), largest_slope_intermediates)
 PROOFS = {
     "value": VALUE,
     "value_d": VALUE_D,

@@ -32,7 +32,6 @@ from proof.bounds.floats import (
     approx_offsets,
     approx_spline,
     error_supremum,
-    position_error,
     spline_weight,
 )
 from proof.bounds.gradients import Gradient
@@ -46,7 +45,7 @@ from proof.bounds.integers import (
     spline_weight_error,
     splines,
 )
-from proof.bounds.noises import Proof, ProvenBounds
+from proof.bounds.noises import Proof, ProvenBounds, derived
 from proof.bounds.noises.value import NUMBER_ONE, OFFSET
 
 TOLERANCE, LEVELS = 1e-4, {1: 16, 2: 12, 3: 9}
@@ -82,29 +81,22 @@ def lipschitz_bound(dims: int) -> float:
     return supremum(bound, cell(dims), LEVELS[dims], TOLERANCE, 0)
 
 
-def value_error(lo, hi, ulps):
+def value_error(lo, hi):
     """The largest error in floats from a cell and a fraction in each box, given by its ends along each axis."""
-    value = Approx(-1.0, 1.0, 0.0, ulps)
+    value = Approx.within(1.0)
     for a, b in zip(lo, hi):
-        value = approx_blend(value, approx_spline(approx_offsets(a, b, ulps)[0]), OFFSET)
+        value = approx_blend(value, approx_spline(approx_offsets(a, b)[0]), OFFSET)
     return value.err
-
-
-@functools.cache
-def error_bound(dims: int, ulps: float = 1.0) -> float:
-    return error_supremum(functools.partial(value_error, ulps=ulps), dims)
 
 
 def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     if splines().min() < 0 or (splines().sum(axis=0) != FADE_ONE).any():
         raise ValueError("a weight is negative, or the weights do not sum to 1")
-    lipschitz, cell_error = lipschitz_bound(dims), error_bound(dims)
-    error = position_error(cell_error, lipschitz)
+    lipschitz, cell_error = lipschitz_bound(dims), error_supremum(value_error, dims)
     parts = {"cut": lipschitz * (1 / ONE + SPLINE_STEP / 2), "weights": (1 + spline_weight_error()) ** dims - 1,
              "interpolation": dims * spline_rounding() / NUMBER_ONE, "scaling": UNIT / 2}
     fixed_largest = 1 + parts["interpolation"] + parts["scaling"]
-    return ProvenBounds(1.0, 1.0, lipschitz, cell_error, error, 1.0 + error, sum(parts.values()) * SAFE,
-                        fixed_largest * SAFE, parts)
+    return derived(1.0, 1.0, lipschitz, cell_error, parts, fixed_largest=fixed_largest * SAFE)
 
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
@@ -114,5 +106,4 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
     return {"number": 2.0**30, "part": part_intermediate(value, splines()), "blend": value + 128}
 
 
-PROOFS = {"value_cubic": Proof(tuple((dims, None) for dims in (1, 2, 3)), derive, largest_intermediates,
-                               lambda dims, _: {"error_from_cell_to_nearest": error_bound(dims, 0.5)})}
+PROOFS = {"value_cubic": Proof(tuple((dims, None) for dims in (1, 2, 3)), derive, largest_intermediates)}

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from proof.oracle.kernels import CUBE, FIFTH, FOURTH, QUARTIC, Kernel, noise, noise_with_derivatives
+from proof.oracle.kernels import CUBE, FIFTH, FOURTH, QUARTIC, Kernel, noise
 from proof.oracle.noises import Noise, rotating
 
 # By the number of dimensions.
@@ -14,7 +14,8 @@ KERNELS = {2: Kernel(True, 819, 1, QUARTIC, 4099), 3: Kernel(False, 1024, 2, FOU
 ROTATING = KERNELS | {3: replace(KERNELS[3], scale=4902)}
 SMOOTH = {2: Kernel(True, 1024, 1, CUBE, 3081), 3: Kernel(False, 768, 1, FIFTH, 4279)}
 
-NOISES = (Noise("simplex", *noise(KERNELS)), Noise("simplex_d", *noise_with_derivatives(KERNELS)),
+SIMPLEX_D = Noise("simplex_d", *noise(KERNELS, with_derivatives=True))
+NOISES = (Noise("simplex", *noise(KERNELS)), SIMPLEX_D,
           rotating(Noise("", *noise(ROTATING)), "simplex_phase"),
-          rotating(Noise("", *noise_with_derivatives(ROTATING)), "simplex_d_phase"),
+          rotating(Noise("", *noise(ROTATING, with_derivatives=True)), "simplex_d_phase"),
           Noise("simplex_smooth", *noise(SMOOTH)))

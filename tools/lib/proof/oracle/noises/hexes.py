@@ -65,4 +65,4 @@ def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tup
     return tuple(map(int, found))
 
 
-HEXES = Noise("hex_tiling", exact, fixed, OUTPUTS, UNITS)
+NOISES = (Noise("hex_tiling", exact, fixed, OUTPUTS, UNITS),)

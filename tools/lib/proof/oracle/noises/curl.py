@@ -10,11 +10,11 @@ from typing import TypeVar
 from proof.oracle.hashes import MASK, SEED_STEP, mix
 from proof.oracle.integers import SLOPE_UNIT, UNIT, signed
 from proof.oracle.lattice import Lattice
-from proof.oracle.noises import VECTOR, Noise, find
+from proof.oracle.noises import VECTOR, Noise
+from proof.oracle.noises.simplex import SIMPLEX_D
 
 Number = TypeVar("Number", int, Fraction)
 
-SIMPLEX_D = find("simplex_d")
 UNITS = (SLOPE_UNIT,) * 3
 COARSER = 8  # in space a component with HN_FIXED is in units of 2^-16
 MOVE = (Fraction(1, 2), Fraction(0), Fraction(1, 4))  # of the place of the second noise in space
@@ -65,4 +65,4 @@ def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tup
     return tuple(fixed_component(a, b, i, j) for i, j in ((1, 2), (2, 0), (0, 1)))
 
 
-CURL = Noise("curl", exact, fixed, VECTOR, UNITS)
+NOISES = (Noise("curl", exact, fixed, VECTOR, UNITS),)

@@ -7,10 +7,12 @@ import unittest
 from fractions import Fraction
 
 from proof.golden.generator import INT_MAX, INT_MIN
-from proof.oracle import hashes, hexes
+from proof.oracle import hashes
 from proof.oracle.gradients import Knobs
-from proof.oracle.hexes import HEXES
 from proof.oracle.integers import UNIT
+from proof.oracle.noises import hexes
+
+HEXES, = hexes.NOISES
 
 # From a program in C, which was written from the contract: the hash, the cell, the fraction in units of 2^-20, the
 # periods and the seed; weights, hashes, and vectors.

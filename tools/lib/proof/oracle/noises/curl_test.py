@@ -5,7 +5,7 @@ from __future__ import annotations
 import unittest
 from fractions import Fraction
 
-from proof.oracle import curl
+from proof.oracle.noises import curl
 
 
 class Places(unittest.TestCase):
