@@ -4,7 +4,7 @@ import { combined } from "./combine.js";
 import { kAxes } from "./scalar.js";
 import { kNoises, kSums } from "./tables.js";
 import { isLeaning, numbersOfTinted, rangeOf, remapOf, shownLayers, uses } from "./model.js";
-import { kPartsOfCell, leaningNumbers } from "./view.js";
+import { cellsAcross, kPartsOfCell, leaningNumbers } from "./view.js";
 
 // Which number of the results of a noise is shown, in Python and by tools/bake.
 const kShown = { cellular: 0, cellular_second: 1, cellular_third: 2, curl: 0 };
@@ -49,7 +49,7 @@ const isOneLine = (state) => {
 export function bakeLines(state) {
   const { width, height, dimensions } = state;
   const size = [width, height, 1, 1].slice(0, dimensions).join("x");
-  const cell = (state.view === "tiles" ? 3 * state.period : state.cells) / Math.min(width, height);
+  const cell = cellsAcross(state) / Math.min(width, height);
   const across = [width * cell, height * cell].map((cells) => Number(cells.toPrecision(7)));
   const corner = [state.x, state.y].map((middle, axis) => Number(middle) / kPartsOfCell - across[axis] / 2);
   const origin = [...corner, state.z, state.w].slice(0, dimensions);
@@ -85,7 +85,7 @@ export function pythonLines(state) {
   const shown = shownLayers(state);
   if (state.hash !== "lattice" || !isInPython(state))
     return ["# Python has no such hash, and no sums of distances: GLSL and WGSL have all pictures."];
-  const step = Number(((state.view === "tiles" ? 3 * state.period : state.cells) / Math.min(width, height)).toPrecision(9));
+  const step = Number((cellsAcross(state) / Math.min(width, height)).toPrecision(9));
   if (isOneLine(state) && dimensions === 2) {
     const first = [[state.x, width], [state.y, height]].map(
       ([middle, side]) => Math.round(Number(middle) / kPartsOfCell / step) - Math.floor(side / 2),

@@ -1,6 +1,7 @@
 #include "sums/bounds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -345,19 +346,19 @@ double value_tolerance(const SumRule& rule, const OctaveArguments& arguments, co
 }
 
 std::string name_of(SumStep step) {
-  constexpr const char* kNames[] = {
+  constexpr auto kNames = std::to_array<const char*>({
 #define SUM_STEP(name) #name,
 #include "library/sums.inc"
-  };
-  return kNames[static_cast<std::size_t>(step)];
+  });
+  return kNames.at(static_cast<std::size_t>(step));
 }
 
 std::string name_of(SumMean mean) {
-  constexpr const char* kNames[] = {
+  constexpr auto kNames = std::to_array<const char*>({
 #define SUM_MEAN(name) #name,
 #include "library/sums.inc"
-  };
-  return kNames[static_cast<std::size_t>(mean)];
+  });
+  return kNames.at(static_cast<std::size_t>(mean));
 }
 
 Proof proof_of(SumStep step) {

@@ -1,4 +1,4 @@
-// Terrain and solids, without a browser.
+// Terrain and solids, without a browser. (pixels_test.mjs has the points that solids show.)
 import assert from "node:assert/strict";
 import test from "node:test";
 import { shaderKey } from "../code.js";
@@ -7,7 +7,6 @@ import { linkOf, stateOf } from "../links.js";
 import { chosen, uses, usualState } from "../model.js";
 import { paletteOf } from "../palette.js";
 import { reliefOf, surfaceOf } from "../relief.js";
-import { axesOf, solidPlace } from "../solid.js";
 
 const kSide = 32;
 const kGrey = paletteOf({ map: "grey" });
@@ -78,30 +77,6 @@ test("all of the block is in the picture, and beside a panel", () => {
     assert.ok(Math.min(...ends(0)) > -45 && Math.max(...ends(0)) < free - 45, `${free}: ${Math.max(...ends(0))}`);
     assert.ok(Math.min(...ends(1)) > -30 && Math.max(...ends(1)) < 29, `${Math.min(...ends(1))}`);
   }
-});
-
-test("a solid is turned as terrain is, and keeps its shape", () => {
-  const near = (one, other) => one.forEach((axis, i) => axis.forEach((part, k) =>
-    assert.ok(Math.abs(part - 16384 * other[i][k]) <= 1, `${one} and ${other}`)));
-  near(axesOf({ turn: 0, tilt: 0.25 }), [[1, 0, 0], [0, 1, 0], [0, 0, 1]]);
-  near(axesOf({ turn: 0, tilt: 0 }), [[1, 0, 0], [0, 0, 1], [0, -1, 0]]);
-  near(axesOf({ turn: 0.25, tilt: 0.25 }), [[0, 1, 0], [-1, 0, 0], [0, 0, 1]]);
-  for (const [turn, tilt] of [[0.3, 0.1], [0.77, -0.2], [0.1, 0.25]]) {
-    const axes = axesOf({ turn, tilt });
-    for (const [i, one] of axes.entries())
-      for (const [k, other] of axes.entries()) {
-        const product = one.reduce((sum, part, at) => sum + part * other[at], 0) / 16384 ** 2;
-        assert.ok(Math.abs(product - (i === k ? 1 : 0)) < 2e-4, `${turn}, ${tilt}: ${product}`);
-      }
-  }
-});
-
-test("a ball has its cells on the diameter, and a cube on its edge", () => {
-  const state = { ...usualState(), dimensions: 3, cells: 8, z: 0, view: "sphere" };
-  const { position, step } = solidPlace(state);
-  assert.equal(step, (8 * 16777216) / 32768);
-  assert.deepEqual(position, [-4n, -4n, -4n].map((cell) => BigInt.asIntN(56, cell << 24n)).concat(10401874n));
-  assert.ok(Math.abs((solidPlace({ ...state, view: "cube" }).step * 2 * 9459) / 16777216 - 8) < 0.001);
 });
 
 test("a solid has three dimensions or four, and a link", () => {

@@ -159,10 +159,8 @@ def octahedron(dims: int, steps: int) -> np.ndarray:
 
 def cut_off(cells: Iterable[Cell], dims: int, x: np.ndarray, p: np.ndarray, steps: int) -> np.ndarray:
     """The length of a block's border that a point outside of the block cuts off, for places x and nearest points P.
-    Points
-    of different cells are independent: the block's are where their borders are farthest, as far as is tried, and
-    the
-    one outside is where its border is nearest. A positive length is a fault of the block."""
+    Points of different cells are independent: the block's are where their borders are farthest, as far as is tried, and
+    the one outside is where its border is nearest. A positive length is a fault of the block."""
     points, cells = octahedron(dims, steps), frozenset(cells)
     own = np.rint(p)
 

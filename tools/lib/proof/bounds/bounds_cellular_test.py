@@ -78,8 +78,7 @@ class Blocks(unittest.TestCase):
     @in_thorough_runs
     def test_borders_are_searched(self):
         """In space only this proves that the block is large enough. It finds the faults of the 3^n cells, and of blocks
-        without
-        one of the slabs."""
+        without one of the slabs."""
         for dims, count, steps in ((2, 1200, 8), (3, 300, 3)):
             block = borders.block(dims)
             self.assertLess(borders.search(block, dims, 12, count, steps), 1e-9)

@@ -77,8 +77,7 @@ class Boxes:
 
     def at_vertices(self, value: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
         """The values of a function of places, axes by places, at each end of each box, vertices by boxes. Boxes share
-        most of
-        their ends, and each is computed once."""
+        most of their ends, and each is computed once."""
         ends = np.concatenate([self.index + np.array(corner)[:, None] for corner in corners(self.dims)], axis=1)
         first = ends.min(axis=1, keepdims=True)
         spans = [int(span) for span in (ends - first).max(axis=1) + 1]
@@ -148,10 +147,8 @@ def supremum(bound: Bound, boxes: Boxes, levels: int, tolerance: float = 1e-6, e
 
 def smooth(value: Callable[[np.ndarray], np.ndarray], curvature: Callable[[Boxes], np.ndarray]) -> Bound:
     """The bound of a value that is a maximum of smooth functions. `curvature` gives the sum of the largest magnitudes
-    of
-    their second derivatives along the axes, on a box: multilinear interpolation between the vertices errs by at most
-    1/8 of
-    that times the side squared."""
+    of their second derivatives along the axes, on a box: multilinear interpolation between the vertices errs by at most
+    1/8 of that times the side squared."""
     def bound(boxes: Boxes) -> tuple[np.ndarray, np.ndarray]:
         attained = boxes.at_vertices(value).max(axis=0)
         return attained + curvature(boxes) / 8 * boxes.side ** 2, attained

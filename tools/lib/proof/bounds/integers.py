@@ -242,12 +242,9 @@ def slope_fade_effect(boxes: Boxes, gradient: Gradient) -> np.ndarray:
 
 def _slope_fade_curvature(boxes: Boxes, gradient: Gradient) -> np.ndarray:
     """The second derivatives of sum_o g_o.(change of v_o). With v_o = (d_1 w) d + w e and offsets d that grow by 1, it
-    is
-    h(1, .., 1) times the second derivative of d_1 w, and h(1, 0, ..) times twice its first and the second of w. Along
-    the
-    first axis s' of d_1 w is differentiated, and its change has the factor of the others; along another the change has
-    the
-    factors s' + e' and 1 + 2 e, less the exact product."""
+    is h(1, .., 1) times the second derivative of d_1 w, and h(1, 0, ..) times twice its first and the second of w.
+    Along the first axis s' of d_1 w is differentiated, and its change has the factor of the others; along another the
+    change has the factors s' + e' and 1 + 2 e, less the exact product."""
     reach, component = gradient.reach(boxes.dims), gradient.component(boxes.dims)
     grown, slope_error = 1 + 2 * _magnitudes(boxes), _magnitudes(boxes, slope_errors)[0]
     largest, total = _largest(boxes), 0.0

@@ -215,14 +215,16 @@ def largest_intermediates(dims: int) -> dict[str, float]:
     stretched = stretch(Sum("fbm_d", 0.0, 32, 1.0, 1.0), dims)**31
     jacobian = stretched * ((LARGEST_GROWTH - 1) * FADE_ONE + 5 * LARGEST_GROWTH)
     slope, vector = math.sqrt(dims) * SLOPE_LIMIT, math.sqrt(dims) / UNIT
-    moved = jacobian / FADE_ONE * vector + dims
-    lost = 32 * dims
-    return {"Jacobian": jacobian, "rotation of a Jacobian": 32 * ROTATIONS[0] * jacobian,
-            "sum of slopes": stretched * (LARGEST_RISE + 5 * 32 * LARGEST_GROWTH / FADE_ONE * slope) / SLOPE_UNIT +
-            lost, "step": moved, "rotation of a fall": (25 + 20) * FALL_LIMIT / FALL_UNIT, "sum of falls": ((25 + 20) /
-            32) ** (dims - 1) * FALL_LIMIT / FALL_UNIT + SLOPE_LIMIT / FALL_UNIT, "step of a position": LARGEST_SHIFT *
-            stretched * (1 + 5 * LARGEST_GROWTH / FADE_ONE) * vector + LARGEST_AMPLITUDE * dims + 1, "shift":
-            LARGEST_AMPLITUDE / UNIT}
+    falls = ((25 + 20) / 32) ** (dims - 1) * FALL_LIMIT
+    return {
+        "Jacobian": jacobian, "rotation of a Jacobian": 32 * ROTATIONS[0] * jacobian,
+        "sum of slopes": (stretched * (LARGEST_RISE + 5 * 32 * LARGEST_GROWTH / FADE_ONE * slope) / SLOPE_UNIT
+                          + 32 * dims),
+        "step": jacobian / FADE_ONE * vector + dims,
+        "rotation of a fall": (25 + 20) * FALL_LIMIT / FALL_UNIT, "sum of falls": (falls + SLOPE_LIMIT) / FALL_UNIT,
+        "step of a position": (LARGEST_SHIFT * stretched * (1 + 5 * LARGEST_GROWTH / FADE_ONE) * vector
+                               + LARGEST_AMPLITUDE * dims + 1),
+        "shift": LARGEST_AMPLITUDE / UNIT}
 
 
 def largest_words(dims: int) -> dict[str, float]:

@@ -23,7 +23,6 @@ constexpr int kExact = 4;  // the mode in which nothing rounds
 
 struct Rounding {
   int mode = 0;
-  int lost_bits = 0;
   double fuse = 0.0;
   std::uint64_t state = 0;
 
@@ -35,12 +34,6 @@ struct Rounding {
   // One of the two floats around x; x itself, if it is a float, or too small to differ from 0.
   double round(double x) {
     if (mode == kExact) return x;
-    if (lost_bits > 0 && std::isfinite(x)) {
-      int exponent = 0;
-      const double mantissa = std::frexp(x, &exponent);
-      const double kept = std::ldexp(1.0, 24 - lost_bits);
-      return std::ldexp(std::nearbyint(mantissa * kept) / kept, exponent);
-    }
     const float nearest = static_cast<float>(x);
     if (mode == 0 || static_cast<double>(nearest) == x || std::fabs(x) < 0x1p-126) return static_cast<double>(nearest);
     const bool up = mode == 3 ? random() < 0.5 : mode == 2;
@@ -159,11 +152,10 @@ const Body kBodies[] = {
 }  // namespace hashnoise
 #undef float
 
-extern "C" void evaluate(std::int32_t function, std::int32_t mode, std::int32_t lost_bits, std::uint32_t seed,
-                         double fuse, std::int32_t count, const std::uint32_t* in, const double* in_exactly,
-                         std::uint32_t* out, double* out_exactly) {
+extern "C" void evaluate(std::int32_t function, std::int32_t mode, std::uint32_t seed, double fuse, std::int32_t count,
+                         const std::uint32_t* in, const double* in_exactly, std::uint32_t* out, double* out_exactly) {
   using namespace hashnoise;
-  rounded::rounding = {mode, lost_bits, fuse, seed};
+  rounded::rounding = {mode, fuse, seed};
   for (const std::uint32_t* x = in; x != in + 16 * static_cast<std::ptrdiff_t>(count); x += 16) {
     rounded::arguments = in_exactly + (x - in);
     const uvec4 found = rounded::kBodies[function]({x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6], x[7]},

@@ -30,7 +30,6 @@ class Rounding:
     mode: str
     seed: int = 0
     fuse: float = 0.0
-    lost_bits: int = 0
 
 
 NEAREST, EXACT = Rounding("nearest"), Rounding(DOUBLES)
@@ -78,7 +77,7 @@ class Text:
         function = self.bodies[id]
         words, doubles = packed(id, function.inputs, columns, rounding == EXACT)
         out = np.zeros((len(words), 4), float if rounding == EXACT else np.uint32)
-        self.library.evaluate(list(self.bodies).index(id), (*MODES, DOUBLES).index(rounding.mode), rounding.lost_bits,
+        self.library.evaluate(list(self.bodies).index(id), (*MODES, DOUBLES).index(rounding.mode),
                               ctypes.c_uint32(rounding.seed), ctypes.c_double(rounding.fuse), len(words),
                               *(array.ctypes.data_as(ctypes.c_void_p) for array in (words, doubles, out, out)))
         return [np.ascontiguousarray(column) for column in out.T[:len(function.outputs)]]

@@ -168,10 +168,8 @@ def _floats_even_fall(t: Approx, m: int) -> Approx:
 @dataclass(frozen=True, eq=False)
 class Weight:
     """A polynomial: coefficients by powers of t. `floats` computes it, and `float_fall` its fall; `fixed` and
-    `fixed_fall`
-    bound the errors of W and E, given the least and the largest t and its error. A fall has its m as an argument. Where
-    there
-    are no derivatives there is no fall."""
+    `fixed_fall` bound the errors of W and E, given the least and the largest t and its error. A fall has its m as an
+    argument. Where there are no derivatives there is no fall."""
     coefficients: Terms
     floats: Callable[[Approx], Approx]
     fixed: Callable

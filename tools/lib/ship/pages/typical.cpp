@@ -43,23 +43,25 @@ void print_typical(const char* name, int axes, Noise noise) {
 
 // One component of a vector stands for all.
 float first(float value) { return value; }
-float first(vec2 value) { return value.x; }
-float first(vec3 value) { return value.x; }
+template <typename Vector>
+auto first(const Vector& value) -> decltype(value.x) {
+  return value.x;
+}
 
 // At the dimensions that a function has.
 template <typename Noise>
 void print_in(const char* name, int first_dimension, int last_dimension, Noise noise) {
   const auto has = [&](int axes) { return first_dimension <= axes && axes <= last_dimension; };
-  if constexpr (requires { noise(1.0f); }) {
+  if constexpr (requires { first(noise(1.0f)); }) {
     if (has(1)) print_typical(name, 1, [&](vec4 p) { return first(noise(p.x)); });
   }
-  if constexpr (requires { noise(vec2()); }) {
+  if constexpr (requires { first(noise(vec2())); }) {
     if (has(2)) print_typical(name, 2, [&](vec4 p) { return first(noise(vec2(p.x, p.y))); });
   }
-  if constexpr (requires { noise(vec3()); }) {
+  if constexpr (requires { first(noise(vec3())); }) {
     if (has(3)) print_typical(name, 3, [&](vec4 p) { return first(noise(vec3(p.x, p.y, p.z))); });
   }
-  if constexpr (requires { noise(vec4()); }) {
+  if constexpr (requires { first(noise(vec4())); }) {
     if (has(4)) print_typical(name, 4, [&](vec4 p) { return first(noise(p)); });
   }
 }
@@ -71,28 +73,14 @@ void print_in(const char* name, int first_dimension, int last_dimension, Noise n
   [](auto p) -> decltype(hashnoise::hn_##name(p __VA_OPT__(, ) __VA_ARGS__)) { \
     return hashnoise::hn_##name(p __VA_OPT__(, ) __VA_ARGS__);                 \
   }
-// The functions that the pages show: in 2D and 3D noises that are a value and have no jitter, and sums without slopes,
-// with what is usual, by what their strength is called.
-#define NOISE_kNothing(name) print_in("hn_" #name, 2, 3, CALL(name));
-#define NOISE_kPhase(name) print_in("hn_" #name, 2, 3, CALL(name));
-#define NOISE_kJitter(name)
-#define VALUE_kValue(name, takes) NOISE_##takes(name)
-#define VALUE_kWithSlopes(...)
-#define VALUE_kVector(...)
-#define VALUE_kTwoDistances(...)
-#define VALUE_kThreeDistances(...)
-#define VALUE_kDistanceWithSlopes(...)
-#define VALUE_kValueAndQuadrature(...)
-#define SUM_kValue(...) print_in(__VA_ARGS__);
-#define SUM_kVector(...) print_in(__VA_ARGS__);
-#define SUM_kWithSlopes(...)
+// With the usual settings; sums by what their strength is called.
+#define HN_CATALOG_NOISE(Id, name, ...) print_in("hn_" #name, 2, 3, CALL(name));
 #define STRENGTH_none(usual)
 #define STRENGTH_strength(usual) , usual, 0u
 #define STRENGTH_amplitude(usual) , usual, 0u
+#define HN_CATALOG_SUM(Id, name, begin, end, shape, of, noise, strength, usual, ...) \
+  print_in("hn_" #name, begin, end, CALL(name, 6, 2.0f, 0.5f STRENGTH_##strength(usual##.0f)));
 
 int main() {
-#define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) VALUE_##shape(name, takes)
-#define HN_CATALOG_SUM(Id, name, first, last, shape, of, noise, strength, usual, ...) \
-  SUM_##shape("hn_" #name, first, last, CALL(name, 6, 2.0f, 0.5f STRENGTH_##strength(usual##.0f)))
 #include "../../../../src/grid/catalog.inc"
 }

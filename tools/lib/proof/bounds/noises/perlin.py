@@ -230,9 +230,8 @@ LARGEST_DERIVATIVES_DIFFERENCE = {3: 15 / 8 * 7 + 2}
 
 def largest_intermediates(dims, gradient):
     """(The fade and the sine are checked as evaluated.) The partial sums of a ramp are at most h(1, .., 1) times its
-    one;
-    with the sine gradient n * 2^28 and a rounding. An interpolated value is scaled: the range before the scale, with
-    the errors of fixed arithmetic."""
+    one; with the sine gradient n * 2^28 and a rounding. An interpolated value is scaled: the range before the scale,
+    with the errors of fixed arithmetic."""
     one = RAMP_ONE[gradient][dims]
     if gradient is SINE:
         ramp = dims * (one * fixed_sine_largest() + 1)
