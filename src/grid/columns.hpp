@@ -61,40 +61,39 @@ class PerlinColumns : public CellNumbers<D> {
     const auto t = hn_i_fade(f);
     if constexpr (D == 2) {
       const auto h = hn_i_corner_hashes(corners, seed);
-      put_pair(0, column, line2(h.x, f.y), line2(h.z, hn_i_minus_one(f.y)), t.y);
+      put_pair(0, column, line<2>(h.x, f.y), line<2>(h.z, f.y - HN_I_ONE), t.y);
     } else {
-      const auto line = [&](Uint word, bool upper, bool back) HN_I_INLINED {
-        return line3(word, upper ? hn_i_minus_one(f.y) : f.y, back ? hn_i_minus_one(f.z) : f.z);
+      const auto one = [&](Uint word, bool upper, bool back) HN_I_INLINED {
+        return line<3>(word, upper ? f.y - HN_I_ONE : f.y, back ? f.z - HN_I_ONE : f.z);
       };
       const auto front = hn_i_corner_hashes(corners, false, seed), back = hn_i_corner_hashes(corners, true, seed);
 #if HN_ARITHMETIC == HN_FAST
-      put_pair(0, column, between(line(front.x, false, false), line(front.z, true, false), t.y),
-               between(line(back.x, false, true), line(back.z, true, true), t.y), t.z);
+      put_pair(0, column, between(one(front.x, false, false), one(front.z, true, false), t.y),
+               between(one(back.x, false, true), one(back.z, true, true), t.y), t.z);
 #else
-      put_pair(0, column, line(front.x, false, false), line(front.z, true, false), t.y);
-      put_pair(2, column, line(back.x, false, true), line(back.z, true, true), t.y);
+      put_pair(0, column, one(front.x, false, false), one(front.z, true, false), t.y);
+      put_pair(2, column, one(back.x, false, true), one(back.z, true, true), t.y);
 #endif
     }
   }
   HN_I_INLINE hn_i_num noise(int column, Int index, const Place<D>& place) const {
     const auto f = place.fraction;
-    const Float x = hn_i_offset(f.x), x1 = hn_i_far(x);
-    const auto ramp = [&](vec2 line, Float along_x)
-                          HN_I_INLINED { return D == 2 ? along_line2(line, along_x) : along_line3(line, along_x); };
+    const Float x = hn_i_offset(f.x), x1 = x - 1.0f;
+    const auto ramp = [](vec2 line, Float along_x) HN_I_INLINED { return along_line<D>(line, along_x); };
 #if HN_ARITHMETIC == HN_FAST
     const Float n =
         hn_i_lerp(ramp(corners_[0].of(column, index), x), ramp(corners_[0].behind(column, index), x1), hn_i_fade(f.x));
-    return D == 2 ? hn_i_scaled2(n) : hn_i_scaled3(n);
+    return scaled<D>(n);
 #else
     const auto t = hn_i_fade(f);
     const auto face = [&](int i) HN_I_INLINED {
-      return hn_i_vector(ramp(corners_[i].of(column, index), x), ramp(corners_[i].behind(column, index), x1),
-                         ramp(corners_[i + 1].of(column, index), x), ramp(corners_[i + 1].behind(column, index), x1));
+      return hn_i_num4(ramp(corners_[i].of(column, index), x), ramp(corners_[i].behind(column, index), x1),
+                       ramp(corners_[i + 1].of(column, index), x), ramp(corners_[i + 1].behind(column, index), x1));
     };
     if constexpr (D == 2) {
-      return hn_i_scaled2(hn_i_bilerp_ramps2(face(0), t.x, t.y));
+      return scaled<2>(bilerp_ramps<2>(face(0), t.x, t.y));
     } else {
-      return hn_i_scaled3(hn_i_lerp(hn_i_bilerp_ramps3(face(0), t.x, t.y), hn_i_bilerp_ramps3(face(2), t.x, t.y), t.z));
+      return scaled<3>(hn_i_lerp(bilerp_ramps<3>(face(0), t.x, t.y), bilerp_ramps<3>(face(2), t.x, t.y), t.z));
     }
 #endif
   }
@@ -144,8 +143,8 @@ class ValueColumns : public CellNumbers<D> {
   HN_I_INLINE hn_i_num noise(int column, Int index, const Place<D>& place) const {
     const auto t = hn_i_fade(place.fraction);
     const auto face = [&](int first) HN_I_INLINED {
-      return hn_i_lerp(hn_i_vector(numbers_[first].of(column, index), numbers_[first].behind(column, index),
-                                   numbers_[first + 1].of(column, index), numbers_[first + 1].behind(column, index)),
+      return hn_i_lerp(hn_i_num4(numbers_[first].of(column, index), numbers_[first].behind(column, index),
+                                 numbers_[first + 1].of(column, index), numbers_[first + 1].behind(column, index)),
                        t.x, t.y);
     };
     if constexpr (D == 2) {
@@ -188,15 +187,14 @@ class SimplexColumns<2> {
   HN_I_INLINE void put(int column, Int number, const Place<2>& place, Uint seed) {
     const hn_i_num2 skewed = hn_i_skewed(place.fraction);
     const Int row = hn_i_floor(skewed.y);
-    const Int shift = hn_i_column_of(skewed) - hn_i_floor(skewed.x);
     // From twice the cell on, as of a place in it.
-    const Int lower = Int(Uint(number) - 2u * Uint(place.cell.x)) + shift;
+    const Int lower = Int(Uint(number) - 2u * Uint(place.cell.x)) - min(row, Int(1));
     const Uint s = hn_i_scramble(seed);
     const auto word = [&](Int x, Int y)
-                          HN_I_INLINED { return hn_i_seeded_hash(hn_i_spread(triangle_point(place, x, y)), s); };
+                          HN_I_INLINED { return seeded_hash(hn_i_spread(triangle_point(place, x, y)), s); };
     const hn_i_num3 y = hn_i_triangle_y(skewed);
-    lower_.put(column, line2(word(lower, row), y.x));
-    upper_.put(column, line2(word(lower + (row & 1), row + 1), y.z));
+    lower_.put(column, line<2>(word(lower, row), y.x));
+    upper_.put(column, line<2>(word(lower + (row & 1), row + 1), y.z));
   }
   HN_I_INLINE hn_i_num noise(int column, Int index, const Place<2>& place) const {
     const hn_i_num2 skewed = hn_i_skewed(place.fraction);
@@ -205,13 +203,13 @@ class SimplexColumns<2> {
     const auto middle =
         upper_.or_of(column - 1, index, lower_, column + 1, index, hn_i_fract(skewed.x) > hn_i_fract(skewed.y));
     hn_i_num n = weighted(lower_.of(column, index), x.x, t.x);
-    n = hn_i_plus(n, weighted(middle, x.y, t.y));
-    return hn_i_scaled_simplex2(hn_i_plus(n, weighted(upper_.behind(column - 1, index), x.z, t.z)));
+    n += weighted(middle, x.y, t.y);
+    return scaled_simplex<2>(n + weighted(upper_.behind(column - 1, index), x.z, t.z));
   }
 
  private:
   HN_I_INLINE static hn_i_num weighted(vec2 line, hn_i_num x, hn_i_num t) {
-    return hn_i_weighted_ramp(hn_i_ramp_of2(along_line2(line, hn_i_offset(x))), hn_i_weight_plane(t));
+    return weighted_ramp<2>(hn_i_weight_plane(t), along_line<2>(line, hn_i_offset(x)));
   }
 
   Lines lower_, upper_;
@@ -235,19 +233,19 @@ class SimplexColumns<3> : public CellNumbers<3> {
     const auto [corner, across, beyond] = around(cells, f);
     const Uint x = cells.cell.x, s = hn_i_scramble(seed);
     const auto put_corner = [&](Lines& row, Uint cy, Uint cz, hn_i_num along_y, hn_i_num along_z) HN_I_INLINED {
-      row.put(column, line3(hn_i_seeded_hash(uvec3(x, cy, cz), s), along_y, along_z));
+      row.put(column, line<3>(seeded_hash(uvec3(x, cy, cz), s), along_y, along_z));
     };
     const auto put_centre = [&](Lines& row, Uint cy, Uint cz, hn_i_num along_y, hn_i_num along_z) HN_I_INLINED {
       const Uint h = hn_i_point_hash(uvec3(x, cy, cz), hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM);
-      row.put(column, line3(h, along_y, along_z));
+      row.put(column, line<3>(h, along_y, along_z));
     };
     const Mask next_y = size_y >= size_z, next_z = size_z >= size_y;  // of a corner, and of a centre the other one
     put_corner(corners_, corner.y, corner.z, y.x, z.x);
-    put_corner(next_corners_, hn_i_select(next_y, across.y, corner.y), hn_i_select(next_z, across.z, corner.z),
-               hn_i_select(next_y, y.y, y.x), hn_i_select(next_z, z.y, z.x));
+    put_corner(next_corners_, select(next_y, across.y, corner.y), select(next_z, across.z, corner.z),
+               select(next_y, y.y, y.x), select(next_z, z.y, z.x));
     put_centre(centres_, cells.cell.y, cells.cell.z, y.z, z.z);
-    put_centre(next_centres_, hn_i_select(next_z, beyond.y, cells.cell.y), hn_i_select(next_y, beyond.z, cells.cell.z),
-               hn_i_select(next_z, y.w, y.z), hn_i_select(next_y, z.w, z.z));
+    put_centre(next_centres_, select(next_z, beyond.y, cells.cell.y), select(next_y, beyond.z, cells.cell.z),
+               select(next_z, y.w, y.z), select(next_y, z.w, z.z));
   }
   HN_I_INLINE hn_i_num noise(int column, Int index, const Place<3>& place) const {
     const hn_i_num3 f = place.fraction;
@@ -257,25 +255,27 @@ class SimplexColumns<3> : public CellNumbers<3> {
     const hn_i_num size = size_of(f.x);
     const hn_i_num larger = max(size_of(f.y), size_of(f.z));
     const hn_i_num smaller = min(size_of(f.y), size_of(f.z));
-    const Mask is_behind = f.x > hn_i_quarters(2);
-    const Int near = index + Int(is_behind), far = index + Int(f.x <= hn_i_quarters(2));
-    const Int corner = hn_i_select(size >= larger, far, near);
-    const Int centre = index + hn_i_select(size <= smaller, hn_i_select(is_behind, Int(2), Int(0)), Int(1));
+    const Mask is_behind = f.x > HN_I_ONE / 2;
+    const Int near = index + Int(is_behind), far = index + Int(f.x <= HN_I_ONE / 2);
+    const Int corner = select(size >= larger, far, near);
+    const Int centre = index + select(size <= smaller, select(is_behind, Int(2), Int(0)), Int(1));
     hn_i_num n = weighted(corners_.of(column, near), x.x, t.x);
-    n = hn_i_plus(n, weighted(corners_.or_of(column, corner, next_corners_, column, corner, size <= larger), x.y, t.y));
-    n = hn_i_plus(n, weighted(centres_.of(column, index), x.z, t.z));
-    n = hn_i_plus(
-        n, weighted(centres_.or_of(column - 1, centre, next_centres_, column - 1, centre, size >= smaller), x.w, t.w));
-    return hn_i_scaled_simplex3(n);
+    n += weighted(corners_.or_of(column, corner, next_corners_, column, corner, size <= larger), x.y, t.y);
+    n += weighted(centres_.of(column, index), x.z, t.z);
+    n += weighted(centres_.or_of(column - 1, centre, next_centres_, column - 1, centre, size >= smaller), x.w, t.w);
+    return scaled_simplex<3>(n);
   }
 
  private:
   HN_I_INLINE static hn_i_num weighted(vec2 line, hn_i_num x, hn_i_num t) {
-    return hn_i_weighted_ramp(hn_i_ramp_of3(along_line3(line, hn_i_offset(x))), hn_i_weight4(t));
+    return weighted_ramp<3>(hn_i_weight4(t), along_line<3>(line, hn_i_offset(x)));
   }
 
   Lines corners_, next_corners_, centres_, next_centres_;
 };
+
+// A place in steps of the triangular lattice, two to a cell.
+HN_I_INLINE hn_i_num2 in_steps(hn_i_num2 f) { return hn_i_num2(f.x + f.x, f.y + f.y); }
 
 template <int D>
 class SmoothSimplexColumns;
@@ -290,37 +290,37 @@ class SmoothSimplexColumns<2> {
 
   HN_I_INLINE static std::uint32_t earliest(std::uint32_t cell, std::uint32_t half) { return 2u * cell + half - 1u; }
   HN_I_INLINE static Int number(const Place<2>& place) {
-    const hn_i_num2 p = hn_i_steps(place.fraction);
+    const hn_i_num2 p = in_steps(place.fraction);
     return Int(hn_i_doubled(Uint(place.cell.x), hn_i_floor(hn_i_in_row(p.x, hn_i_floor(p.y)))));
   }
   HN_I_INLINE void put(int column, Int number, const Place<2>& place, Uint seed) {
-    const hn_i_num y = hn_i_steps(place.fraction).y;
+    const hn_i_num y = in_steps(place.fraction).y;
     const Int row = hn_i_floor(y);
     const Int x = Int(Uint(number) - 2u * Uint(place.cell.x));
     const Uint s = hn_i_scramble(seed);
     const auto word = [&](Int of_row)
-                          HN_I_INLINED { return hn_i_seeded_hash(hn_i_spread(triangle_point(place, x, of_row)), s); };
-    lower_.put(column, line2(word(row), hn_i_fract(y)));
-    upper_.put(column, line2(word(row + 1), hn_i_minus_one(hn_i_fract(y))));
+                          HN_I_INLINED { return seeded_hash(hn_i_spread(triangle_point(place, x, of_row)), s); };
+    lower_.put(column, line<2>(word(row), hn_i_fract(y)));
+    upper_.put(column, line<2>(word(row + 1), hn_i_fract(y) - HN_I_ONE));
   }
   HN_I_INLINE hn_i_num noise(int column, Int index, const Place<2>& place) const {
-    const hn_i_num2 p = hn_i_steps(place.fraction);
+    const hn_i_num2 p = in_steps(place.fraction);
     const Int row = hn_i_floor(p.y);
     const hn_i_num lower = hn_i_in_row(p.x, row), upper = hn_i_in_row(p.x, row + 1);
     const Int of_upper = index + (hn_i_floor(upper) - hn_i_floor(lower) + 1);
     const hn_i_num x = hn_i_fract(lower), of_x = hn_i_fract(upper);
-    const hn_i_num y = hn_i_fract(p.y), of_y = hn_i_minus_one(y);
+    const hn_i_num y = hn_i_fract(p.y), of_y = y - HN_I_ONE;
     hn_i_num n = weighted(lower_.of(column, index), x, y);
-    n = hn_i_plus(n, weighted(lower_.behind(column, index), hn_i_minus_one(x), y));
-    n = hn_i_plus(n, weighted(upper_.of(column - 1, of_upper), of_x, of_y));
-    n = hn_i_plus(n, weighted(upper_.behind(column - 1, of_upper), hn_i_minus_one(of_x), of_y));
-    return hn_i_scaled_smooth2(n);
+    n += weighted(lower_.behind(column, index), x - HN_I_ONE, y);
+    n += weighted(upper_.of(column - 1, of_upper), of_x, of_y);
+    n += weighted(upper_.behind(column - 1, of_upper), of_x - HN_I_ONE, of_y);
+    return scaled_smooth<2>(n);
   }
 
  private:
   HN_I_INLINE static hn_i_num weighted(vec2 line, hn_i_num x, hn_i_num y) {
-    return hn_i_weighted_ramp(hn_i_ramp_of2(along_line2(line, hn_i_offset(x))),
-                              hn_i_weight3(hn_i_falloff(hn_i_square(x, y), 1024, 1)));
+    return weighted_ramp<2>(hn_i_weight3(hn_i_falloff(hn_i_square(x, y), 1024, 1)),
+                            along_line<2>(line, hn_i_offset(x)));
   }
 
   Lines lower_, upper_;
@@ -344,23 +344,23 @@ class SmoothSimplexColumns<3> : public CellNumbers<3> {
     for (int row = 0; row < 4; ++row) {
       const bool far_y = (row & 1) != 0, far_z = (row & 2) != 0;
       const uvec3 c(cells.cell.x, far_y ? across.y : corner.y, far_z ? across.z : corner.z);
-      corners_[row].put(column, line3(hn_i_point_hash(c, join, s), far_y ? y.y : y.x, far_z ? z.y : z.x));
+      corners_[row].put(column, line<3>(hn_i_point_hash(c, join, s), far_y ? y.y : y.x, far_z ? z.y : z.x));
       const uvec3 d(cells.cell.x, far_y ? beyond.y : cells.cell.y, far_z ? beyond.z : cells.cell.z);
       const Uint h = hn_i_point_hash(d, join ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM);
-      centres_[row].put(column, line3(h, far_y ? y.w : y.z, far_z ? z.w : z.z));
+      centres_[row].put(column, line<3>(h, far_y ? y.w : y.z, far_z ? z.w : z.z));
     }
   }
   HN_I_INLINE hn_i_num noise(int column, Int index, const Place<3>& place) const {
     const hn_i_num3 f = place.fraction;
     const hn_i_num4 x = hn_i_offsets(f.x), y = hn_i_offsets(f.y), z = hn_i_offsets(f.z);
-    const hn_i_num3 size = hn_i_vector(hn_i_magnitude(x.x), hn_i_magnitude(y.x), hn_i_magnitude(z.x));
-    const hn_i_num3 inner = hn_i_vector(hn_i_magnitude(x.z), hn_i_magnitude(y.z), hn_i_magnitude(z.z));
-    const Mask is_behind = f.x > hn_i_quarters(2);
-    const Int near = index + Int(is_behind), far = index + Int(f.x <= hn_i_quarters(2));
-    const Int next = index + hn_i_select(is_behind, Int(2), Int(0));
-    return hn_i_scaled_smooth3(
-        hn_i_plus(cube(corners_, {column, near}, {column, far}, x.x, x.y, size, hn_i_square(x.x, y.x, z.x)),
-                  cube(centres_, {column, index}, {column - 1, next}, x.z, x.w, inner, hn_i_square(x.z, y.z, z.z))));
+    const hn_i_num3 size = hn_i_num3(hn_i_magnitude(x.x), hn_i_magnitude(y.x), hn_i_magnitude(z.x));
+    const hn_i_num3 inner = hn_i_num3(hn_i_magnitude(x.z), hn_i_magnitude(y.z), hn_i_magnitude(z.z));
+    const Mask is_behind = f.x > HN_I_ONE / 2;
+    const Int near = index + Int(is_behind), far = index + Int(f.x <= HN_I_ONE / 2);
+    const Int next = index + select(is_behind, Int(2), Int(0));
+    return scaled_smooth<3>(
+        cube(corners_, {column, near}, {column, far}, x.x, x.y, size, hn_i_square(x.x, y.x, z.x)) +
+        cube(centres_, {column, index}, {column - 1, next}, x.z, x.w, inner, hn_i_square(x.z, y.z, z.z)));
   }
 
  private:
@@ -368,27 +368,26 @@ class SmoothSimplexColumns<3> : public CellNumbers<3> {
     int column;
     Int index;
   };
-  // For points of one kind, the nearest one and its three neighbours: hn_i_cube. d and e are the offsets along x from
+  // For points of one kind, the nearest one and its three neighbours. d and e are the offsets along x from
   // the nearest point and from the one opposite.
   HN_I_INLINE static hn_i_num cube(const Lines (&rows)[4], Side near, Side far, hn_i_num d, hn_i_num e, hn_i_num3 size,
                                    hn_i_square_number q) {
-    const hn_i_num total = hn_i_plus(hn_i_plus(size.x, size.y), size.z);
+    const hn_i_num total = size.x + size.y + size.z;
     const auto neighbour = [&](int row, Side one, Side other, hn_i_num of_one, hn_i_num of_other,
                                hn_i_num along) HN_I_INLINED {
-      const hn_i_num twice = hn_i_plus(along, along);
-      const Mask is_other = hn_i_minus(total, twice) > hn_i_quarters(2);
-      const hn_i_num more =
-          min(hn_i_minus(HN_I_ONE, twice), hn_i_plus(hn_i_minus(hn_i_quarters(8), hn_i_plus(total, total)), twice));
+      const hn_i_num twice = along + along;
+      const Mask is_other = total - twice > HN_I_ONE / 2;
+      const hn_i_num more = min(HN_I_ONE - twice, 2 * HN_I_ONE - (total + total) + twice);
       return weighted(rows[row].or_of(one.column, one.index, rows[3 - row], other.column, other.index, is_other),
-                      hn_i_select(is_other, of_other, of_one), hn_i_falloff(hn_i_square_plus(q, more), 768, 1));
+                      select(is_other, of_other, of_one), hn_i_falloff(hn_i_square_plus(q, more), 768, 1));
     };
     hn_i_num a = weighted(rows[0].of(near.column, near.index), d, hn_i_falloff(q, 768, 1));
-    a = hn_i_plus(a, neighbour(0, far, near, e, d, size.x));
-    a = hn_i_plus(a, neighbour(1, near, far, d, e, size.y));
-    return hn_i_plus(a, neighbour(2, near, far, d, e, size.z));
+    a += neighbour(0, far, near, e, d, size.x);
+    a += neighbour(1, near, far, d, e, size.y);
+    return a + neighbour(2, near, far, d, e, size.z);
   }
   HN_I_INLINE static hn_i_num weighted(vec2 line, hn_i_num x, hn_i_num t) {
-    return hn_i_weighted_ramp(hn_i_ramp_of3(along_line3(line, hn_i_offset(x))), hn_i_weight5(t));
+    return weighted_ramp<3>(hn_i_weight5(t), along_line<3>(line, hn_i_offset(x)));
   }
 
   Lines corners_[4], centres_[4];
@@ -409,10 +408,15 @@ class CellularColumns : public CellNumbers<D> {
     const auto cells = hn_i_neighbourhood(place);
     const auto d = hn_i_from_centre(place.fraction);
     const Uint s = hn_i_scramble(seed);
-    const hn_i_num3 middle = hn_i_equal_triple(hn_i_num(Number{0}));
-    const hn_i_num3 y = hn_i_row(d.y);
+    const hn_i_num none(Number{0});
+    const hn_i_num3 middle(none, none, none), y = hn_i_row(d.y);
+    const auto words_of = [&](auto... z) HN_I_INLINED {
+      using Point = decltype(cells.cell);
+      const auto word = [&](Uint cy) HN_I_INLINED { return seeded_hash(Point(cells.cell.x, cy, z...), s); };
+      return uvec3(word(cells.previous.y), word(cells.cell.y), word(cells.following.y));
+    };
     if constexpr (D == 2) {
-      const hn_uvec3 words = hn_i_hashes_along_y(cells, cells.cell.x, s);
+      const uvec3 words = words_of();
       const hn_i_num3 from_x = hn_i_from_x(words, middle, jitter_), from_y = hn_i_from_y(words, y, jitter_);
       points_[0].put(column, kept(from_x.x, from_y.x));
       points_[1].put(column, kept(from_x.y, from_y.y));
@@ -422,9 +426,8 @@ class CellularColumns : public CellNumbers<D> {
       const Uint cz[] = {cells.previous.z, cells.cell.z, cells.following.z};
       const hn_i_num offset[] = {z.x, z.y, z.z};
       for (int slab = 0; slab < 3; ++slab) {
-        const auto word = [&](Uint cy) HN_I_INLINED { return hn_i_seeded_hash(uvec3(cells.cell.x, cy, cz[slab]), s); };
-        const hn_uvec3 words(word(cells.previous.y), word(cells.cell.y), word(cells.following.y));
-        const hn_i_num3 w = hn_i_from_z(words, hn_i_equal_triple(offset[slab]), jitter_);
+        const uvec3 words = words_of(cz[slab]);
+        const hn_i_num3 w = hn_i_from_z(words, hn_i_num3(offset[slab], offset[slab], offset[slab]), jitter_);
         // Along x, y and z with HN_FIXED, else along x + y, x - y and z, and the y of the row is left to the points.
         const hn_i_num3 across = HN_ARITHMETIC == HN_FIXED ? y : middle;
         const hn_i_num3 u = hn_i_from_u(words, middle, across, jitter_);
@@ -451,7 +454,7 @@ class CellularColumns : public CellNumbers<D> {
 
  private:
 #if HN_ARITHMETIC == HN_FIXED
-  // A square as in hn_i_squares: by digits of 11 bits; the high one may be negative here.
+  // A square as in square_root.glsl: by digits of 11 bits; the high one may be negative here.
   static constexpr int kNumbers = 3;
   HN_I_INLINE static Uint high_square(Int x) {
     const Uint high = Uint(x >> 11);
@@ -467,15 +470,15 @@ class CellularColumns : public CellNumbers<D> {
   }
 #else
   static constexpr int kNumbers = D;
-  HN_I_INLINE static vec2 kept(Float x, Float y) { return vec2(x, hn_i_times(y, y)); }
+  HN_I_INLINE static vec2 kept(Float x, Float y) { return vec2(x, y * y); }
   HN_I_INLINE static Float square(vec2 point, Float x, Float) {
-    const Float from = hn_i_plus(x, point.x);
-    return hn_i_multiply_add(from, from, point.y);
+    const Float from = x + point.x;
+    return from * from + point.y;
   }
-  HN_I_INLINE static vec3 kept(Float u, Float v, Float z) { return vec3(u, v, hn_i_times(z, z)); }
+  HN_I_INLINE static vec3 kept(Float u, Float v, Float z) { return vec3(u, v, z * z); }
   HN_I_INLINE static Float square(vec3 point, Float x, Float y) {
-    const Float u = hn_i_plus(hn_i_plus(x, y), point.x), v = hn_i_plus(hn_i_minus(x, y), point.y);
-    return hn_i_multiply_add(hn_i_multiply_add(u, u, hn_i_times(v, v)), 0.5f, point.z);
+    const Float u = x + y + point.x, v = x - y + point.y;
+    return (u * u + v * v) * 0.5f + point.z;
   }
 #endif
 

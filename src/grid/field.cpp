@@ -24,44 +24,31 @@ constexpr std::int64_t kTask = 65536;  // points; long enough that threads do no
 constexpr int kBlock = 1024;           // points whose coordinates stay in the first cache
 constexpr int kNarrow = 64;            // a row with fewer points is not worth a batch of its own
 
-// Runs a kernel over any number of points. The last ones, which do not fill the lanes, are computed together with those
-// before them once more. If there are none, then in a place of their own, where the last one fills the lanes.
+// Runs a kernel over any number of points. The last ones, which do not fill the lanes, are computed in a place of their
+// own, where the last one fills them.
 void run(const Plan& plan, Kernel kernel, Batch batch, int count) {
-  const int whole = count / kMostLanes * kMostLanes;
-  if (whole > 0) {
-    batch.count = whole;
-    kernel(batch, plan.options, plan.octave);
-  }
-  const int rest = count - whole;
+  const int rest = count % kMostLanes;
+  batch.count = count - rest;
+  if (batch.count > 0) kernel(batch, plan.options, plan.octave);
   if (rest == 0) return;
-  batch.count = kMostLanes;
-  const auto axes = static_cast<std::size_t>(plan.dimensions);
-  const auto components = static_cast<std::size_t>(plan.components);
-  if (whole > 0) {
-    const int first = count - kMostLanes;
-    for (std::size_t axis = 0; axis < axes; ++axis) {
-      if (batch.cell[axis] != nullptr) batch.cell[axis] += first * batch.stride[axis];
-      batch.place[axis] += first * batch.stride[axis];
-    }
-    for (std::size_t i = 0; i < components; ++i) batch.value[i] += first;
-    kernel(batch, plan.options, plan.octave);
-    return;
-  }
   std::int32_t cell[4][kMostLanes] = {};
   float place[4][kMostLanes] = {};
   float value[kMostComponents][kMostLanes];
   Batch own = batch;
-  for (std::size_t axis = 0; axis < axes; ++axis) {
+  own.count = kMostLanes;
+  for (int axis = 0; axis < plan.dimensions; ++axis) {
     const int numbers = batch.stride[axis] == 0 ? kMostLanes : rest;
-    std::fill_n(std::copy_n(batch.place[axis], numbers, place[axis]), kMostLanes - numbers, place[axis][numbers - 1]);
-    own.place[axis] = place[axis];
-    if (batch.cell[axis] == nullptr) continue;
-    std::fill_n(std::copy_n(batch.cell[axis], numbers, cell[axis]), kMostLanes - numbers, cell[axis][numbers - 1]);
-    own.cell[axis] = cell[axis];
+    const auto take = [&](const auto* from, auto& to) {
+      std::fill_n(std::copy_n(from + batch.count * batch.stride[axis], numbers, to), kMostLanes - numbers,
+                  to[numbers - 1]);
+      return to;
+    };
+    own.place[axis] = take(batch.place[axis], place[axis]);
+    if (batch.cell[axis] != nullptr) own.cell[axis] = take(batch.cell[axis], cell[axis]);
   }
-  for (std::size_t i = 0; i < components; ++i) own.value[i] = value[i];
+  for (int i = 0; i < plan.components; ++i) own.value[i] = value[i];
   kernel(own, plan.options, plan.octave);
-  for (std::size_t i = 0; i < components; ++i) std::copy_n(value[i], rest, batch.value[i]);
+  for (int i = 0; i < plan.components; ++i) std::copy_n(value[i], rest, batch.value[i] + batch.count);
 }
 
 // Where values go: a plane for each component.
@@ -82,10 +69,8 @@ struct Axis {
 
 std::size_t padded(std::size_t count) { return count + kMostLanes; }
 
-void check_size(int size) {
-  if (const std::string problem = grid::problem_of(grid::kSizeRule, size); !problem.empty()) {
-    throw std::invalid_argument(problem);
-  }
+void refuse_if(const std::string& problem) {
+  if (!problem.empty()) throw std::invalid_argument(problem);
 }
 
 // The last point has a number, too, and the sum of both is an int.
@@ -101,14 +86,6 @@ void check_finite(const char* what, double number) {
   if (!std::isfinite(number)) throw std::invalid_argument(std::string(what) + " of a grid has to be finite");
 }
 
-// Cells and places of positions, whose array is padded.
-void split(const Plan& plan, const std::vector<float>& positions, Axis& axis) {
-  axis.cell.resize(positions.size());
-  axis.place.resize(positions.size());
-  plan.kernels->split(positions.data(), static_cast<int>(positions.size()) / kMostLanes * kMostLanes, axis.cell.data(),
-                      axis.place.data());
-}
-
 Axis axis_of(const Plan& plan, float origin, float step, int size, int first) {
   check_finite("the origin", origin);
   check_finite("the step", step);
@@ -118,12 +95,10 @@ Axis axis_of(const Plan& plan, float origin, float step, int size, int first) {
   for (int i = 0; i < size; ++i) {
     positions[static_cast<std::size_t>(i)] = detail::position_of(origin, step, first + i);
   }
-  Axis axis;
-  if (plan.takes_positions) {
-    axis.place = std::move(positions);
-  } else {
-    split(plan, positions, axis);
-  }
+  if (plan.takes_positions) return {{}, std::move(positions)};
+  Axis axis{std::vector<std::int32_t>(positions.size()), std::vector<float>(positions.size())};
+  plan.kernels->split(positions.data(), static_cast<int>(positions.size()) / kMostLanes * kMostLanes, axis.cell.data(),
+                      axis.place.data());
   return axis;
 }
 
@@ -161,31 +136,12 @@ void set_step(const Grid<D>& grid, Batch& row) {
   row.rounding = static_cast<double>(furthest) * 0x1p-23;
 }
 
-// The ranges of some of the values each, by lanes.
-struct Ranges {
-  float least[kMostLanes];
-  float greatest[kMostLanes];
-
-  Ranges() {
-    std::fill_n(least, kMostLanes, Range{}.least);
-    std::fill_n(greatest, kMostLanes, Range{}.greatest);
-  }
-  void widen(const Plan& plan, const float* values, int count) { plan.kernels->widen(values, count, least, greatest); }
-  Range joined() const {
-    return {*std::min_element(least, least + kMostLanes), *std::max_element(greatest, greatest + kMostLanes)};
-  }
-};
-
 // Runs tasks of points, and joins their ranges. The order does not change the result.
 template <typename Task>
 Range run_tasks(std::int64_t count, const Executor& executor, const Task& task) {
-  std::vector<Range> ranges(static_cast<std::size_t>(count));
-  const auto one = [&](int i) {
-    Ranges of_task;
-    task(i, of_task);
-    ranges[static_cast<std::size_t>(i)] = of_task.joined();
-  };
   if (count > std::numeric_limits<int>::max()) throw std::invalid_argument("there are too many points");
+  std::vector<Range> ranges(static_cast<std::size_t>(count));
+  const auto one = [&](int i) { task(i, ranges[static_cast<std::size_t>(i)]); };
   if (executor && count > 1) {
     executor(static_cast<int>(count), one);
   } else {
@@ -197,6 +153,10 @@ Range run_tasks(std::int64_t count, const Executor& executor, const Task& task) 
     range.greatest = std::max(range.greatest, r.greatest);
   }
   return range;
+}
+
+void widen(Range& range, const Plan& plan, const float* values, int count) {
+  plan.kernels->widen(values, count, &range.least, &range.greatest);
 }
 
 struct Box {
@@ -219,7 +179,7 @@ struct Box {
     return at;
   }
 
-  void run_row(std::int64_t number, int first, int count, Ranges& ranges) const {
+  void run_row(std::int64_t number, int first, int count, Range& range) const {
     const std::array<std::size_t, 4> at = row_at(number);
     std::int32_t cell[4][kMostLanes];
     float place[4][kMostLanes];
@@ -240,11 +200,11 @@ struct Box {
     const std::size_t start = static_cast<std::size_t>(number) * static_cast<std::size_t>(size[0]);
     planes.point(batch, plan.components, start + static_cast<std::size_t>(first));
     run(plan, loops.row, batch, count);
-    ranges.widen(plan, batch.value[0], count);
+    widen(range, plan, batch.value[0], count);
   }
 
   // Points of several rows.
-  void run_points(std::int64_t first, int count, Ranges& ranges) const {
+  void run_points(std::int64_t first, int count, Range& range) const {
     std::int32_t cell[4][kBlock + kMostLanes];
     float place[4][kBlock + kMostLanes];
     std::array<std::size_t, 4> at = row_at(first / size[0]);
@@ -267,17 +227,17 @@ struct Box {
     }
     planes.point(batch, plan.components, static_cast<std::size_t>(first));
     run(plan, loops.points, batch, count);
-    ranges.widen(plan, batch.value[0], count);
+    widen(range, plan, batch.value[0], count);
   }
 
   Range fill(std::int64_t points, const Executor& executor) const {
     // A narrow part of a grid has the bits of the whole, so it takes the kernel of that.
     const bool has_kernel_of_rows = loops.row != loops.points && plan.may_fuse;
     if (size[0] < kNarrow && !has_kernel_of_rows) {
-      return run_tasks((points + kTask - 1) / kTask, executor, [&](std::int64_t task, Ranges& ranges) {
+      return run_tasks((points + kTask - 1) / kTask, executor, [&](std::int64_t task, Range& range) {
         const std::int64_t end = std::min(points, (task + 1) * kTask);
         for (std::int64_t i = task * kTask; i < end; i += kBlock) {
-          run_points(i, static_cast<int>(std::min<std::int64_t>(kBlock, end - i)), ranges);
+          run_points(i, static_cast<int>(std::min<std::int64_t>(kBlock, end - i)), range);
         }
       });
     }
@@ -285,11 +245,11 @@ struct Box {
     const std::int64_t rows = points / size[0];
     const std::int64_t parts = (size[0] + kTask - 1) / kTask;
     const std::int64_t at_a_time = std::max<std::int64_t>(1, kTask / size[0]);
-    return run_tasks((rows + at_a_time - 1) / at_a_time * parts, executor, [&](std::int64_t task, Ranges& ranges) {
+    return run_tasks((rows + at_a_time - 1) / at_a_time * parts, executor, [&](std::int64_t task, Range& range) {
       const std::int64_t first = task % parts * kTask;
       const int count = static_cast<int>(std::min<std::int64_t>(kTask, size[0] - first));
       const std::int64_t end = std::min(rows, (task / parts + 1) * at_a_time);
-      for (std::int64_t i = task / parts * at_a_time; i < end; ++i) run_row(i, static_cast<int>(first), count, ranges);
+      for (std::int64_t i = task / parts * at_a_time; i < end; ++i) run_row(i, static_cast<int>(first), count, range);
     });
   }
 };
@@ -308,7 +268,7 @@ const Loops& in_cells(const Plan& plan) {
   }
   const grid::Rule rule = {"lacunarity", false, 0.0, grid::kMostLacunarity, 2.0};
   const std::string problem = grid::problem_of(rule, static_cast<double>(plan.options.lacunarity));
-  if (plan.takes_positions && !problem.empty()) throw std::invalid_argument(problem + " in cells");
+  if (plan.takes_positions && !problem.empty()) refuse_if(problem + " in cells");
   return plan.in;
 }
 
@@ -316,32 +276,26 @@ template <std::size_t D>
 std::int64_t points_of(const std::array<int, D>& size) {
   std::int64_t points = 1;
   for (const int n : size) {
-    check_size(n);
+    refuse_if(grid::problem_of(grid::kSizeRule, n));
     if (n > 0 && points > (std::int64_t{1} << 48) / n) throw std::invalid_argument("a grid has too many points");
     points *= n;
   }
   return points;
 }
 
-// Checks a grid before its coordinates are computed, which may be many.
-template <std::size_t D>
-std::int64_t check_grid(const Plan& plan, const std::array<int, D>& size, const std::array<int, D>& first,
-                        std::span<float> values) {
-  const std::int64_t points = points_of(size);
-  for (std::size_t axis = 0; axis < D; ++axis) check_first(first[axis], size[axis]);
+// The points of a grid, by the axes that axis_at gives. It is checked before its coordinates are computed, which may be
+// many.
+template <int D, typename AnyGrid, typename AxisAt>
+Range fill_grid(const Plan& plan, const Loops& loops, const AnyGrid& grid, std::span<float> values,
+                const Executor& executor, const AxisAt& axis_at) {
+  const std::int64_t points = points_of(grid.size);
+  for (std::size_t axis = 0; axis < D; ++axis) check_first(grid.first[axis], grid.size[axis]);
   check_values(plan, static_cast<std::size_t>(points), values.size());
-  return points;
-}
-
-template <typename AnyGrid>
-Range fill_box(const Plan& plan, const Loops& loops, const AnyGrid& grid, std::vector<Axis> axes, std::int64_t points,
-               std::span<float> values, const Executor& executor) {
-  std::array<int, 4> sizes{};
-  std::copy(grid.size.begin(), grid.size.end(), sizes.begin());
-  const Planes planes{values.data(), static_cast<std::size_t>(points)};
-  Batch blank{};
-  set_step(grid, blank);
-  const Box box{plan, loops, sizes, blank, std::move(axes), planes};
+  if (points == 0) return {};
+  Box box{plan, loops, {}, {}, {}, {values.data(), static_cast<std::size_t>(points)}};
+  std::copy(grid.size.begin(), grid.size.end(), box.size.begin());
+  for (std::size_t axis = 0; axis < D; ++axis) box.axes.push_back(axis_at(axis));
+  set_step(grid, box.blank);
   return box.fill(points, executor);
 }
 
@@ -366,21 +320,30 @@ std::size_t common_length(const Spans& spans, std::size_t length) {
   return length;
 }
 
-// Points in an array for each axis. `run_block` sets the coordinates of some of them, and runs the batch.
-template <typename RunBlock>
-Range fill_points(const Plan& plan, Kernel kernel, std::size_t count, std::span<float> values, const Executor& executor,
-                  const RunBlock& run_block) {
+// Points in an array for each axis: positions, or cells and places in them.
+template <std::size_t D>
+Range fill_points(const Plan& plan, Kernel kernel, const std::array<std::span<const std::int32_t>, D>* cells,
+                  const std::array<std::span<const float>, D>& places, std::span<float> values,
+                  const Executor& executor) {
+  const std::size_t count = common_length(places, places[0].size());
+  if (cells != nullptr) common_length(*cells, count);
   check_values(plan, count, values.size());
   const Planes planes{values.data(), count};
   const auto points = static_cast<std::int64_t>(count);
-  return run_tasks((points + kTask - 1) / kTask, executor, [&](std::int64_t task, Ranges& ranges) {
+  return run_tasks((points + kTask - 1) / kTask, executor, [&](std::int64_t task, Range& range) {
     const std::int64_t end = std::min(points, (task + 1) * kTask);
     for (std::int64_t i = task * kTask; i < end; i += kBlock) {
       const int n = static_cast<int>(std::min<std::int64_t>(kBlock, end - i));
       Batch batch{};
       planes.point(batch, plan.components, static_cast<std::size_t>(i));
-      run_block(static_cast<std::size_t>(i), n, batch, [&](const Batch& b) { run(plan, kernel, b, n); });
-      ranges.widen(plan, batch.value[0], n);
+      for (std::size_t axis = 0; axis < D; ++axis) {
+        batch.stride[axis] = 1;
+        if (cells != nullptr) batch.cell[axis] = (*cells)[axis].data() + i;
+        batch.place[axis] = places[axis].data() + i;
+      }
+      run(plan, kernel, batch, n);
+      for (const auto& axis : places) spread_nan(plan, axis.data() + i, n, batch);
+      widen(range, plan, batch.value[0], n);
     }
   });
 }
@@ -403,27 +366,7 @@ int Field<D>::component_count() const {
 
 template <int D>
 std::vector<std::string> Field<D>::components() const {
-  const std::vector<std::string> axes = {"x", "y", "z", "w"};
-  std::vector<std::string> names;
-  switch (plan_->shape) {
-    case grid::Shape::kTwoDistances:
-      return {"f1", "f2"};
-    case grid::Shape::kThreeDistances:
-      return {"f1", "f2", "f3"};
-    case grid::Shape::kVector:
-      return {axes.begin(), axes.begin() + D};
-    case grid::Shape::kValueAndQuadrature:
-      return {"value", "quadrature"};
-    case grid::Shape::kValue:
-    case grid::Shape::kWithSlopes:
-      names = {"value"};
-      break;
-    case grid::Shape::kDistanceWithSlopes:
-      names = {"f1"};
-      break;
-  }
-  for (int i = 1; i < plan_->components; ++i) names.push_back("d" + axes[static_cast<std::size_t>(i) - 1]);
-  return names;
+  return grid::components_of(plan_->shape, D);
 }
 
 template <int D>
@@ -433,56 +376,28 @@ InstructionSet Field<D>::instruction_set() const {
 
 template <int D>
 Range Field<D>::fill(const Grid<D>& grid, std::span<float> values, const Executor& executor) const {
-  const Loops& loops = plan_->takes_positions ? plan_->at : plan_->in;
-  const std::int64_t points = check_grid(*plan_, grid.size, grid.first, values);
-  if (points == 0) return {};
-  std::vector<Axis> axes;
-  for (std::size_t i = 0; i < D; ++i) {
-    axes.push_back(axis_of(*plan_, grid.origin[i], grid.step[i], grid.size[i], grid.first[i]));
-  }
-  return fill_box(*plan_, loops, grid, std::move(axes), points, values, executor);
+  return fill_grid<D>(*plan_, plan_->takes_positions ? plan_->at : plan_->in, grid, values, executor,
+                      [&](std::size_t axis) {
+                        return axis_of(*plan_, grid.origin[axis], grid.step[axis], grid.size[axis], grid.first[axis]);
+                      });
 }
 
 template <int D>
 Range Field<D>::fill(const CellGrid<D>& grid, std::span<float> values, const Executor& executor) const {
-  const Loops& loops = in_cells(*plan_);
-  const std::int64_t points = check_grid(*plan_, grid.size, grid.first, values);
-  if (points == 0) return {};
-  std::vector<Axis> axes;
-  for (std::size_t i = 0; i < D; ++i) {
-    axes.push_back(axis_of(grid.cell[i], grid.f[i], grid.step[i], grid.size[i], grid.first[i]));
-  }
-  return fill_box(*plan_, loops, grid, std::move(axes), points, values, executor);
+  return fill_grid<D>(*plan_, in_cells(*plan_), grid, values, executor, [&](std::size_t axis) {
+    return axis_of(grid.cell[axis], grid.f[axis], grid.step[axis], grid.size[axis], grid.first[axis]);
+  });
 }
 
 template <int D>
 Range Field<D>::fill(const Points<D>& points, std::span<float> values, const Executor& executor) const {
-  const std::size_t count = common_length(points.p, points.p[0].size());
-  const Plan& plan = *plan_;
-  return fill_points(plan, (plan.takes_positions ? plan.at : plan.in).points, count, values, executor,
-                     [&](std::size_t first, int n, Batch& batch, const auto& run_batch) {
-                       for (std::size_t axis = 0; axis < D; ++axis) {
-                         batch.stride[axis] = 1;
-                         batch.place[axis] = points.p[axis].data() + first;
-                       }
-                       run_batch(batch);
-                       for (const auto& p : points.p) spread_nan(plan, p.data() + first, n, batch);
-                     });
+  const Loops& loops = plan_->takes_positions ? plan_->at : plan_->in;
+  return fill_points<D>(*plan_, loops.points, nullptr, points.p, values, executor);
 }
 
 template <int D>
 Range Field<D>::fill(const CellPoints<D>& points, std::span<float> values, const Executor& executor) const {
-  const std::size_t count = common_length(points.f, common_length(points.cell, points.cell[0].size()));
-  return fill_points(*plan_, in_cells(*plan_).points, count, values, executor,
-                     [&](std::size_t first, int n, Batch& batch, const auto& run_batch) {
-                       for (std::size_t axis = 0; axis < D; ++axis) {
-                         batch.stride[axis] = 1;
-                         batch.cell[axis] = points.cell[axis].data() + first;
-                         batch.place[axis] = points.f[axis].data() + first;
-                       }
-                       run_batch(batch);
-                       for (const auto& f : points.f) spread_nan(*plan_, f.data() + first, n, batch);
-                     });
+  return fill_points<D>(*plan_, in_cells(*plan_).points, &points.cell, points.f, values, executor);
 }
 
 template class Field<1>;

@@ -62,12 +62,14 @@ constexpr std::array<NoiseRow, kNoises> kNoiseRows = {{
 #define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) {#name, first, last, Shape::shape, Inputs::takes},
 #include "catalog.inc"
 }};
-// These throw std::out_of_range for a name that there is not.
-constexpr NoiseId noise_named(std::string_view name) {
+// This throws std::out_of_range for a name that there is not.
+template <typename Rows>
+constexpr std::size_t index_of(const Rows& rows, std::string_view name) {
   std::size_t i = 0;
-  while (kNoiseRows.at(i).name != name) ++i;
-  return static_cast<NoiseId>(i);
+  while (rows.at(i).name != name) ++i;
+  return i;
 }
+constexpr NoiseId noise_named(std::string_view name) { return static_cast<NoiseId>(index_of(kNoiseRows, name)); }
 constexpr NoiseId noise_or_none(std::string_view name) { return name == "none" ? kNoises : noise_named(name); }
 constexpr std::array<SumRow, kNamedSums> kSumRows = {{
 // "none" is the strength of a sum without one.
@@ -96,11 +98,7 @@ constexpr std::string_view kMetricNames[] = {
 #include "catalog.inc"
 };
 
-constexpr const SumRow& sum_row(std::string_view name) {
-  std::size_t i = 0;
-  while (kSumRows.at(i).name != name) ++i;
-  return kSumRows.at(i);
-}
+constexpr const SumRow& sum_row(std::string_view name) { return kSumRows[index_of(kSumRows, name)]; }
 
 // The setting of the number that a sum calls its strength.
 inline const std::optional<float>& strength_of(const Settings& settings, const SumRow& sum) {

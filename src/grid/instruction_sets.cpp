@@ -1,13 +1,28 @@
-#include "instruction_sets.hpp"
-
+// Which instructions the processor has, and the kernels for them.
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <mutex>
 
+#include "plan.hpp"
 #include "processor.hpp"
-#include "tables.hpp"
 
 namespace hashnoise::inline HN_I_NAMESPACE {
+
+namespace grid {
+#define HASHNOISE_SET(set)                \
+  HASHNOISE_ENTER(noises, set##_fast);    \
+  HASHNOISE_ENTER(noises, set##_precise); \
+  HASHNOISE_ENTER(noises, set##_fixed);   \
+  HASHNOISE_ENTER(sums, set##_fast);      \
+  HASHNOISE_ENTER(sums, set##_precise);   \
+  HASHNOISE_ENTER(sums, set##_fixed);
+HASHNOISE_SET(sse41)
+HASHNOISE_SET(avx2)
+HASHNOISE_SET(avx512)
+HASHNOISE_SET(neon)
+HASHNOISE_SET(generic)
+}  // namespace grid
 
 namespace {
 
@@ -19,12 +34,12 @@ struct Build {
   std::array<Enter, 3> noises, sums;  // by arithmetic
 };
 
-#define HASHNOISE_BUILD(set, name)                                                                  \
-  Build {                                                                                           \
-    set, processor::has_##name,                                                                     \
-        {grid::noises_##name##_fast, grid::noises_##name##_precise, grid::noises_##name##_fixed}, { \
-      grid::sums_##name##_fast, grid::sums_##name##_precise, grid::sums_##name##_fixed              \
-    }                                                                                               \
+#define HASHNOISE_BUILD(set, name)                                                                                    \
+  {                                                                                                                   \
+    set, processor::has_##name,                                                                                       \
+        {grid::enter_noises_##name##_fast, grid::enter_noises_##name##_precise, grid::enter_noises_##name##_fixed}, { \
+      grid::enter_sums_##name##_fast, grid::enter_sums_##name##_precise, grid::enter_sums_##name##_fixed              \
+    }                                                                                                                 \
   }
 
 // The widest first. HASHNOISE_HAS_AVX512 and so on name what CMake compiles.

@@ -95,7 +95,6 @@ struct NoiseKernels {
   Loops phase;
   Loops phase_full;
   Octave octave;
-  Octave octave_full;  // with a period
 };
 struct SumKernels {  // whose `line` nobody calls
   Loops at;          // at positions
@@ -109,8 +108,13 @@ struct Kernels {
   // The cells of positions along an axis of a grid, and the places in them.
   void (*split)(const float* position, int count, std::int32_t* cell, float* place);
   bool (*are_finite)(const float* numbers, int count);
-  // Widens kMostLanes ranges; each may take any of the numbers.
+  // Widens a range.
   void (*widen)(const float* value, int count, float* least, float* greatest);
 };
+
+// A function of each instruction set, each arithmetic, and noises and sums apart, which enters their kernels: in
+// avx2_fast those of AVX2 and HN_FAST.
+#define HASHNOISE_ENTER_TOKENS(part, table) void enter_##part##_##table([[maybe_unused]] Kernels& kernels)
+#define HASHNOISE_ENTER(part, table) HASHNOISE_ENTER_TOKENS(part, table)
 
 }  // namespace hashnoise::grid

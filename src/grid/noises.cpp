@@ -3,157 +3,130 @@
 #include "columns.hpp"
 #include "loops.hpp"
 #include "runs.hpp"
-#include "tables.hpp"
 
 namespace hashnoise::inline HN_I_NAMESPACE {
 namespace HN_LANES {
 namespace {
 
-// A noise at a place, by how it is called: plain, in a tile with everything that may be chosen (full), with a phase,
-// and both.
-#define HN_GRID_NOISE(kind, name, in, ...) HN_GRID_CALL(name##_##kind, hn_##name, in, __VA_ARGS__)
-#define HN_GRID_CALL(type, function, in, ...)                                                \
-  struct type {                                                                              \
-    template <int D>                                                                         \
-    HN_I_INLINE static auto at(Place<D> place, [[maybe_unused]] const Arguments<D>& given) { \
-      return function(in, __VA_ARGS__);                                                      \
-    }                                                                                        \
+// A noise at a place, by how it is called: plain, with everything that may be chosen (full), and with a phase, if it
+// has one.
+#define HN_GRID_NOISE(type, name, ...)                                                              \
+  struct type {                                                                                     \
+    template <int D>                                                                                \
+    HN_I_INLINE static auto at(const Place<D>& place, [[maybe_unused]] const Arguments<D>& given) { \
+      return hn_##name(place, __VA_ARGS__);                                                         \
+    }                                                                                               \
   };
-#define HN_GRID_TILE hn_tile(place, given.period)
-// By the noise's inputs. A noise without a phase has no struct for it.
-#define HN_GRID_WITHOUT_PHASE(name, ...)               \
-  HN_GRID_NOISE(plain, name, place, given.seed)        \
-  HN_GRID_NOISE(full, name, HN_GRID_TILE, __VA_ARGS__) \
-  struct name##_phase;                                 \
-  struct name##_phase_full;
+#define HN_GRID_WITHOUT_PHASE(name, ...)        \
+  HN_GRID_NOISE(name##_plain, name, given.seed) \
+  HN_GRID_NOISE(name##_full, name, __VA_ARGS__) \
+  struct name##_phase;
 #define HN_GRID_kNothing(name) HN_GRID_WITHOUT_PHASE(name, given.seed)
 #define HN_GRID_kJitter(name) HN_GRID_WITHOUT_PHASE(name, given.jitter, given.seed)
 #define HN_GRID_kJitterAndMetric(name) HN_GRID_WITHOUT_PHASE(name, given.jitter, given.metric, given.seed)
-#define HN_GRID_kPhase(name)                                 \
-  HN_GRID_NOISE(plain, name, place, given.seed)              \
-  HN_GRID_NOISE(full, name, HN_GRID_TILE, given.seed)        \
-  HN_GRID_NOISE(phase, name, place, given.phase, given.seed) \
-  HN_GRID_NOISE(phase_full, name, HN_GRID_TILE, given.phase, given.seed)
-#define HN_GRID_kJitterAndMetricAndPhase(name)                                                \
-  HN_GRID_NOISE(plain, name, place, given.seed)                                               \
-  HN_GRID_NOISE(full, name, HN_GRID_TILE, given.jitter, given.metric, given.seed)             \
-  HN_GRID_CALL(name##_phase, hn_##name##_phase, place, given.phase, given.jitter, given.seed) \
-  HN_GRID_CALL(name##_phase_full, hn_##name##_phase, HN_GRID_TILE, given.phase, given.jitter, given.seed)
+#define HN_GRID_kPhase(name)                    \
+  HN_GRID_NOISE(name##_plain, name, given.seed) \
+  HN_GRID_NOISE(name##_full, name, given.seed)  \
+  HN_GRID_NOISE(name##_phase, name, given.phase, given.seed)
+#define HN_GRID_kJitterAndMetricAndPhase(name)                             \
+  HN_GRID_NOISE(name##_plain, name, given.seed)                            \
+  HN_GRID_NOISE(name##_full, name, given.jitter, given.metric, given.seed) \
+  HN_GRID_NOISE(name##_phase, name##_phase, given.phase, given.jitter, given.seed)
 // A noise with a wave always has a phase: 0 if none is given.
-#define HN_GRID_kPhaseAndWave(name)                                            \
-  HN_GRID_NOISE(plain, name, place, given.wave, given.phase, given.seed)       \
-  HN_GRID_NOISE(full, name, HN_GRID_TILE, given.wave, given.phase, given.seed) \
-  using name##_phase = name##_plain;                                           \
-  using name##_phase_full = name##_full;
+#define HN_GRID_kPhaseAndWave(name)                                      \
+  HN_GRID_NOISE(name##_plain, name, given.wave, given.phase, given.seed) \
+  using name##_full = name##_plain;                                      \
+  struct name##_phase;
 
 #define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) HN_GRID_##takes(name)
 #include "catalog.inc"
 
-// The columns of a row, for noises that have them, and whether they are in a tile.
-template <int D, typename Noise>
+// Noises that have columns of a row, or pieces of a line. In a tile octaves are not rotated, so lines other than rows
+// do not occur there.
+using grid::NoiseId;
+template <int D, NoiseId id>
 struct ColumnsOf {
   using Type = void;
 };
+template <int D, NoiseId id>
+constexpr bool kIsPlainLattice = (D == 2 || D == 3) && (id == grid::kPerlin || id == grid::kValue);
 #ifdef HN_GRID_HAS_WINDOWS
-#define HN_GRID_COLUMNS(noise, Columns)             \
-  HN_GRID_COLUMNS_OF(noise##_plain, Columns, false) \
-  HN_GRID_COLUMNS_OF(noise##_full, Columns, true)
-#define HN_GRID_COLUMNS_OF(noise, Columns, tiled)         \
-  template <int D>                                        \
-  requires(D == 2 || D == 3) struct ColumnsOf<D, noise> { \
-    using Type = Columns<D>;                              \
-    static constexpr bool kTiled = tiled;                 \
-  };
-HN_GRID_COLUMNS(value, ValueColumns)
-HN_GRID_COLUMNS(perlin, PerlinColumns)
-HN_GRID_COLUMNS(simplex, SimplexColumns)
-HN_GRID_COLUMNS(simplex_smooth, SmoothSimplexColumns)
-HN_GRID_COLUMNS(cellular, CellularColumns)
+#define HN_GRID_COLUMNS(Id, Columns) \
+  template <int D>                   \
+  requires(D == 2 || D == 3) struct ColumnsOf<D, grid::k##Id> { using Type = Columns<D>; };
+HN_GRID_COLUMNS(Value, ValueColumns)
+HN_GRID_COLUMNS(Perlin, PerlinColumns)
+HN_GRID_COLUMNS(Simplex, SimplexColumns)
+HN_GRID_COLUMNS(SimplexSmooth, SmoothSimplexColumns)
+HN_GRID_COLUMNS(Cellular, CellularColumns)
 #endif
 
-// The kernel of a noise for points on a line. In a tile octaves are not rotated, so lines other than rows do not occur.
-template <int D, typename Noise>
-struct PiecesOf {
-  using Type = void;
-};
-#ifdef HN_GRID_HAS_WINDOWS
-template <int D>
-requires(D == 2 || D == 3) struct PiecesOf<D, value_plain> {
-  using Type = ValuePieces<D>;
-};
-template <int D>
-requires(D == 2 || D == 3) struct PiecesOf<D, perlin_plain> {
-  using Type = PerlinPieces<D>;
-};
-#endif
-
-template <int D, typename Noise>
-HN_I_INLINE auto noise_at(const Place<D>& place, const Arguments<D>& given) {
-  if constexpr ((D == 2 || D == 3) && std::is_same_v<Noise, simplex_plain>) {
-    return hn_i_value(simplex_at(place, given.seed));
-  } else if constexpr ((D == 2 || D == 3) && std::is_same_v<Noise, perlin_plain>) {
-    return hn_i_value(perlin_at(place, given.seed));
-  } else if constexpr ((D == 2 || D == 3) && std::is_same_v<Noise, value_plain>) {
-    return hn_i_value(value_at(place, given.seed));
+// A place as it is, or in a tile.
+template <int D, bool kTiled>
+HN_I_INLINE Place<D> placed(const Place<D>& place, const Arguments<D>& given) {
+  if constexpr (kTiled) {
+    return hn_tile(place, given.period);
   } else {
-    return Noise::template at<D>(place, given);
+    return place;
   }
 }
 
-// Whether two vectors of points are computed side by side. Most steps of a noise wait for the one before, so a second
-// chain of them takes a tenth off the time, where the registers hold both.
-template <int D, typename Noise>
-constexpr bool kAreTwo = ((D == 2 || (D == 3 && kCount == 16)) &&
-                          (std::is_same_v<Noise, value_plain> || std::is_same_v<Noise, perlin_plain>)) ||
-                         (D == 2 && std::is_same_v<Noise, simplex_plain>);
-
-template <int D, typename Noise, typename PlaceAt>
-HN_I_INLINE void at_places(const Batch& b, const Arguments<D>& given, const PlaceAt& place) {
-  int i = 0;
-  if constexpr (kAreTwo<D, Noise>) {
-    for (; i + 2 * kCount <= b.count; i += 2 * kCount) {
-      const auto first = noise_at<D, Noise>(place(i), given), second = noise_at<D, Noise>(place(i + kCount), given);
-      store(b, i, first);
-      store(b, i + kCount, second);
-    }
+// A noise without a period has kernels of its own for points, if it is plain.
+template <int D, typename Noise, NoiseId id, bool kIsOwn, bool kTiled>
+HN_I_INLINE auto noise_at(const Place<D>& place, const Arguments<D>& given) {
+  if constexpr (kIsOwn && (D == 2 || D == 3) && id == grid::kSimplex) {
+    return hn_i_value(simplex_at(place, given.seed));
+  } else if constexpr (kIsOwn && kIsPlainLattice<D, id>) {
+    return hn_i_value(lattice_noise_at<id == grid::kPerlin, D>(place, given.seed));
+  } else {
+    return Noise::template at<D>(placed<D, kTiled>(place, given), given);
   }
-  for (; i < b.count; i += kCount) store(b, i, noise_at<D, Noise>(place(i), given));
 }
 
-template <int D, typename Noise>
+// Two vectors of points are computed side by side where the registers hold both. Most steps of a noise wait for the one
+// before, so a second chain of them takes a tenth off the time.
+template <int D, NoiseId id>
+constexpr bool kAreTwo = (kIsPlainLattice<D, id> && (D == 2 || kCount == 16)) || (D == 2 && id == grid::kSimplex);
+
+template <int D, typename Noise, NoiseId id, bool kIsOwn, bool kTiled>
 void at_points(const Batch& batch, const Options& options, Octave) {
   const Batch b = batch;
   const Arguments<D> given(options);
+  const auto at_places = [&](const auto& place) HN_I_INLINED {
+    const auto noise = [&](int i) HN_I_INLINED { return noise_at<D, Noise, id, kIsOwn, kTiled>(place(i), given); };
+    int i = 0;
+    if constexpr (kIsOwn && kAreTwo<D, id>) {
+      for (; i + 2 * kCount <= b.count; i += 2 * kCount) {
+        const auto first = noise(i), second = noise(i + kCount);
+        store(b, i, first);
+        store(b, i + kCount, second);
+      }
+    }
+    for (; i < b.count; i += kCount) store(b, i, noise(i));
+  };
   if (b.cell[0] != nullptr) {
-    at_places<D, Noise>(b, given, [&](int i) HN_I_INLINED { return place_in_cell<D>(b, i); });
+    at_places([&](int i) HN_I_INLINED { return place_in_cell<D>(b, i); });
   } else {
-    at_places<D, Noise>(b, given, [&](int i) HN_I_INLINED { return place_at_position<D>(b, i); });
+    at_places([&](int i) HN_I_INLINED { return place_at_position<D>(b, i); });
   }
 }
 
 // Along a row: what depends on the other axes is computed once.
-template <int D, typename Noise>
+template <int D, typename Noise, NoiseId id, bool kTiled>
 void along_row(const Batch& batch, const Options& options, Octave) {
   const Batch b = batch;
   const Arguments<D> given(options);
-  using Columns = typename ColumnsOf<D, Noise>::Type;
+  const auto tile_of = [&](const Place<D>& place) HN_I_INLINED { return placed<D, kTiled>(place, given); };
+  const auto at = [&](const Place<D>& place) HN_I_INLINED { return Noise::template at<D>(tile_of(place), given); };
+  using Columns = typename ColumnsOf<D, id>::Type;
   if constexpr (!std::is_void_v<Columns>) {
-    constexpr bool kTiled = ColumnsOf<D, Noise>::kTiled;
     if (b.step <= Columns::kMostStep && options.metric == HN_METRIC_EUCLIDEAN) {
-      const auto tile_of = [&](const Place<D>& place) HN_I_INLINED {
-        if constexpr (kTiled) {
-          return hn_tile(place, given.period);
-        } else {
-          return place;
-        }
-      };
-      const auto at_seam = [&](const Place<D>& place) HN_I_INLINED { return Noise::template at<D>(place, given); };
       if constexpr (std::is_constructible_v<Columns, Float>) {
         Columns columns(given.jitter);
-        return along_columns<D, kTiled>(columns, b, given.seed, tile_of, at_seam);
+        return along_columns<D, kTiled>(columns, b, given.seed, tile_of, at);
       } else {
         Columns columns;  // Columns() would be filled with zeros in each row
-        return along_columns<D, kTiled>(columns, b, given.seed, tile_of, at_seam);
+        return along_columns<D, kTiled>(columns, b, given.seed, tile_of, at);
       }
     }
   }
@@ -162,15 +135,15 @@ void along_row(const Batch& batch, const Options& options, Octave) {
   for (int i = 0; i < b.count; i += kCount) {
     cell.x = Int::load(b.cell[0] + i);
     f.x = Float::load(b.place[0] + i);
-    store(b, i, Noise::template at<D>(hn_place(cell, f), given));
+    store(b, i, at(hn_place(cell, f)));
   }
 }
 
 // Along another line.
-template <int D, typename Noise>
+template <int D, typename Noise, NoiseId id>
 void along_line(const Batch& batch, const Options& options, Octave octave) {
 #ifdef HN_GRID_HAS_WINDOWS
-  using Pieces = typename PiecesOf<D, Noise>::Type;
+  using Pieces = CornerPieces<id == grid::kPerlin, D>;
   if (batch.step <= Pieces::kMostStep) {
     const Batch b = batch;
     const Uint seed(options.seed);
@@ -185,51 +158,19 @@ void along_line(const Batch& batch, const Options& options, Octave octave) {
     return;
   }
 #endif
-  at_points<D, Noise>(batch, options, octave);
+  at_points<D, Noise, id, true, false>(batch, options, octave);
 }
 
-// A noise for sums, and for kernels of its own that call it: see OctaveOf.
-template <int D, typename Noise, typename Axes = std::make_index_sequence<D>>
-struct NoiseCall;
-template <int D, typename Noise, std::size_t... Axis>
-struct NoiseCall<D, Noise, std::index_sequence<Axis...>> {
-  HN_GRID_NOINLINE static auto plain(ForEach<Int, Axis>... cell, ForEach<hn_i_num, Axis>... fraction, Uint seed) {
-    Arguments<D> given{Options{}};
-    given.seed = seed;
-    return Noise::template at<D>(place(cell..., fraction...), given);
-  }
-  HN_GRID_NOINLINE static auto tiled(ForEach<Int, Axis>... cell, ForEach<hn_i_num, Axis>... fraction,
-                                     const Tile<D>& tile, Uint seed) {
-    Arguments<D> given{Options{}};
-    given.period = tile.period;
-    given.seed = seed;
-    given.jitter = tile.jitter;
-    return Noise::template at<D>(place(cell..., fraction...), given);
-  }
-
-  // Kernels that call these for each vector of points.
-  static void plain_at_points(const Batch& batch, const Options& options, Octave) {
-    const Batch b = batch;
-    const Uint seed(options.seed);
-    for (int i = 0; i < b.count; i += kCount) {
-      const Place<D> at = place_at<D>(b, i);
-      store(b, i, plain(along<Axis>(at.cell)..., along<Axis>(at.fraction)..., seed));
-    }
-  }
-  static void tiled_at_points(const Batch& batch, const Options& options, Octave) {
-    const Batch b = batch;
-    const Arguments<D> given(options);
-    const Tile<D> tile{given.period, given.jitter};
-    for (int i = 0; i < b.count; i += kCount) {
-      const Place<D> at = place_at<D>(b, i);
-      store(b, i, tiled(along<Axis>(at.cell)..., along<Axis>(at.fraction)..., tile, given.seed));
-    }
-  }
-
- private:
-  HN_I_INLINE static Place<D> place(ForEach<Int, Axis>... cell, ForEach<hn_i_num, Axis>... fraction) {
-    using Numbers = decltype(Place<D>::fraction);
-    return hn_i_place(Cell<D>(cell...), Numbers(fraction...), Cell<D>(ForEach<Int, Axis>(0)...));
+// A noise that is called, by sums and by the kernels of some noises.
+template <int D, typename Noise>
+HN_GRID_NOINLINE auto called(const Place<D>& place, const Arguments<D>& given) {
+  return Noise::template at<D>(place, given);
+}
+template <typename Noise>
+struct Called {
+  template <int D>
+  HN_I_INLINE static auto at(const Place<D>& place, const Arguments<D>& given) {
+    return called<D, Noise>(place, given);
   }
 };
 
@@ -237,8 +178,7 @@ using grid::always;
 using grid::NoiseKernels;
 
 // The kernels of a noise.
-template <int D, grid::Shape shape, grid::Inputs takes, typename Plain, typename Full, typename Phase,
-          typename PhaseFull>
+template <int D, NoiseId id, grid::Shape shape, grid::Inputs takes, typename Plain, typename Full, typename Phase>
 NoiseKernels kernels_of() {
   constexpr bool kIsFlatOrInSpace = D == 2 || D == 3;
   constexpr bool kIsSearched = takes == grid::Inputs::kJitter && shape == grid::Shape::kValue;
@@ -253,24 +193,16 @@ NoiseKernels kernels_of() {
   // of what others take.
   constexpr bool kIsCalled = HN_ARITHMETIC == HN_FIXED && D == 3 && kIsSearched;
   NoiseKernels k{};
-  if constexpr (kIsCalled) {
-    k.plain = always(NoiseCall<D, Plain>::plain_at_points);
-    k.full = always(NoiseCall<D, Full>::tiled_at_points);
-  } else {
-    k.plain = always(at_points<D, Plain>);
-    k.full = always(at_points<D, Full>);
-  }
-  if constexpr (kIsFasterInRows) k.plain.row = along_row<D, Plain>;
-  if constexpr (!std::is_void_v<typename ColumnsOf<D, Full>::Type>) k.full.row = along_row<D, Full>;
-  if constexpr (!std::is_void_v<typename PiecesOf<D, Plain>::Type>) k.plain.line = along_line<D, Plain>;
-  if constexpr (kIsSummed) {
-    k.octave = reinterpret_cast<Octave>(&NoiseCall<D, Plain>::plain);
-    k.octave_full = reinterpret_cast<Octave>(&NoiseCall<D, Full>::tiled);
-  }
+  k.plain = always(at_points<D, std::conditional_t<kIsCalled, Called<Plain>, Plain>, id, true, false>);
+  k.full = always(at_points<D, std::conditional_t<kIsCalled, Called<Full>, Full>, id, false, true>);
+  if constexpr (kIsFasterInRows) k.plain.row = along_row<D, Plain, id, false>;
+  if constexpr (!std::is_void_v<typename ColumnsOf<D, id>::Type>) k.full.row = along_row<D, Full, id, true>;
+  if constexpr (kIsPlainLattice<D, id>) k.plain.line = along_line<D, Plain, id>;
+  if constexpr (kIsSummed) k.octave = reinterpret_cast<Octave>(&called<D, Plain>);
   constexpr bool kHasPhase = takes == grid::Inputs::kPhase || takes == grid::Inputs::kJitterAndMetricAndPhase;
   if constexpr (kHasPhase && kIsFlatOrInSpace) {
-    k.phase = always(at_points<D, Phase>);
-    k.phase_full = always(at_points<D, PhaseFull>);
+    k.phase = always(at_points<D, Phase, id, false, false>);
+    k.phase_full = always(at_points<D, Phase, id, false, true>);
   }
   if constexpr (takes == grid::Inputs::kPhaseAndWave) {
     k.phase = k.plain;
@@ -283,8 +215,8 @@ template <int D>
 void enter(NoiseKernels (&noises)[grid::kNoises][4]) {
 #define HN_CATALOG_NOISE(Id, name, first, last, shape, takes)                                                      \
   if constexpr (first <= D && D <= last) {                                                                         \
-    noises[grid::k##Id][D - 1] = kernels_of<D, grid::Shape::shape, grid::Inputs::takes, name##_plain, name##_full, \
-                                            name##_phase, name##_phase_full>();                                    \
+    noises[grid::k##Id][D - 1] = kernels_of<D, grid::k##Id, grid::Shape::shape, grid::Inputs::takes, name##_plain, \
+                                            name##_full, name##_phase>();                                          \
   }
 #include "catalog.inc"
 }
@@ -292,41 +224,33 @@ void enter(NoiseKernels (&noises)[grid::kNoises][4]) {
 // A place in a cell is a float, and in HN_FIXED a multiple of 2^-20: the noise gets the fraction again.
 void split(const float* position, int count, std::int32_t* cell, float* place) {
   for (int i = 0; i < count; i += kCount) {
-    const Float p = Float::load(position + i);
-    hn_i_cell(p).store(cell + i);
-#if HN_ARITHMETIC == HN_FIXED
-    (Float(hn_i_fraction(p)) * (1.0f / HN_I_ONE)).store(place + i);
-#else
-    hn_i_fraction(p).store(place + i);
-#endif
+    const auto at = hn_place(Float::load(position + i));
+    at.cell.store(cell + i);
+    (Float(at.fraction) * (1.0f / HN_I_ONE)).store(place + i);
   }
 }
 
 // Infinities and NaNs have an exponent of ones. One more reaches the sign.
 bool are_finite(const float* numbers, int count) {
-  Uint any(0u);
-  const auto take = [&](Float n) HN_I_INLINED { any |= (floatBitsToUint(n) & 0x7F800000u) + 0x00800000u; };
-  int i = 0;
-  for (; i + kCount <= count; i += kCount) take(Float::load(numbers + i));
-  for (; i < count; ++i) take(Float(numbers[i]));
-  return !hn_i_any((any & 0x80000000u) != 0u);
+  std::uint32_t any = 0;
+  for (int i = 0; i < count; ++i) any |= (__builtin_bit_cast(std::uint32_t, numbers[i]) & 0x7F800000u) + 0x00800000u;
+  return any < 0x80000000u;
 }
 
 void widen(const float* value, int count, float* least, float* greatest) {
-  Float low = Float::load(least);
-  Float high = Float::load(greatest);
+  Float low(*least), high(*greatest);
   int i = 0;
   for (; i + kCount <= count; i += kCount) {
     const Float n = Float::load(value + i);
     low = min(low, n);
     high = max(high, n);
   }
-  low.store(least);
-  high.store(greatest);
-  for (; i < count; ++i) {
-    least[0] = value[i] < least[0] ? value[i] : least[0];
-    greatest[0] = greatest[0] < value[i] ? value[i] : greatest[0];
-  }
+  const auto take = [&](float a, float b) HN_I_INLINED {
+    *least = a < *least ? a : *least;
+    *greatest = *greatest < b ? b : *greatest;
+  };
+  for (int lane = 0; lane < kCount; ++lane) take(low[lane], high[lane]);
+  for (; i < count; ++i) take(value[i], value[i]);
 }
 
 void enter(grid::Kernels& kernels) {
@@ -342,6 +266,8 @@ void enter(grid::Kernels& kernels) {
 }  // namespace
 }  // namespace HN_LANES
 
-void grid::HASHNOISE_PASTE(noises_, HASHNOISE_TABLE)(Kernels& kernels) { lanes::enter(kernels); }
+namespace grid {
+HASHNOISE_ENTER(noises, HASHNOISE_TABLE) { lanes::enter(kernels); }
+}  // namespace grid
 
 }  // namespace hashnoise

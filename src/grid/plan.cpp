@@ -6,7 +6,6 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "instruction_sets.hpp"
 #include "rules.hpp"
 
 namespace hashnoise::inline HN_I_NAMESPACE::grid {
@@ -67,27 +66,24 @@ std::vector<std::string_view> summands(Shape shape, int dimensions) {
   return names_where(kNoiseRows, [=](const NoiseRow& row) { return has(row, dimensions) && row.shape == shape; });
 }
 
-std::vector<std::string_view> names_of(const std::vector<InstructionSet>& sets) {
+std::string listed(const std::vector<InstructionSet>& sets) {
   std::vector<std::string_view> names;
   std::transform(sets.begin(), sets.end(), std::back_inserter(names), name);
-  return names;
+  return listed(names);
 }
 
 InstructionSet chosen(const std::optional<InstructionSet>& wanted) {
   const std::vector<InstructionSet> there = instruction_sets();
   if (there.empty()) {
     refuse("this processor lacks the instructions that hashnoise::grid was compiled for: " +
-           listed(names_of(compiled_instruction_sets())));
+           listed(compiled_instruction_sets()));
   }
   if (!wanted) return there.front();
-  if (*wanted < InstructionSet::kSse41 || *wanted > InstructionSet::kGeneric) {
-    refuse("instruction_set has to be a value of InstructionSet; there are: " + listed(names_of(there)));
-  }
-  if (std::find(there.begin(), there.end(), *wanted) == there.end()) {
-    refuse("this processor or this build has no " + std::string(name(*wanted)) +
-           "; there are: " + listed(names_of(there)));
-  }
-  return *wanted;
+  if (std::find(there.begin(), there.end(), *wanted) != there.end()) return *wanted;
+  const bool is_set = *wanted >= InstructionSet::kSse41 && *wanted <= InstructionSet::kGeneric;
+  refuse((is_set ? "this processor or this build has no " + std::string(name(*wanted))
+                 : "instruction_set has to be a value of InstructionSet") +
+         "; there are: " + listed(there));
 }
 
 // "perlin, simplex and curl"
@@ -190,7 +186,7 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
   const SumKernels& kernels = plan.kernels->sums[plan.options.sum][plan.dimensions - 1];
   plan.takes_positions = true;
   plan.shape = row.shape;
-  plan.octave = tiled ? of.octave_full : of.octave;
+  plan.octave = of.octave;
   plan.options.noise = tiled ? of.full : of.plain;
   if (settings.detail || settings.footprint) {
     plan.options.limit =
@@ -232,6 +228,18 @@ void check_octaves(const Plan& plan, Arithmetic arithmetic, int octaves, bool ti
 
 }  // namespace
 
+std::vector<std::string> components_of(Shape shape, int dimensions) {
+  const std::vector<std::string> axes = {"x", "y", "z", "w"};
+  std::vector<std::string> names = {shape == Shape::kDistanceWithSlopes ? "f1" : "value"};
+  if (shape == Shape::kTwoDistances) names = {"f1", "f2"};
+  if (shape == Shape::kThreeDistances) names = {"f1", "f2", "f3"};
+  if (shape == Shape::kValueAndQuadrature) names.emplace_back("quadrature");
+  if (shape == Shape::kVector) names = {axes.begin(), axes.begin() + dimensions};
+  if (shape != Shape::kWithSlopes && shape != Shape::kDistanceWithSlopes) return names;
+  for (int i = 0; i < dimensions; ++i) names.push_back("d" + axes[static_cast<std::size_t>(i)]);
+  return names;
+}
+
 Plan plan_of(int dimensions, const Settings& settings) {
   Plan plan{};
   plan.dimensions = dimensions;
@@ -239,7 +247,8 @@ Plan plan_of(int dimensions, const Settings& settings) {
   if (arithmetic < 1 || arithmetic > 3) refuse("arithmetic has to be kFast, kPrecise or kFixed");
   const int metric = static_cast<int>(settings.metric.value_or(Metric::kEuclidean));
   if (metric < 1 || metric > static_cast<int>(std::size(kMetricNames))) {
-    refuse("metric has to be a value of Metric: " + listed({std::begin(kMetricNames), std::end(kMetricNames)}));
+    refuse("metric has to be a value of Metric: " +
+           listed(std::vector(std::begin(kMetricNames), std::end(kMetricNames))));
   }
   std::optional<SumId> sum;
   if (!settings.fractal.empty()) {
@@ -282,7 +291,7 @@ Plan plan_of(int dimensions, const Settings& settings) {
   } else {
     plan_noise(plan, settings, noise, tiled);
   }
-  plan.components = components_of(plan.shape, dimensions);
+  plan.components = static_cast<int>(components_of(plan.shape, dimensions).size());
   return plan;
 }
 

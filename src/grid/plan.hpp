@@ -2,12 +2,19 @@
 #pragma once
 
 #include <hashnoise/field.hpp>
-#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "functions.hpp"
 #include "kernel.hpp"
 
 namespace hashnoise::inline HN_I_NAMESPACE::grid {
+
+// The sets that this library was compiled for, the widest first, whether the processor has them or not.
+std::vector<InstructionSet> compiled_instruction_sets();
+
+// The kernels for instructions and an arithmetic that instruction_sets() lists.
+const Kernels& kernels_for(InstructionSet set, Arithmetic arithmetic);
 
 struct Plan {
   int dimensions;
@@ -26,22 +33,7 @@ struct Plan {
 // Throws std::invalid_argument.
 Plan plan_of(int dimensions, const Settings& settings);
 
-inline int components_of(Shape shape, int dimensions) {
-  switch (shape) {
-    case Shape::kValue:
-      return 1;
-    case Shape::kTwoDistances:
-    case Shape::kValueAndQuadrature:
-      return 2;
-    case Shape::kThreeDistances:
-      return 3;
-    case Shape::kVector:
-      return dimensions;
-    case Shape::kWithSlopes:
-    case Shape::kDistanceWithSlopes:
-      return dimensions + 1;
-  }
-  throw std::logic_error("a shape that there is not");
-}
+// The names of the numbers at a point.
+std::vector<std::string> components_of(Shape shape, int dimensions);
 
 }  // namespace hashnoise::grid

@@ -138,80 +138,27 @@ HN_I_INLINE Uint key_of(const Cell<D>& cell) {
   }
 }
 
-// The gradients of all corners of a cell.
-template <int D>
-class PerlinPieces {
+// The gradients of all corners of a cell, or their numbers.
+template <bool kIsPerlin, int D>
+class CornerPieces {
  public:
-  static constexpr double kMostStep = D == 3 && kCount == 8 ? 0.5 : D == 3 && kCount == 16 ? 0.12 : 0.2;
+  static constexpr double kMostStep = !kIsPerlin || (D == 3 && kCount == 8) ? 0.5 : D == 3 && kCount == 16 ? 0.12 : 0.2;
 
   HN_I_INLINE static Uint key(const Place<D>& place) { return key_of<D>(place.cell); }
   HN_I_INLINE void put(int run, const Place<D>& place, Uint seed) {
     const auto corners = hn_i_cell_corners(place);
-    const auto put_face = [&](int i, const uvec4& h) HN_I_INLINED {
-      corners_[i].put(run, gradient(h.x));
-      corners_[i + 1].put(run, gradient(h.y));
-      corners_[i + 2].put(run, gradient(h.z));
-      corners_[i + 3].put(run, gradient(h.w));
-    };
-    if constexpr (D == 2) {
-      put_face(0, hn_i_corner_hashes(corners, seed));
-    } else {
-      put_face(0, hn_i_corner_hashes(corners, false, seed));
-      put_face(4, hn_i_corner_hashes(corners, true, seed));
-    }
-  }
-  HN_I_INLINE hn_i_num noise(int run, Int index, const Place<D>& place) const {
-    const auto f = place.fraction;
-    const auto t = hn_i_fade(f);
-    const Float x = hn_i_offset(f.x), y = hn_i_offset(f.y);
-    const Float x1 = hn_i_far(x), y1 = hn_i_far(y);
-    const auto ramp = [&](int i, Float along_x, Float along_y, auto... z) HN_I_INLINED {
-      const auto g = corners_[i].of(run, index);
-      if constexpr (D == 2) {
-        return hn_i_along2(g, along_x, along_y);
+    const auto put_one = [&](int i, Uint word) HN_I_INLINED {
+      if constexpr (kIsPerlin) {
+        corners_[i].put(run, direction<D>(word, false));
       } else {
-        return hn_i_along3(g, along_x, along_y, z...);
+        corners_[i].put(run, hn_i_number(word));
       }
     };
-    const auto face = [&](int i, auto... z) HN_I_INLINED {
-      return hn_i_vector(ramp(i, x, y, z...), ramp(i + 1, x1, y, z...), ramp(i + 2, x, y1, z...),
-                         ramp(i + 3, x1, y1, z...));
-    };
-    if constexpr (D == 2) {
-      return hn_i_scaled2(hn_i_bilerp_ramps2(face(0), t.x, t.y));
-    } else {
-      const Float z = hn_i_offset(f.z);
-      return hn_i_scaled3(
-          hn_i_lerp(hn_i_bilerp_ramps3(face(0, z), t.x, t.y), hn_i_bilerp_ramps3(face(4, hn_i_far(z)), t.x, t.y), t.z));
-    }
-  }
-
- private:
-  HN_I_INLINE static auto gradient(Uint word) {
-    if constexpr (D == 2) {
-      return hn_i_direction2(word);
-    } else {
-      return hn_i_direction3(word, false);
-    }
-  }
-
-  Corners<D, kMostRuns> corners_[D == 2 ? 4 : 8];
-};
-
-// The numbers of all corners of a cell.
-template <int D>
-class ValuePieces {
- public:
-  static constexpr double kMostStep = 0.5;
-
-  HN_I_INLINE static Uint key(const Place<D>& place) { return key_of<D>(place.cell); }
-  HN_I_INLINE void put(int run, const Place<D>& place, Uint seed) {
-    const auto corners = hn_i_cell_corners(place);
     const auto put_face = [&](int i, const uvec4& h) HN_I_INLINED {
-      numbers_[i].put(run, hn_i_number(h.x));
-      numbers_[i + 1].put(run, hn_i_number(h.y));
-      numbers_[i + 2].put(run, hn_i_number(h.z));
-      numbers_[i + 3].put(run, hn_i_number(h.w));
+      put_one(i, h.x);
+      put_one(i + 1, h.y);
+      put_one(i + 2, h.z);
+      put_one(i + 3, h.w);
     };
     if constexpr (D == 2) {
       put_face(0, hn_i_corner_hashes(corners, seed));
@@ -221,21 +168,18 @@ class ValuePieces {
     }
   }
   HN_I_INLINE hn_i_num noise(int run, Int index, const Place<D>& place) const {
-    const auto t = hn_i_fade(place.fraction);
-    const auto face = [&](int i) HN_I_INLINED {
-      return hn_i_lerp(hn_i_vector(numbers_[i].of(run, index), numbers_[i + 1].of(run, index),
-                                   numbers_[i + 2].of(run, index), numbers_[i + 3].of(run, index)),
-                       t.x, t.y);
-    };
-    if constexpr (D == 2) {
-      return hn_i_noise_of_numbers(face(0));
-    } else {
-      return hn_i_noise_of_numbers(hn_i_lerp(face(0), face(4), t.z));
-    }
+    const auto corner = [](int i) HN_I_INLINED { return i; };
+    return between_corners<kIsPerlin, D>(place, corner, [&](int i, [[maybe_unused]] auto... offset) HN_I_INLINED {
+      if constexpr (kIsPerlin) {
+        return along<D>(corners_[i].of(run, index), offset...);
+      } else {
+        return corners_[i].of(run, index);
+      }
+    });
   }
 
  private:
-  Corners<1, kMostRuns, Number> numbers_[D == 2 ? 4 : 8];
+  Corners<kIsPerlin ? D : 1, kMostRuns, std::conditional_t<kIsPerlin, float, Number>> corners_[1 << D];
 };
 
 // Some vectors of points on a line: uses the noise at each, whose place place_at gives.
@@ -256,24 +200,18 @@ HN_I_INLINE void over_runs(Pieces& pieces, int vectors, Uint seed, const PlaceAt
     before = key;
     if (v == 0) starts[v].set_first();
     run[v] = starts[v].first() ? runs : runs - 1;
-    const auto keep = [&](int axis, Int c, hn_i_num f) HN_I_INLINED {
-      starts[v].of(c).store(cell[axis] + runs);
-      starts[v].of(f).store(fraction[axis] + runs);
-    };
-    keep(0, place.cell.x, place.fraction.x);
-    keep(1, place.cell.y, place.fraction.y);
-    if constexpr (kAxes == 3) keep(2, place.cell.z, place.fraction.z);
+    each_axis<0, kAxes>([&](auto axis) HN_I_INLINED {
+      starts[v].of(along_axis<axis>(place.cell)).store(cell[axis] + runs);
+      starts[v].of(along_axis<axis>(place.fraction)).store(fraction[axis] + runs);
+    });
     runs += starts[v].count();
   }
   for (int i = 0; i < runs; i += kCount) {
     Place place{};
-    const auto put = [&](int axis, Int& c, hn_i_num& f) HN_I_INLINED {
-      c = Int::load(cell[axis] + i);
-      f = hn_i_num::load(fraction[axis] + i);
-    };
-    put(0, place.cell.x, place.fraction.x);
-    put(1, place.cell.y, place.fraction.y);
-    if constexpr (kAxes == 3) put(2, place.cell.z, place.fraction.z);
+    each_axis<0, kAxes>([&](auto axis) HN_I_INLINED {
+      along_axis<axis>(place.cell) = Int::load(cell[axis] + i);
+      along_axis<axis>(place.fraction) = hn_i_num::load(fraction[axis] + i);
+    });
     pieces.put(i, place, seed);
   }
   for (int v = 0; v < vectors; ++v) use(v, pieces.noise(run[v], starts[v].index(), place_at(v)));

@@ -2,47 +2,20 @@
 // called, since there are too many pairs of a sum and a noise to compile. Most sums call the kernels of the noise,
 // octave by octave.
 #include "loops.hpp"
-#include "tables.hpp"
 
 namespace hashnoise::inline HN_I_NAMESPACE {
 namespace HN_LANES {
 namespace {
-
-// A noise that is called.
-template <int D, typename Result>
-class NoiseCall {
- public:
-  explicit NoiseCall(Octave noise) : octave_(noise) {}
-
-  HN_I_INLINE Result octave(Place<D> place, Uint seed) const {
-    return call(place, seed, std::make_index_sequence<D>());
-  }
-
- private:
-  template <std::size_t... Axis>
-  HN_I_INLINE Result call(Place<D> place, Uint seed, std::index_sequence<Axis...>) const {
-    using Types = OctaveOf<D, Result>;
-    if (place.tiled) {
-      return reinterpret_cast<typename Types::Tiled>(octave_)(
-          along<Axis>(place.cell)..., along<Axis>(place.fraction)..., Tile<D>{place.period, Float(1.0f)}, seed);
-    }
-    return reinterpret_cast<typename Types::Plain>(octave_)(along<Axis>(place.cell)..., along<Axis>(place.fraction)...,
-                                                            seed);
-  }
-
-  Octave octave_;
-};
 
 // Calls a function with what adds an octave to a sum, with whether that changes the weight of the next one, and with
 // whether it carries anything else to it.
 template <typename Function>
 HN_I_INLINE void with_step(int id, const Function& function) {
   switch (id) {
-#define HN_CATALOG_STEP(Id, name, step, end)                                               \
-  case grid::k##Id:                                                                        \
-    return function([](const hn_i_octave_sum& s, Float n, [[maybe_unused]] Float strength) \
-                        HN_I_INLINED { return step; },                                     \
-                    std::bool_constant<grid::k##Id == grid::kWeighted>(),                  \
+#define HN_CATALOG_STEP(Id, name, step, end)                                                      \
+  case grid::k##Id:                                                                               \
+    return function([](auto& o, Float n, [[maybe_unused]] Float strength) HN_I_INLINED { step; }, \
+                    std::bool_constant<grid::k##Id == grid::kWeighted>(),                         \
                     std::bool_constant<(grid::k##Id == grid::kRidged || grid::k##Id == grid::kHybrid)>());
 #include "catalog.inc"
   }
@@ -82,96 +55,69 @@ HN_I_INLINE hn_i_num mean_of(hn_i_num sum, hn_i_num total) {
 #endif
 }
 
-// fbm with a detail or a footprint, over a noise that is called.
+// fbm with a detail or a footprint, as the library has it.
 template <int D, bool kHasDetail>
-class ResolvedFbm {
- public:
-  HN_I_INLINE ResolvedFbm(Octave noise, const Options&, const Arguments<D>& given) : noise_(noise), given_(given) {
-    if constexpr (kHasDetail) {
-      given_.octaves = hn_i_whole_octaves(given.limit);
-      part_ = hn_i_last_part(given.limit, given_.octaves);
-    }
-    footprint_ = hn_i_footprint(given.limit);
-    total_ = hn_i_total(min(given_.octaves, Int(32)), hn_i_gain(given.gain), part_);
-  }
+struct ResolvedFbm {
+  using Result = Float;
 
-  template <typename Position>
-  HN_I_INLINE Float at(Position p) const {
-    auto o = octaves_at(p, given_);
-    o.sum.part = part_;
-    o.sum.footprint = footprint_;
+  template <typename Position, typename Noise>
+  HN_I_INLINE static Float at(const Position& p, const Noise& noise, const Arguments<D>& given) {
+    auto o = octaves_at(p, given);
+    if constexpr (kHasDetail) {
+      o = hn_octaves(p, given.limit, given.lacunarity, given.gain, given.seed);
+    } else {
+      o = hn_octaves(p, given.limit, given.octaves, given.lacunarity, given.gain, given.seed);
+    }
     do {
-      const Float n = noise_.octave(o.place, o.seed);
+      const Float n = noise(o);
       if constexpr (kHasDetail) {
         hn_add_detail(o, n);
       } else {
         hn_add_footprint(o, n);
       }
     } while (hn_next(o));
-    return hn_i_value(hn_i_select(o.sum.octaves < 1, HN_I_NO_WEIGHT, mean_of(o.sum.value, total_)));
-  }
-
- private:
-  NoiseCall<D, Float> noise_;
-  Arguments<D> given_;
-  hn_i_num part_ = HN_I_WEIGHT_ONE;
-  hn_i_num footprint_, total_;
-};
-
-// Sums with Jacobians, over a noise that is called.
-template <int D, typename Result>
-class JacobianSum {
- public:
-  HN_I_INLINE JacobianSum(Octave noise, const Options&, const Arguments<D>& given) : noise_(noise), given_(given) {}
-
- protected:
-  NoiseCall<D, Result> noise_;
-  Arguments<D> given_;
-};
-template <int D>
-using Vector = std::conditional_t<D == 2, vec2, vec3>;
-template <int D>
-using Slopes = JacobianSum<D, std::conditional_t<D == 2, vec3, vec4>>;
-
-template <int D>
-class FbmD : public Slopes<D> {
- public:
-  using Slopes<D>::Slopes;
-  template <typename Position>
-  HN_I_INLINE auto at(Position p) const {
-    auto o = octaves_at(p, this->given_);
-    auto s = hn_slopes(o);
-    do hn_add(o, s, this->noise_.octave(o.place, o.seed));
-    while (hn_next(o));
-    return hn_mean(o, s);
-  }
-};
-
-template <int D>
-class Erosion : public Slopes<D> {
- public:
-  using Slopes<D>::Slopes;
-  template <typename Position>
-  HN_I_INLINE auto at(Position p) const {
-    auto o = octaves_at(p, this->given_);
-    auto s = hn_slopes(o);
-    do hn_add_eroded(o, s, this->noise_.octave(o.place, o.seed), this->given_.strength);
-    while (hn_next(o));
     return hn_mean(o);
   }
 };
 
-template <int D, bool kProgressive>
-class Warp : public JacobianSum<D, Vector<D>> {
- public:
-  using JacobianSum<D, Vector<D>>::JacobianSum;
-  template <typename Position>
-  HN_I_INLINE auto at(Position p) const {
-    auto o = octaves_at(p, this->given_);
-    auto s = hn_shifts(o, this->given_.strength);
+// Sums with Jacobians.
+template <int D>
+using Vector = std::conditional_t<D == 2, vec2, vec3>;
+template <int D, bool kIsEroded>
+struct SlopeSum {
+  using Result = std::conditional_t<D == 2, vec3, vec4>;
+
+  template <typename Position, typename Noise>
+  HN_I_INLINE static auto at(const Position& p, const Noise& noise, const Arguments<D>& given) {
+    auto o = octaves_at(p, given);
+    auto s = hn_slopes(o);
     do {
-      const Vector<D> v = this->noise_.octave(o.place, o.seed);
-      if constexpr (kProgressive) {
+      const auto n = noise(o);
+      if constexpr (kIsEroded) {
+        hn_add_eroded(o, s, n, given.strength);
+      } else {
+        hn_add(o, s, n);
+      }
+    } while (hn_next(o));
+    if constexpr (kIsEroded) {
+      return hn_mean(o);
+    } else {
+      return hn_mean(o, s);
+    }
+  }
+};
+
+template <int D, bool kIsProgressive>
+struct Warp {
+  using Result = Vector<D>;
+
+  template <typename Position, typename Noise>
+  HN_I_INLINE static auto at(const Position& p, const Noise& noise, const Arguments<D>& given) {
+    auto o = octaves_at(p, given);
+    auto s = hn_shifts(o, given.strength);
+    do {
+      const Vector<D> v = noise(o);
+      if constexpr (kIsProgressive) {
         hn_add_progressive(o, s, v);
       } else {
         hn_add(o, s, v);
@@ -181,24 +127,13 @@ class Warp : public JacobianSum<D, Vector<D>> {
   }
 };
 
-// How near the nearest point of cellular noise is. With it inlined in each of its kernels Perlin-Worley noise takes
-// half as long again to compile.
-HN_GRID_NOINLINE Float nearest_point(const Place<3>& place, Uint seed) { return hn_cellular(place, seed).x; }
+// Over noises of its own.
+struct PerlinWorley {
+  using Result = Float;
 
-// hn_i_perlin_worley, over Perlin noise that is called.
-class PerlinWorley : public JacobianSum<3, Float> {
- public:
-  using JacobianSum<3, Float>::JacobianSum;
-  template <typename Position>
-  HN_I_INLINE Float at(Position p) const {
-    auto wisps = octaves_at(p, given_);
-    do hn_add(wisps, noise_.octave(wisps.place, wisps.seed));
-    while (hn_next(wisps));
-    const Arguments<3>& given = given_;
-    auto billows = hn_octaves(p, min(given.octaves, Int(3)), given.lacunarity, given.gain, hn_i_other_seed(given.seed));
-    do hn_add(billows, hn_i_billow_at(nearest_point(billows.place, billows.seed)));
-    while (hn_next(billows));
-    return hn_i_value(hn_i_either(hn_i_bounded_octave(hn_mean(wisps)), hn_i_bounded_octave(hn_mean(billows))));
+  template <typename Position, typename Noise>
+  HN_I_INLINE static Float at(const Position& p, const Noise&, const Arguments<3>& given) {
+    return hn_perlin_worley(p, given.octaves, given.lacunarity, given.gain, given.seed);
   }
 };
 
@@ -227,8 +162,12 @@ template <int D, typename At, typename Sum>
 void at_points(const Batch& batch, const Options& options, Octave octave) {
   const Batch b = batch;
   const Arguments<D> given(options);
-  const Sum sum(octave, options, given);
-  for (int i = 0; i < b.count; i += kCount) store(b, i, sum.at(At::of(b, i, given)));
+  Arguments<D> of_octave = given;
+  const auto noise = [&](const auto& o) HN_I_INLINED {
+    of_octave.seed = o.seed;
+    return reinterpret_cast<NoiseCall<D, typename Sum::Result>>(octave)(o.place, of_octave);
+  };
+  for (int i = 0; i < b.count; i += kCount) store(b, i, Sum::at(At::of(b, i, given), noise, given));
 }
 
 // Where some points are, for octaves that are fixed-point positions, and for those that are not. The arrays are of
@@ -244,26 +183,24 @@ struct BlockPositions {
   template <int axis, typename Octaves>
   HN_I_INLINE void keep(int i, Octaves& o, bool has_cells) {
     if constexpr (kIsWhole) {
-      component<axis>(o).y.store(rest[axis] + i);
+      along_axis<axis>(o).y.store(rest[axis] + i);
     } else {
-      along<axis>(o.p).store(rest[axis] + i);
+      along_axis<axis>(o.p).store(rest[axis] + i);
     }
     if (!has_cells) return;
-    along<axis>(o.place.cell).store(cell[axis] + i);
+    along_axis<axis>(o.place.cell).store(cell[axis] + i);
 #if HN_ARITHMETIC == HN_FIXED
-    (Float(along<axis>(o.place.fraction)) * (1.0f / HN_I_ONE)).store(place[axis] + i);
+    (Float(along_axis<axis>(o.place.fraction)) * (1.0f / HN_I_ONE)).store(place[axis] + i);
 #else
-    along<axis>(o.place.fraction).store(place[axis] + i);
+    along_axis<axis>(o.place.fraction).store(place[axis] + i);
 #endif
   }
   template <int axis, typename Octaves>
   HN_I_INLINE void put(int i, Octaves& o) const {
     if constexpr (kIsWhole) {
-      component<axis>(o) = ivec2(Int::load(cell[axis] + i), Int::load(rest[axis] + i));
-    } else if constexpr (D == 1) {
-      o.p = Float::load(rest[axis] + i);
+      along_axis<axis>(o) = ivec2(Int::load(cell[axis] + i), Int::load(rest[axis] + i));
     } else {
-      component<axis>(o.p) = Float::load(rest[axis] + i);
+      along_axis<axis>(o.p) = Float::load(rest[axis] + i);
     }
   }
   // Has a batch take these.
@@ -276,39 +213,16 @@ struct BlockPositions {
       }
     }
   }
-
- private:
-  // The component of a position, or the fixed-point position of octaves along an axis.
-  template <int axis, typename Point>
-  HN_I_INLINE static auto& component(Point& point) {
-    if constexpr (axis == 0) {
-      return point.x;
-    } else if constexpr (axis == 1) {
-      return point.y;
-    } else if constexpr (axis == 2) {
-      return point.z;
-    } else {
-      return point.w;
-    }
-  }
 };
 
-// Calls a function with the number of each axis from the first one on.
-template <int first, int end, typename Function>
-HN_I_INLINE void each_axis(const Function& function) {
-  if constexpr (first < end) {
-    function(std::integral_constant<int, first>());
-    each_axis<first + 1, end>(function);
-  }
-}
-
-// hn_i_rotated_axis and hn_i_shifted in one, for cells up to 2^24: so products fit 32 bits, and no cell is taken apart.
+// The rotation and the shift of an octave in one, for cells up to 2^24: so products fit 32 bits, and no cell is taken
+// apart.
 HN_I_INLINE ivec2 next_along(ivec2 a, ivec2 b, int along, int across, int shift) {
   const Int rest = along * a.y + across * b.y + shift * 32;
   const Int low = along * a.x + across * b.x + (rest >> 24);
   return ivec2(low >> 5, ((low & 31) << 19) | ((rest & (HN_I_UNITS_POSITION - 1)) >> 5));
 }
-// hn_i_advance, for such cells and a lacunarity of 2, which the factors have. A cell becomes 3.4 times as large at
+// The next octave, for such cells and a lacunarity of 2, which the factors have. A cell becomes 3.4 times as large at
 // most.
 constexpr double kMostNear = HN_I_UNITS_POSITION;
 template <int D, typename Octaves>
@@ -324,6 +238,14 @@ HN_I_INLINE void advance_near(Octaves& o) {
     o.z = next_along(z, turned, 2 * HN_I_COS_YZ, HN_I_SIN_YZ, HN_I_SHIFT_Z);
   }
   hn_i_update_place(o);
+}
+
+// The next octave of points that share its number, which no loop here counts.
+template <typename Octaves>
+HN_I_INLINE void next(Octaves& o) {
+  o.sum.at = Int(0);
+  o.sum.octaves = Int(2);
+  hn_next(o);
 }
 
 // A fractal octave by octave over some points: first the positions of an octave, then the noise there, by its own
@@ -343,7 +265,7 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
   constexpr bool kMayBeNear = kIsWhole && !kIsTiled && (D == 2 || D == 3);
   const Batch b = batch;
   const Arguments<D> given(options);
-  const hn_i_num total = hn_i_total(min(given.octaves, Int(32)), hn_i_gain(given.gain), HN_I_WEIGHT_ONE);
+  const hn_i_num total = hn_i_total(octaves_at(At::of(b, 0, given), given).sum);
   const bool is_row = b.stride[D - 1] == 0;
   BlockPositions<D, kIsWhole> spots;
   Number value[kPointsAtOnce], feedback[kPointsAtOnce], weight[kPointsAtOnce];
@@ -364,7 +286,7 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
       each_axis<0, kMoving>([&](auto axis) HN_I_INLINED { spots.template keep<axis>(i, first, has_cells); });
       if constexpr (kMayBeNear) {
         each_axis<0, D>([&](auto axis) HN_I_INLINED {
-          const Int cell = along<axis>(first.place.cell);
+          const Int cell = along_axis<axis>(first.place.cell);
           cells |= cell ^ (cell >> 31);
         });
       }
@@ -381,7 +303,8 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
       const bool more = number < options.octaves && number < 32;
       each_axis<kMoving, D>([&](auto axis) HN_I_INLINED { spots.template keep<axis>(0, across, true); });
       if constexpr (kIsTiled) {
-        each_axis<0, D>([&](auto axis) HN_I_INLINED { of_octave.period[axis] = along<axis>(across.place.period)[0]; });
+        each_axis<0, D>([&](auto axis)
+                            HN_I_INLINED { of_octave.period[axis] = along_axis<axis>(across.place.period)[0]; });
       }
       spots.point(now, has_cells);
       const grid::Loops& loops = options.noise;
@@ -391,16 +314,17 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
           o.sum.value = hn_i_num::load(value + i);
           if constexpr (carries) o.sum.feedback = hn_i_num::load(feedback + i);
           if constexpr (bends) o.sum.weight = hn_i_num::load(weight + i);
-          const hn_i_octave_sum next = step(o.sum, Float::load(noise + i), given.strength);
-          next.value.store(value + i);
-          if constexpr (carries) next.feedback.store(feedback + i);
-          if constexpr (bends) hn_i_weight_times(next.weight, next.gain).store(weight + i);
+          step(o, Float::load(noise + i), given.strength);
+          o.sum.value.store(value + i);
+          if constexpr (carries) o.sum.feedback.store(feedback + i);
+          if constexpr (bends) hn_i_weight_times(o.sum.weight, o.sum.gain).store(weight + i);
         }
         if constexpr (!bends) o.sum.weight = hn_i_weight_times(o.sum.weight, o.sum.gain);
       });
       if (!more) break;
       has_cells = kIsWhole;
       const auto period = across.place.period;
+      const hn_i_num weight_of_all = o.sum.weight;
       const auto advance = [&](const auto& to_next) HN_I_INLINED {
         for (int i = 0; i < now.count; i += kCount) {
           each_axis<0, kMoving>([&](auto axis) HN_I_INLINED { spots.template put<axis>(i, o); });
@@ -413,13 +337,14 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
       } else if constexpr (kIsWhole) {
         advance([&]() HN_I_INLINED {
           if (kIsTiled) o.place.period = period;  // the next octave's follows from it
-          hn_i_advance(o);
+          next(o);
         });
       } else {
-        advance([&]() HN_I_INLINED { o.p = hn_i_next(o.p, o.lacunarity); });
+        advance([&]() HN_I_INLINED { next(o); });
       }
+      o.sum.weight = weight_of_all;
       farthest = 3.4 * farthest + 2.0;
-      if constexpr (kIsTiled) hn_i_advance(across);
+      if constexpr (kIsTiled) next(across);
       of_octave.seed += HN_I_SEED_STEP;
       scale *= static_cast<double>(options.lacunarity < 0.0f ? -options.lacunarity : options.lacunarity);
       now.step = (b.step + b.rounding) * scale;
@@ -453,17 +378,9 @@ using FromCells = Cells<D>;
 #endif
 
 template <int D, typename Sum>
-SumKernels without_period() {
-  SumKernels k{};
-  k.at = always(at_points<D, FromPositions<D>, Sum>);
-  k.in = always(at_points<D, FromCells<D>, Sum>);
-  return k;
-}
-template <int D, typename Sum>
 SumKernels kernels_of() {
-  SumKernels k = without_period<D, Sum>();
-  k.tile = always(at_points<D, Tiles<D>, Sum>);
-  return k;
+  return {always(at_points<D, FromPositions<D>, Sum>), always(at_points<D, FromCells<D>, Sum>),
+          always(at_points<D, Tiles<D>, Sum>)};
 }
 
 template <int D, typename At>
@@ -479,8 +396,16 @@ void enter_sums(SumKernels (&sums)[grid::kSums][4]) {
   // Sums with Jacobians, and sums over noises of their own, have other kernels, and are entered after these.
 #define HN_CATALOG_STEP(Id, ...) sums[grid::k##Id][D - 1] = any;
 #include "catalog.inc"
-  sums[grid::kDetail][D - 1].at = always(at_points<D, FromPositions<D>, ResolvedFbm<D, true>>);
-  sums[grid::kFootprint][D - 1].at = always(at_points<D, FromPositions<D>, ResolvedFbm<D, false>>);
+  sums[grid::kDetail][D - 1].at = always(at_points<D, Positions<D>, ResolvedFbm<D, true>>);
+  sums[grid::kFootprint][D - 1].at = always(at_points<D, Positions<D>, ResolvedFbm<D, false>>);
+}
+
+template <int D>
+void enter_jacobians(SumKernels (&sums)[grid::kSums][4]) {
+  sums[grid::kFbmD][D - 1] = kernels_of<D, SlopeSum<D, false>>();
+  sums[grid::kEroded][D - 1] = kernels_of<D, SlopeSum<D, true>>();
+  sums[grid::kWarp][D - 1] = kernels_of<D, Warp<D, false>>();
+  sums[grid::kWarpProgressive][D - 1] = kernels_of<D, Warp<D, true>>();
 }
 
 void enter(grid::Kernels& kernels) {
@@ -488,20 +413,16 @@ void enter(grid::Kernels& kernels) {
   enter_sums<2>(kernels.sums);
   enter_sums<3>(kernels.sums);
   enter_sums<4>(kernels.sums);
-  kernels.sums[grid::kFbmD][1] = kernels_of<2, FbmD<2>>();
-  kernels.sums[grid::kFbmD][2] = kernels_of<3, FbmD<3>>();
-  kernels.sums[grid::kEroded][1] = kernels_of<2, Erosion<2>>();
-  kernels.sums[grid::kEroded][2] = kernels_of<3, Erosion<3>>();
-  kernels.sums[grid::kWarp][1] = kernels_of<2, Warp<2, false>>();
-  kernels.sums[grid::kWarp][2] = kernels_of<3, Warp<3, false>>();
-  kernels.sums[grid::kWarpProgressive][1] = kernels_of<2, Warp<2, true>>();
-  kernels.sums[grid::kWarpProgressive][2] = kernels_of<3, Warp<3, true>>();
+  enter_jacobians<2>(kernels.sums);
+  enter_jacobians<3>(kernels.sums);
   kernels.sums[grid::kPerlinWorley][2] = kernels_of<3, PerlinWorley>();
 }
 
 }  // namespace
 }  // namespace HN_LANES
 
-void grid::HASHNOISE_PASTE(sums_, HASHNOISE_TABLE)(Kernels& kernels) { lanes::enter(kernels); }
+namespace grid {
+HASHNOISE_ENTER(sums, HASHNOISE_TABLE) { lanes::enter(kernels); }
+}  // namespace grid
 
 }  // namespace hashnoise

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <future>
 #include <hashnoise/field.hpp>
 #include <mutex>
 #include <stdexcept>
@@ -9,18 +10,6 @@
 #include <vector>
 
 namespace hashnoise::inline HN_I_LIBRARY {
-
-namespace {
-
-// libc++ had std::jthread late.
-struct Joined {
-  std::vector<std::thread> threads;
-  ~Joined() {
-    for (std::thread& thread : threads) thread.join();
-  }
-};
-
-}  // namespace
 
 Executor threads(int count) {
   if (count < 0) {
@@ -44,8 +33,8 @@ Executor threads(int count) {
       }
     };
     {
-      Joined others;
-      for (int i = 1; i < std::min(count, tasks); ++i) others.threads.emplace_back(work);
+      std::vector<std::future<void>> others;  // the end of each waits for its thread
+      for (int i = 1; i < std::min(count, tasks); ++i) others.push_back(std::async(std::launch::async, work));
       work();
     }
     if (failure) std::rethrow_exception(failure);

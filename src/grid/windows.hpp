@@ -51,36 +51,30 @@ template <typename S>
 HN_I_INLINE Lanes<S> of_either(const S* a, Int index_a, const S* b, Int index_b, Mask is_b) {
 #if defined(__AVX512F__)
   using Vector = typename Lanes<S>::Vector;
-  const Int index = hn_i_select(is_b, index_b + kCount, index_a);
+  const Int index = select(is_b, index_b + kCount, index_a);
   return Lanes<S>(
       Vector(_mm512_permutex2var_epi32(__m512i(Lanes<S>::load(a).v), __m512i(index.v), __m512i(Lanes<S>::load(b).v))));
 #else
-  return hn_i_select(is_b, Window(index_b).of(b), Window(index_a).of(a));
+  return select(is_b, Window(index_b).of(b), Window(index_a).of(a));
 #endif
 }
 
 // The terms of a gradient along a row, where the offset along each axis but x is the same: x * line.x + line.y. In
-// HN_FIXED line.y has the number that direction.glsl adds to such a sum, so that the last bit of the sum is a unit;
-// nothing is rounded. In space the component that is 0 adds nothing that could be rounded, either.
-#if HN_ARITHMETIC == HN_FIXED
-constexpr float kBeyond2 = 3.0f, kBeyond3 = 12.0f;
-HN_I_INLINE Int beyond2(Float n) { return hn_i_beyond_3(n); }
-HN_I_INLINE Int beyond3(Float n) { return hn_i_beyond_12(n); }
-#else
-constexpr float kBeyond2 = 0.0f, kBeyond3 = 0.0f;
-HN_I_INLINE Float beyond2(Float n) { return n; }
-HN_I_INLINE Float beyond3(Float n) { return n; }
-#endif
-HN_I_INLINE vec2 line2(Uint word, hn_i_num y) {
-  const vec2 g = hn_i_direction2(word);
-  return vec2(g.x, g.y * hn_i_offset(y) + kBeyond2);
+// space the component that is 0 adds nothing that could be rounded, either.
+template <int D, typename... Z>
+HN_I_INLINE vec2 line(Uint word, hn_i_num y, Z... z) {
+  const auto g = direction<D>(word, false);
+  const Float n = g.y * hn_i_offset(y) + kBeyond<D>;
+  if constexpr (D == 2) {
+    return vec2(g.x, n);
+  } else {
+    return vec2(g.x, n + g.z * hn_i_offset(z...));
+  }
 }
-HN_I_INLINE vec2 line3(Uint word, hn_i_num y, hn_i_num z) {
-  const vec3 g = hn_i_direction3(word, false);
-  return vec2(g.x, g.y * hn_i_offset(y) + kBeyond3 + g.z * hn_i_offset(z));
+template <int D>
+HN_I_INLINE hn_i_num along_line(vec2 line, Float x) {
+  return beyond<D>(line.x * x + line.y);
 }
-HN_I_INLINE hn_i_num along_line2(vec2 line, Float x) { return beyond2(line.x * x + line.y); }
-HN_I_INLINE hn_i_num along_line3(vec2 line, Float x) { return beyond3(line.x * x + line.y); }
 
 // Numbers of one corner, in each of kPlaces places.
 template <int kNumbers, int kPlaces, typename S = float>
@@ -128,6 +122,12 @@ class Corners {
 
   S number_[kNumbers][kPlaces];
 };
+
+// The hash of a point with the mixed seed alone.
+template <typename Point>
+HN_I_INLINE Uint seeded_hash(const Point& point, Uint s) {
+  return hn_i_point_hash(point, hn_i_seed_join(s), s);
+}
 
 // The point of the lattice of simplex noise on the plane that is so far from twice the cell. Along x it may be cells
 // away.

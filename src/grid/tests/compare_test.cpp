@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <limits>
 #include <string>
@@ -29,46 +30,30 @@ const Grid<2> kGrid = {{0.3f, -1.7f}, {0.17f, 0.23f}, {9, 7}};
 std::vector<float> planes(const Settings& settings) { return planes_of(function<2>(settings), places_of(kGrid)); }
 std::vector<float> planes(const std::string& noise) { return planes(fixed(noise)); }
 
-// Each of these is wrong, and the values themselves are right.
+// Each of these is wrong: one bit of one number, all numbers by a plane, and one number less.
 TEST(Comparison, NoticesWrongValues) {
   const std::vector<float> expected = planes("perlin_d");
-  const auto any = [](auto, auto) { return 10.0; };
   EXPECT_TRUE(same_bits(expected, expected, 63));
-  EXPECT_TRUE(within(expected, expected, 63, [](auto, auto) { return 0.0; }));
-  std::vector<std::vector<float>> wrong;
-  for (const std::size_t i : {std::size_t{0}, std::size_t{62}, std::size_t{63}, expected.size() - 1}) {
-    wrong.push_back(expected);  // one bit of one number
-    wrong.back()[i] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(expected[i]) ^ 1u);
+  std::vector<std::vector<float>> wrong(6, expected);
+  const std::array<std::size_t, 4> places = {0, 62, 63, expected.size() - 1};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    float& number = wrong[i][places[i]];
+    number = std::bit_cast<float>(std::bit_cast<std::uint32_t>(number) ^ 1u);
   }
-  wrong.push_back(expected);  // dx by a point
-  std::rotate(wrong.back().begin() + 63, wrong.back().begin() + 64, wrong.back().begin() + 126);
-  wrong.push_back(expected);  // all by a plane
-  std::rotate(wrong.back().begin(), wrong.back().begin() + 63, wrong.back().end());
-  wrong.emplace_back();  // the numbers of a point side by side
-  for (std::size_t i = 0; i < 63; ++i) {
-    for (std::size_t component = 0; component < 3; ++component) wrong.back().push_back(expected[63 * component + i]);
-  }
-  wrong.emplace_back();  // y fastest
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    wrong.back().push_back(expected[63 * (i / 63) + 9 * (i % 7) + i % 63 / 7]);
-  }
-  wrong.emplace_back(expected.begin(), expected.end() - 1);
-  EXPECT_FALSE(within(wrong.back(), expected, 63, any));
+  std::rotate(wrong[4].begin(), wrong[4].begin() + 63, wrong[4].end());
+  wrong[5].pop_back();
   for (std::size_t i = 0; i < wrong.size(); ++i) EXPECT_FALSE(same_bits(wrong[i], expected, 63)) << i;
   EXPECT_FALSE(same_bits(std::vector{-0.0f}, std::vector{0.0f}, 1));
   const std::vector nan = {std::numeric_limits<float>::quiet_NaN()};
   EXPECT_FALSE(same_bits(nan, nan, 1));
+  const auto any = [](auto, auto) { return 10.0; };
   EXPECT_FALSE(within(nan, nan, 1, any));
-}
-
-TEST(Comparison, NoticesWhatIsBeyondTheBound) {
-  const std::vector<float> expected = {0.0f, 0.25f, 1.0f, 2.0f};
-  const std::vector<float> got = {0.0f, 0.25f, 1.0f, 2.125f};
+  EXPECT_FALSE(within(wrong[5], expected, 63, any));
   // The bound is that of the component and the point.
-  EXPECT_TRUE(
-      within(got, expected, 2, [](auto component, auto point) { return component + point == 2 ? 0.125 : 0.0; }));
-  EXPECT_FALSE(within(got, expected, 2, [](auto, auto point) { return point == 0 ? 0.125 : 0.12; }));
-  EXPECT_FALSE(within(got, expected, 2, [](auto component, auto) { return component == 0 ? 0.125 : 0.12; }));
+  const std::vector<float> right = {0.0f, 0.25f, 1.0f, 2.0f}, got = {0.0f, 0.25f, 1.0f, 2.125f};
+  EXPECT_TRUE(within(got, right, 2, [](auto component, auto point) { return component + point == 2 ? 0.125 : 0.0; }));
+  EXPECT_FALSE(within(got, right, 2, [](auto, auto point) { return point == 0 ? 0.125 : 0.12; }));
+  EXPECT_FALSE(within(got, right, 2, [](auto component, auto) { return component == 0 ? 0.125 : 0.12; }));
 }
 
 TEST(Comparison, NoticesWhatIsWrittenBesides) {
@@ -87,36 +72,9 @@ TEST(Comparison, NoticesWhatIsWrittenBesides) {
   static_cast<void>(fill(TidyField{}, kGrid, 63, {}));
 }
 
-// Bits of other arithmetics, seeds, periods, and so on are not taken for each other.
-TEST(Twin, IsAnotherWithOtherSettings) {
-  const std::vector<float> expected = planes("perlin");
-  std::vector<Settings> others(4, fixed("perlin"));
-  others[0].arithmetic = Arithmetic::kPrecise;
-  others[1].seed = 1;
-  others[2].period = {1, 0};
-  others[3].phase = 0.25f;
-  for (Settings other : noise_subjects(2)) {
-    other.arithmetic = Arithmetic::kFixed;
-    if (other.noise != "perlin") others.push_back(other);
-  }
-  for (Settings other : sum_subjects(2)) {
-    other.arithmetic = Arithmetic::kFixed;
-    others.push_back(other);
-  }
-  for (const Settings& other : others) EXPECT_FALSE(same_bits(planes(other), expected, 63)) << other;
-}
-
-TEST(Places, OfAGridAreNearestFloats) {
-  const Grid<2> grid = {{16777216.0f, 0.1f}, {1.0f, -0.1f}, {3, 2}};
-  const auto places = places_of(grid);
-  ASSERT_EQ(places.size(), 6u);
-  EXPECT_EQ(places[0], (Position<2>{16777216.0f, 0.1f}));
-  EXPECT_EQ(places[1], (Position<2>{16777216.0f, 0.1f}));  // 16777217 is no float
-  EXPECT_EQ(places[2], (Position<2>{16777218.0f, 0.1f}));
-  EXPECT_EQ(places[3], (Position<2>{16777216.0f, 0.0f}));
-}
-
-TEST(Places, OfACellGridWrap) {
+TEST(Places, AreNearestFloatsAndCellsWrap) {
+  EXPECT_EQ(places_of(Grid<1>{{16777216.0f}, {1.0f}, {3}}),
+            (std::vector<Position<1>>{{16777216.0f}, {16777216.0f}, {16777218.0f}}));  // 16777217 is no float
   constexpr std::int32_t kLast = std::numeric_limits<std::int32_t>::max();
   const CellGrid<1> grid = {{kLast}, {0.5f}, {0.75}, {4}};
   const auto places = places_of(grid);

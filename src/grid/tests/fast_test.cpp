@@ -26,7 +26,8 @@ constexpr auto kGradient = hn::Gradient::octahedral;
 bool is_slope(const std::string& noise, std::size_t component) { return noise.ends_with("_d") && component > 0; }
 
 double error_of_noise(const Settings& s, int dimensions, std::size_t component, bool from_cell) {
-  const std::string name = s.phase && !has_wave(s.noise) ? s.noise + "_phase" : s.noise;  // a wave has a phase always
+  const std::string name =
+      s.phase && !row_of(s.noise).has_wave() ? s.noise + "_phase" : s.noise;  // a wave has a phase always
   const hn::NoiseBounds& bounds = is_slope(s.noise, component) ? hn::slope_bounds(name, dimensions, kGradient)
                                                                : hn::noise_bounds(name, dimensions, kGradient);
   return from_cell ? bounds.cell_error : bounds.error;
@@ -140,22 +141,22 @@ class Fast : public testing::TestWithParam<int> {
     }
   }
 
-  // `draw` draws the settings anew.
-  template <int D, typename DrawSettings, typename BoundOf>
-  void expect_near_at_positions(Settings settings, float largest, const DrawSettings& draw, const BoundOf& bound_of) {
-    const auto bound = [&](const auto& places) { return bound_of(settings, places); };
-    draw(settings);
-    expect_near<D>(settings, draw_grid<D>(400, largest, Draw::kTame, chance), bound);
-    draw(settings);
-    expect_near<D>(settings, Points<D>(draw_points<D>(100, largest, Draw::kTame, chance)), bound);
-  }
-  template <int D, typename DrawSettings, typename BoundOf>
-  void expect_near_in_cells(Settings settings, const DrawSettings& draw, const BoundOf& bound_of) {
-    const auto bound = [&](const auto& places) { return bound_of(settings, places); };
-    draw(settings);
-    expect_near<D>(settings, draw_cell_grid<D>(400, chance), bound);
-    draw(settings);
-    expect_near<D>(settings, CellPoints<D>(draw_cell_points<D>(100, chance)), bound);
+  // At positions up to each of the numbers, and in cells; the settings are drawn anew each time.
+  template <int D, typename BoundOf>
+  void expect_near(Settings s, bool tiled, const std::vector<float>& largest, bool in_cells, const BoundOf& bound_of) {
+    const auto bound = [&](const auto& places) { return bound_of(s, places); };
+    const auto draw = [&] { draw_settings(s, D, tiled, Draw::kTame, chance); };
+    for (const float most : largest) {
+      draw();
+      expect_near<D>(s, draw_grid<D>(400, most, Draw::kTame, chance), bound);
+      draw();
+      expect_near<D>(s, Points<D>(draw_points<D>(100, most, Draw::kTame, chance)), bound);
+    }
+    if (!in_cells) return;
+    draw();
+    expect_near<D>(s, draw_cell_grid<D>(400, chance), bound);
+    draw();
+    expect_near<D>(s, CellPoints<D>(draw_cell_points<D>(100, chance)), bound);
   }
 
   Chance chance{11};
@@ -163,50 +164,31 @@ class Fast : public testing::TestWithParam<int> {
 
 TEST_P(Fast, Noises) {
   in_dimensions([&]<int D>(std::integral_constant<int, D>) {
+    const auto bound = [](const Settings& s, const auto& places) { return bound_of_noise<D>(s, places); };
     for (const Settings& settings : noise_subjects(D)) {
-      for (const bool tiled : {false, true}) {
-        const auto draw = [&](Settings& s) { draw_settings(s, D, tiled, Draw::kTame, chance); };
-        const auto bound = [](const Settings& s, const auto& places) { return bound_of_noise<D>(s, places); };
-        for (const float largest : {16.0f, 0x1p22f}) expect_near_at_positions<D>(settings, largest, draw, bound);
-        expect_near_in_cells<D>(settings, draw, bound);
-      }
+      for (const bool tiled : {false, true}) expect_near<D>(settings, tiled, {16.0f, 0x1p22f}, true, bound);
     }
   });
 }
 
 TEST_P(Fast, Sums) {
   in_dimensions([&]<int D>(std::integral_constant<int, D>) {
-    for (const Settings& settings : sum_subjects(D)) {
-      if (settings.noise != noise_below(settings.fractal)) continue;
-      for (const bool tiled : {false, true}) {
-        const auto draw = [&](Settings& s) { draw_settings(s, D, tiled, Draw::kTame, chance); };
-        const auto bound = [](const Settings& s, const auto& places) { return bound_of_sum<D>(s, places); };
-        expect_near_at_positions<D>(settings, 16.0f, draw, bound);
-        expect_near_in_cells<D>(settings, draw, bound);
-      }
-    }
-    Settings fbm;
-    fbm.fractal = "fbm";
-    fbm.noise = "perlin";
-    const auto draw = [&](Settings& s) { draw_settings(s, D, false, Draw::kTame, chance); };
     const auto bound = [](const Settings& s, const auto& places) { return bound_of_sum<D>(s, places); };
-    fbm.detail = 1.0f;
-    expect_near_at_positions<D>(fbm, 16.0f, draw, bound);
-    fbm.detail.reset();
-    fbm.footprint = 1.0f;
-    expect_near_at_positions<D>(fbm, 16.0f, draw, bound);
-  });
-}
-
-TEST_P(Fast, SumsOverOtherNoises) {
-  in_dimensions([&]<int D>(std::integral_constant<int, D>) {
-    for (const Settings& settings : sum_subjects(D)) {
-      // A step of a progressive warp is taken at a place that has an error.
-      if (settings.noise == noise_below(settings.fractal) || settings.fractal == "warp_progressive") continue;
+    const auto bound_in_cells = [](const Settings& s, const auto&) { return bound_of_other<D>(s); };
+    for (Settings settings : sum_subjects(D)) {
       for (const bool tiled : {false, true}) {
-        const auto draw = [&](Settings& s) { draw_settings(s, D, tiled, Draw::kTame, chance); };
-        expect_near_in_cells<D>(settings, draw, [](const Settings& s, const auto&) { return bound_of_other<D>(s); });
+        if (settings.noise == noise_below(settings.fractal)) {
+          expect_near<D>(settings, tiled, {16.0f}, true, bound);
+        } else if (settings.fractal != "warp_progressive") {  // whose steps are taken at a place that has an error
+          expect_near<D>(settings, tiled, {}, true, bound_in_cells);
+        }
       }
+      if (settings.fractal != "fbm" || settings.noise != "perlin") continue;
+      settings.detail = 1.0f;
+      expect_near<D>(settings, false, {16.0f}, false, bound);
+      settings.detail.reset();
+      settings.footprint = 1.0f;
+      expect_near<D>(settings, false, {16.0f}, false, bound);
     }
   });
 }

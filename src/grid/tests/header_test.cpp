@@ -41,13 +41,22 @@ void expect_bits_everywhere(Settings settings, const At& at, const In& in) {
   }
 }
 
-TEST(Header, FillsWithAValue) {
+TEST(Header, FillsWithNoisesAndSums) {
   Settings settings;
   settings.noise = "perlin";
   settings.seed = 7;
   expect_bits_everywhere(
       settings, [](lanes::vec2 p) { return lanes::hn_perlin(p, 7u); },
       [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_perlin(lanes::hn_place(cell, f), 7u); });
+  settings.fractal = "ridged";
+  expect_bits_everywhere(
+      settings, [](lanes::vec2 p) { return lanes::hn_ridged(p, 6, 2.0f, 0.5f, 7u); },
+      [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_ridged(lanes::hn_place(cell, f), 6, 2.0f, 0.5f, 7u); });
+  settings.fractal = "";
+  settings.noise = "simplex_d";  // which has planes
+  expect_bits_everywhere(
+      settings, [](lanes::vec2 p) { return lanes::hn_simplex_d(p, 7u); },
+      [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_simplex_d(lanes::hn_place(cell, f), 7u); });
 }
 
 struct Named {
@@ -83,48 +92,24 @@ static_assert(!kTakes<std::vector<float*>, 2> && !kTakes<std::vector<std::span<c
 static_assert(!std::is_constructible_v<std::span<const float>, const std::vector<vec2>&>);
 static_assert(!std::is_constructible_v<std::span<const float>, const std::vector<std::array<float, 2>>&>);
 
-TEST(Header, FillsWithPlanes) {
-  Settings settings;
-  settings.noise = "simplex_d";
-  expect_bits_everywhere(
-      settings, [](lanes::vec2 p) { return lanes::hn_simplex_d(p, 0u); },
-      [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_simplex_d(lanes::hn_place(cell, f), 0u); });
-}
-
-TEST(Header, FillsWithSums) {
-  Settings settings;
-  settings.noise = "perlin";
-  settings.fractal = "ridged";
-  settings.octaves = 4;
-  expect_bits_everywhere(
-      settings, [](lanes::vec2 p) { return lanes::hn_ridged(p, 4, 2.0f, 0.5f, 0u); },
-      [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_ridged(lanes::hn_place(cell, f), 4, 2.0f, 0.5f, 0u); });
-}
-
-TEST(Header, FillsNothing) {
+TEST(Header, FillsNothingAndRejectsWhatDoesNotFit) {
   const auto noise = [](lanes::vec2 p) { return lanes::hn_perlin(p, 7u); };
-  std::vector<float> none;
-  EXPECT_EQ(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {0, 5}}, none, noise), Range{});
-  EXPECT_EQ(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {5, 0}}, none, noise), Range{});
-  EXPECT_EQ(lanes::fill(Points<2>{}, none, noise), Range{});
   const auto in_cell = [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_perlin(lanes::hn_place(cell, f), 7u); };
-  EXPECT_EQ(lanes::fill(CellGrid<2>{{0, 0}, {0, 0}, {1, 1}, {0, 5}}, none, in_cell), Range{});
-  EXPECT_EQ(lanes::fill(CellGrid<2>{{0, 0}, {0, 0}, {1, 1}, {5, 0}}, none, in_cell), Range{});
+  std::vector<float> none, values(11);
+  const std::vector<float> two(2), three(3);
+  using Size = std::array<int, 2>;
+  for (const Size& size : {Size{0, 5}, Size{5, 0}}) {
+    EXPECT_EQ(lanes::fill(Grid<2>{{0, 0}, {1, 1}, size}, none, noise), Range{});
+    EXPECT_EQ(lanes::fill(CellGrid<2>{{0, 0}, {0, 0}, {1, 1}, size}, none, in_cell), Range{});
+  }
+  EXPECT_EQ(lanes::fill(Points<2>{}, none, noise), Range{});
   EXPECT_EQ(lanes::fill(CellPoints<2>{}, none, in_cell), Range{});
-}
-
-TEST(Header, RejectsWhatDoesNotFit) {
-  const auto noise = [](lanes::vec2 p) { return lanes::hn_perlin(p, 7u); };
-  std::vector<float> values(11);
-  const std::vector<float> two(2);
-  const std::vector<float> three(3);
-  EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {3, 4}}, values, noise), std::invalid_argument);
-  EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {-1, -11}}, values, noise), std::invalid_argument);
-  EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {-11, -1}}, values, noise), std::invalid_argument);
-  EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {0, 11}}, values, noise), std::invalid_argument);
-  EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {11, 0}}, values, noise), std::invalid_argument);
-  EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {11, 1}, {-536870912, 0}}, values, noise), std::invalid_argument);
-  EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {11, 1}, {0, 536870911}}, values, noise), std::invalid_argument);
+  for (const Size& size : {Size{3, 4}, Size{-1, -11}, Size{-11, -1}, Size{0, 11}, Size{11, 0}}) {
+    EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, size}, values, noise), std::invalid_argument);
+  }
+  for (const Size& first : {Size{-536870912, 0}, Size{0, 536870911}}) {
+    EXPECT_THROW(lanes::fill(Grid<2>{{0, 0}, {1, 1}, {11, 1}, first}, values, noise), std::invalid_argument);
+  }
   EXPECT_THROW(lanes::fill(Points<2>{{two, two}}, values, noise), std::invalid_argument);
   EXPECT_THROW(lanes::fill(Points<2>{{two, three}}, values, noise), std::invalid_argument);
 }

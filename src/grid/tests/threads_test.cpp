@@ -7,6 +7,7 @@
 #include <chrono>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
@@ -27,30 +28,17 @@ void all_at_once(int count, const std::function<void(int)>& task) {
   for (int i = 0; i < count; ++i) workers.emplace_back([&task, i] { task(i); });
 }
 
-struct NamedExecutor {
-  std::string name;
-  Executor executor;
-};
-std::vector<NamedExecutor> executors() {
-  return {{"none", {}},      {"threads()", threads()}, {"1", threads(1)},        {"2", threads(2)},
-          {"7", threads(7)}, {"33", threads(33)},      {"backwards", backwards}, {"all at once", all_at_once}};
-}
-
 template <int D, typename Places>
 void expect_same_with_any(const Settings& settings, const Places& where) {
   const auto points = places_of(where).size();
   const Field<D> field(settings);
   const FieldValues alone = fill(field, where, points);
-  for (const auto& [name, executor] : executors()) {
-    for (int time = 0; time < 2; ++time) {
-      const FieldValues filled = fill(field, where, points, executor);
-      EXPECT_TRUE(same_bits(filled.values, alone.values, points)) << name << ": " << settings;
-      EXPECT_EQ(filled.range, alone.range) << name << ": " << settings;
-    }
+  for (const Executor& executor :
+       {threads(), threads(1), threads(2), threads(33), Executor(backwards), Executor(all_at_once)}) {
+    const FieldValues filled = fill(field, where, points, executor);
+    EXPECT_TRUE(same_bits(filled.values, alone.values, points)) << settings;
+    EXPECT_EQ(filled.range, alone.range) << settings;
   }
-  const FieldValues again = fill(Field<D>(settings), where, points);
-  EXPECT_TRUE(same_bits(again.values, alone.values, points)) << "another field: " << settings;
-  EXPECT_EQ(again.range, alone.range);
 }
 
 class AnyExecutor : public testing::TestWithParam<Arithmetic> {};
@@ -182,10 +170,20 @@ TEST(Threads, AreAsManyAsSaid) {
   }
 }
 
-TEST(Threads, AreNotLessThanNone) { EXPECT_THROW(threads(-1), std::invalid_argument); }
-
-TEST(Threads, RunNothingOfNothing) {
+TEST(Threads, AreNotLessThanNoneAndRunNothingOfNothing) {
+  EXPECT_THROW(threads(-1), std::invalid_argument);
   threads(3)(0, [](int) { ADD_FAILURE(); });
+}
+
+// And the others end.
+TEST(Threads, PassOnWhatATaskThrows) {
+  int calls = 0;
+  EXPECT_THROW(threads(1)(9,
+                          [&](int i) {
+                            if (++calls; i == 3) throw std::runtime_error("");
+                          }),
+               std::runtime_error);
+  EXPECT_EQ(calls, 4);
 }
 
 // The tasks that an executor is given are the whole work.

@@ -17,8 +17,8 @@ MACROS = {
     "HN_CATALOG_SUM": "(Id, name, first dimension, last dimension, shape, shape of its noises, its usual noise or none "
                       "if nobody chooses them, name of its strength, usual strength, most strength, Bounds::bounds of "
                       "its value, least, greatest)",
-    "HN_CATALOG_STEP": "(Id, name, the sum s with an octave n more, what it makes of the mean): of a sum of values; the "
-                       "first may take a strength",
+    "HN_CATALOG_STEP": "(Id, name, the statement that adds an octave n to the octaves o, what it makes of the mean): "
+                       "of a sum of values; the first may take a strength",
     "HN_CATALOG_SETTING": "(Id, name, is whole, least, most, usual)",
     "HN_CATALOG_METRIC": "(Id, name)",
 }
@@ -61,7 +61,7 @@ def of_sum(sum_: Sum) -> str:
 
 
 def steps(sum_: Sum) -> str:
-    return row("HN_CATALOG_STEP", in_camel_case(sum_.name), sum_.name, sum_.adds("s", "n", "strength"), sum_.makes("mean"))
+    return row("HN_CATALOG_STEP", in_camel_case(sum_.name), sum_.name, sum_.adds_to("o", "n"), sum_.makes("mean"))
 
 
 def of_setting(setting: Setting) -> str:

@@ -134,6 +134,12 @@ class Sum(Function):
         """The expression of a sum with an octave more."""
         return f"hn_i_add_{self.step}({', '.join([sum_, noise, *([strength] if self.strength else [])])})"
 
+    def adds_to(self, octaves: str, noise: str) -> str:
+        """The statement that adds an octave, by the public step if there is one."""
+        if self.public_step:
+            return f"{self.public_step}({', '.join([octaves, noise, *(['strength'] if self.strength else [])])})"
+        return f"{octaves}.sum = {self.adds(f'{octaves}.sum', noise, 'strength')}"
+
     def makes(self, mean: str) -> str:
         return f"hn_i_{self.mean}({mean})" if self.mean else mean
 

@@ -62,17 +62,13 @@ def function(head: str, parameters: Sequence[str], body: str) -> str:
 
 def loop(sum_: Sum) -> str:
     strength = ["strength"] if sum_.strength else []
-    if sum_.public_step:
-        adds = f"{sum_.public_step}({', '.join(['o', OCTAVE, *strength])})"
-    else:
-        adds = f"o.sum = {sum_.adds('o.sum', OCTAVE, 'strength')}"
     if sum_.mean in ("", "density"):
         mean = f"hn_{sum_.mean or 'mean'}(o)"
     else:
         mean = f"hn_i_value({sum_.makes('hn_i_mean(o.sum)')})"
     parameters = ", ".join(["hn_octaves2 o", *(f"hn_float {name}" for name in strength)])
     return (f"HN_FN hn_float hn_i_{sum_.name}({parameters}) {{\n"
-            f"  do {adds};\n  while (hn_next(o));\n  return {mean};\n}}\n")
+            f"  do {sum_.adds_to('o', OCTAVE)};\n  while (hn_next(o));\n  return {mean};\n}}\n")
 
 
 def comment(sum_: Sum) -> str:
