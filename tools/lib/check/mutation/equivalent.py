@@ -95,10 +95,10 @@ EQUIVALENT: tuple[Equivalence, ...] = (
            *((f"cell(d.{axis}, {axis})), jitter).x", f"cell(d.{axis}, {axis})), jitter).y") for axis in "xy")),
 
     # It compares them.
-    *alike("detail/feature_points3d.glsl", *((f"hn_i_if_axis(axis, {n}", f"hn_i_if_axis({n}, axis") for n in (0, 2))),
+    *alike("detail/feature_points3d.glsl", *((f"(axis, {n}", f"({n}, axis") for n in (0, 2))),
 
-    # The lowest bit of these words is 0: all that direction4d.glsl passes is shifted left by 9 or 10 bits, and nobody
-    # else calls hn_i_flipped.
+    # The lowest bit of these words is 0: all that direction4d.glsl passes is shifted left by 9 or 10 bits, and no other
+    # file calls its functions with words.
     *alike("detail/direction4d.glsl",
            ("(h & 0x80000000u) != 0u, -x, x)", "(h & 0x80000001u) != 0u, -x, x)"),
            ("floatBitsToUint(x) ^ (h & 0x80000000u)", "floatBitsToUint(x) ^ (h & 0x80000001u)")),
@@ -123,7 +123,7 @@ EQUIVALENT: tuple[Equivalence, ...] = (
       for each in alike(file, ("s(u, v, w)", "s(-u, v, w)", "s(u, -v, w)", "s(u, v, -w)", "s(v, u, w)"))),
 
     # So is a falloff's, modulo 2^32: uint(-t) is 2^32 - t.
-    *alike("detail/falloff.glsl", ("hn_i_falloff_square(t)", "hn_i_falloff_square(-t)")),
+    *alike("detail/falloff.glsl", ("square(t)", "square(-t)")),
 
     # Only the first component is taken.
     *alike("detail/arithmetic.glsl", ("vec2(floor(p), 0.0f)", "vec2(floor(p), 0.015625f)")),
@@ -136,7 +136,7 @@ EQUIVALENT: tuple[Equivalence, ...] = (
 
     # Only the highest bit of the second argument counts.
     *(each for file in ("detail/phasor.glsl", "detail/direction_turning.glsl")
-      for each in alike(file, ("0x40000000u, 0u)", "0x40000000u, 1u)"), ("hn_i_wave(angle, 0u)", "hn_i_wave(angle, 1u)"))),
+      for each in alike(file, ("0x40000000u, 0u)", "0x40000000u, 1u)"), ("(angle, 0u)", "(angle, 1u)"))),
 
     # The three smallest ranks of a neighbourhood take the places of these.
     *alike("detail/feature_points.glsl",
@@ -146,16 +146,13 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     # Only a word beside a third of all words could distinguish these, and it never gets here: bit 20 chooses the second
     # pair, and it is set in 0x55555554 and 0x55555555, and clear in 0xAAAAAAA9 and 0xAAAAAAAA.
     *alike("detail/direction4d.glsl",
-           ("hn_i_select(h < 0x55555555u, y,", "hn_i_select(h < 0x55555554u, y,",
-            "hn_i_select(h <= 0x55555555u, y,"),
-           ("hn_i_select(h < 0xAAAAAAAAu, w, z)", "hn_i_select(h < 0xAAAAAAABu, w, z)",
-            "hn_i_select(h <= 0xAAAAAAAAu, w, z)")),
+           ("h < 0x55555555u, y,", "h < 0x55555554u, y,", "h <= 0x55555555u, y,"),
+           ("h < 0xAAAAAAAAu, w, z)", "h < 0xAAAAAAABu, w, z)", "h <= 0xAAAAAAAAu, w, z)")),
 
     # These add both, so their order does not matter.
     *alike("detail/sine_gradient.glsl",
-           ("hn_i_row_key(k0, c0.y)", "hn_i_row_key(c0.y, k0)"), ("hn_i_row_key(k1, c0.y)", "hn_i_row_key(c0.y, k1)"),
-           ("hn_i_row_key(k0, c1.y)", "hn_i_row_key(c1.y, k0)"), ("hn_i_row_key(k1, c1.y)", "hn_i_row_key(c1.y, k1)")),
-    *alike("gradient.glsl", ("hn_i_row_key(column, c.y)", "hn_i_row_key(c.y, column)")),
+           *((f"key({k}, {y})", f"key({y}, {k})") for k in ("k0", "k1") for y in ("c0.y", "c1.y"))),
+    *alike("gradient.glsl", ("key(column, c.y)", "key(c.y, column)")),
     *alike("detail/hashes.glsl",
            ("step(h, k & 255u)", "step(k & 255u, h)"),
            ("step(h, (k >> 8u) & 255u)", "step((k >> 8u) & 255u, h)"),
@@ -197,9 +194,9 @@ EQUIVALENT: tuple[Equivalence, ...] = (
            ("HN_I_VERSION >= 320", "HN_I_VERSION >= 319"),
            ("HN_I_VERSION >= 400", "HN_I_VERSION >= 399")),
 
-    # With bit casts or without, the same bits come out: of hn_i_fields2 and hn_i_fields3 for all fields, of hn_i_signed
-    # for all m in [0, 1], of hn_i_excess_bits for all m below 2^31, and of hn_i_sine for 2^31. (All of these were
-    # compared, bit by bit.) So it does not matter who goes without; and only whether HN_I_BITCAST is 0 is ever tested.
+    # With bit casts or without, the same bits come out of each function that asks for them, for all that it may get. (All
+    # were compared, bit by bit.) So it does not matter who goes without; and only whether HN_I_BITCAST is 0 is ever
+    # tested.
     *alike("config.glsl",
            ("HN_I_VERSION >= 330", "HN_I_VERSION >= 331", "HN_I_VERSION > 330"),
            ("#define HN_I_BITCAST 1", "#define HN_I_BITCAST 0", "#define HN_I_BITCAST 2")),
@@ -230,9 +227,9 @@ def included_anyhow(file: str) -> frozenset[str]:
 
 # Text before two arguments that may change places.
 #
-# - A number and its weight: in floats their product is the same, and in HN_FIXED hn_i_summed drops the product of the
-#   low 9 bits of both.
-# - Both factors of hn_i_multiply_high, which is exact: with digits of 16 bits none of its sums passes 2^32.
+# - A number and its weight: in floats their product is the same, and in HN_FIXED the product of the low 9 bits
+#   of both is dropped.
+# - Both factors of a product's upper half, which is exact: with digits of 16 bits none of its sums passes 2^32.
 # - The first two components whose squares are summed: a sum of two floats is the same in either order, and in HN_FIXED
 #   the whole sum is exact. Where a driver contracts it, HN_FAST is within its bound with either square rounded.
 COMMUTES = re.compile(r"\bhn_i_(?:(?:with|summed)\([\w.]+, |multiply_high\(|squared?\()$")
