@@ -88,26 +88,30 @@ constexpr Kernel<D> kernel(Noise noise) {
 // tile.
 
 // Once for all dimensions: what adds to octaves would be there for each.
-[[gnu::noinline]] hn_i_octave_sum with_value(hn_i_octave_sum s, Float n) {
+[[gnu::noinline]] hn_i_octave_sum with_value(hn_i_octave_sum sum, Float n) {
   const float& strength = settings.strength;
+  hn_octaves1 o{};
+  o.sum = sum;
   switch (static_cast<Sum>(settings.sum)) {
-#define HN_CATALOG_STEP(Id, name, added, ...) \
-  case k##Id:                                 \
-    return added;
+#define HN_CATALOG_STEP(Id, name, step, ...) \
+  case k##Id:                                \
+    step;                                    \
+    break;
 #include "../../../src/grid/catalog.inc"
     case kFbmD:
     case kEroded:
     case kWarp:
     case kWarpProgressive:
-      return s;
+      break;
   }
+  return o.sum;
 }
 
 Int finished(Int mean) {
   switch (static_cast<Sum>(settings.sum)) {
-#define HN_CATALOG_STEP(Id, name, added, made) \
-  case k##Id:                                  \
-    return made;
+#define HN_CATALOG_STEP(Id, name, step, end) \
+  case k##Id:                                \
+    return end;
 #include "../../../src/grid/catalog.inc"
     case kFbmD:
     case kEroded:
