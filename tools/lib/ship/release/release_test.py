@@ -24,7 +24,7 @@ from ship.release import files
 
 # Enough of the tree for these tests.
 COPIED = [name for name in (
-    "CMakeLists.txt", "LICENSE", "catalog/popular.toml", "conformance/expected/golden/hash.word.golden",
+    "CMakeLists.txt", "LICENSE", "catalog", "conformance/expected/golden/hash.word.golden",
     "conformance/web/address.js", "glsl", "include", "packages/npm/package.json", "packages/wesl/Cargo.toml", "tools",
     *(name for name in copies.LINES if not name.startswith("include/"))) if not was_deleted(name)]
 PLACE = "https://example.org/a-place"
