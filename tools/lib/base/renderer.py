@@ -63,4 +63,5 @@ class Renderer:
     @property
     def version(self) -> str:
         """The renderer and its driver, in its own words."""
-        return ", ".join(self._context.info[name] for name in ("GL_RENDERER", "GL_VERSION"))
+        with self._context:
+            return ", ".join(self._context.info[name] for name in ("GL_RENDERER", "GL_VERSION"))

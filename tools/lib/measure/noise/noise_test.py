@@ -110,6 +110,7 @@ class Command(Case):
         self.assertRegex(shown[1], r"(?m)^FAIL jumps +It jumps by 0\.004")
         self.assertRegex(shown[1], r"(?m)^     cost +On llvmpipe a value costs [\d.]+ times")
         self.assertEqual([row["measure"] for row in record.read(out / "judged.csv") if row["fails"] == "yes"], ["jumps"])
+        self.assertIn("# by: llvmpipe (LLVM ", (out / "judged.csv").read_text())
         text = (out / "index.html").read_text()
         self.assertIn("a &lt;control&gt;", text)
         self.assertIn("hn_perlin, for comparison", text)
