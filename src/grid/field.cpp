@@ -136,12 +136,32 @@ void set_step(const Grid<D>& grid, Batch& row) {
   row.rounding = static_cast<double>(furthest) * 0x1p-23;
 }
 
+// The ranges of some of the values each, by lanes: joined for each row, they would cost as much as the noise of a short
+// one (with AVX-512 a grid of value noise in space took 1.6 times as long).
+struct Ranges {
+  float least[kMostLanes];
+  float greatest[kMostLanes];
+
+  Ranges() {
+    std::fill_n(least, kMostLanes, Range{}.least);
+    std::fill_n(greatest, kMostLanes, Range{}.greatest);
+  }
+  void widen(const Plan& plan, const float* values, int count) { plan.kernels->widen(values, count, least, greatest); }
+  Range joined() const {
+    return {*std::min_element(least, least + kMostLanes), *std::max_element(greatest, greatest + kMostLanes)};
+  }
+};
+
 // Runs tasks of points, and joins their ranges. The order does not change the result.
 template <typename Task>
 Range run_tasks(std::int64_t count, const Executor& executor, const Task& task) {
   if (count > std::numeric_limits<int>::max()) throw std::invalid_argument("there are too many points");
   std::vector<Range> ranges(static_cast<std::size_t>(count));
-  const auto one = [&](int i) { task(i, ranges[static_cast<std::size_t>(i)]); };
+  const auto one = [&](int i) {
+    Ranges of_task;
+    task(i, of_task);
+    ranges[static_cast<std::size_t>(i)] = of_task.joined();
+  };
   if (executor && count > 1) {
     executor(static_cast<int>(count), one);
   } else {
@@ -153,10 +173,6 @@ Range run_tasks(std::int64_t count, const Executor& executor, const Task& task) 
     range.greatest = std::max(range.greatest, r.greatest);
   }
   return range;
-}
-
-void widen(Range& range, const Plan& plan, const float* values, int count) {
-  plan.kernels->widen(values, count, &range.least, &range.greatest);
 }
 
 struct Box {
@@ -179,7 +195,7 @@ struct Box {
     return at;
   }
 
-  void run_row(std::int64_t number, int first, int count, Range& range) const {
+  void run_row(std::int64_t number, int first, int count, Ranges& ranges) const {
     const std::array<std::size_t, 4> at = row_at(number);
     std::int32_t cell[4][kMostLanes];
     float place[4][kMostLanes];
@@ -200,11 +216,11 @@ struct Box {
     const std::size_t start = static_cast<std::size_t>(number) * static_cast<std::size_t>(size[0]);
     planes.point(batch, plan.components, start + static_cast<std::size_t>(first));
     run(plan, loops.row, batch, count);
-    widen(range, plan, batch.value[0], count);
+    ranges.widen(plan, batch.value[0], count);
   }
 
   // Points of several rows.
-  void run_points(std::int64_t first, int count, Range& range) const {
+  void run_points(std::int64_t first, int count, Ranges& ranges) const {
     std::int32_t cell[4][kBlock + kMostLanes];
     float place[4][kBlock + kMostLanes];
     std::array<std::size_t, 4> at = row_at(first / size[0]);
@@ -227,17 +243,17 @@ struct Box {
     }
     planes.point(batch, plan.components, static_cast<std::size_t>(first));
     run(plan, loops.points, batch, count);
-    widen(range, plan, batch.value[0], count);
+    ranges.widen(plan, batch.value[0], count);
   }
 
   Range fill(std::int64_t points, const Executor& executor) const {
     // A narrow part of a grid has the bits of the whole, so it takes the kernel of that.
     const bool has_kernel_of_rows = loops.row != loops.points && plan.may_fuse;
     if (size[0] < kNarrow && !has_kernel_of_rows) {
-      return run_tasks((points + kTask - 1) / kTask, executor, [&](std::int64_t task, Range& range) {
+      return run_tasks((points + kTask - 1) / kTask, executor, [&](std::int64_t task, Ranges& ranges) {
         const std::int64_t end = std::min(points, (task + 1) * kTask);
         for (std::int64_t i = task * kTask; i < end; i += kBlock) {
-          run_points(i, static_cast<int>(std::min<std::int64_t>(kBlock, end - i)), range);
+          run_points(i, static_cast<int>(std::min<std::int64_t>(kBlock, end - i)), ranges);
         }
       });
     }
@@ -245,11 +261,11 @@ struct Box {
     const std::int64_t rows = points / size[0];
     const std::int64_t parts = (size[0] + kTask - 1) / kTask;
     const std::int64_t at_a_time = std::max<std::int64_t>(1, kTask / size[0]);
-    return run_tasks((rows + at_a_time - 1) / at_a_time * parts, executor, [&](std::int64_t task, Range& range) {
+    return run_tasks((rows + at_a_time - 1) / at_a_time * parts, executor, [&](std::int64_t task, Ranges& ranges) {
       const std::int64_t first = task % parts * kTask;
       const int count = static_cast<int>(std::min<std::int64_t>(kTask, size[0] - first));
       const std::int64_t end = std::min(rows, (task / parts + 1) * at_a_time);
-      for (std::int64_t i = task / parts * at_a_time; i < end; ++i) run_row(i, static_cast<int>(first), count, range);
+      for (std::int64_t i = task / parts * at_a_time; i < end; ++i) run_row(i, static_cast<int>(first), count, ranges);
     });
   }
 };
@@ -330,7 +346,7 @@ Range fill_points(const Plan& plan, Kernel kernel, const std::array<std::span<co
   check_values(plan, count, values.size());
   const Planes planes{values.data(), count};
   const auto points = static_cast<std::int64_t>(count);
-  return run_tasks((points + kTask - 1) / kTask, executor, [&](std::int64_t task, Range& range) {
+  return run_tasks((points + kTask - 1) / kTask, executor, [&](std::int64_t task, Ranges& ranges) {
     const std::int64_t end = std::min(points, (task + 1) * kTask);
     for (std::int64_t i = task * kTask; i < end; i += kBlock) {
       const int n = static_cast<int>(std::min<std::int64_t>(kBlock, end - i));
@@ -343,7 +359,7 @@ Range fill_points(const Plan& plan, Kernel kernel, const std::array<std::span<co
       }
       run(plan, kernel, batch, n);
       for (const auto& axis : places) spread_nan(plan, axis.data() + i, n, batch);
-      widen(range, plan, batch.value[0], n);
+      ranges.widen(plan, batch.value[0], n);
     }
   });
 }

@@ -238,19 +238,19 @@ bool are_finite(const float* numbers, int count) {
 }
 
 void widen(const float* value, int count, float* least, float* greatest) {
-  Float low(*least), high(*greatest);
+  Float low = Float::load(least), high = Float::load(greatest);
   int i = 0;
   for (; i + kCount <= count; i += kCount) {
     const Float n = Float::load(value + i);
     low = min(low, n);
     high = max(high, n);
   }
-  const auto take = [&](float a, float b) HN_I_INLINED {
-    *least = a < *least ? a : *least;
-    *greatest = *greatest < b ? b : *greatest;
-  };
-  for (int lane = 0; lane < kCount; ++lane) take(low[lane], high[lane]);
-  for (; i < count; ++i) take(value[i], value[i]);
+  low.store(least);
+  high.store(greatest);
+  for (; i < count; ++i) {
+    *least = value[i] < *least ? value[i] : *least;
+    *greatest = *greatest < value[i] ? value[i] : *greatest;
+  }
 }
 
 void enter(grid::Kernels& kernels) {

@@ -194,7 +194,7 @@ EQUIVALENT: tuple[Equivalence, ...] = (
            ("HN_I_VERSION >= 320", "HN_I_VERSION >= 319"),
            ("HN_I_VERSION >= 400", "HN_I_VERSION >= 399")),
 
-    # With bit casts or without, the same bits come out of each function that asks for them, for all that it may get. (All
+    # With bit casts or without, the same bits come out of each function that has them, for all that it may get. (All
     # were compared, bit by bit.) So it does not matter who goes without; and only whether HN_I_BITCAST is 0 is ever
     # tested.
     *alike("config.glsl",
