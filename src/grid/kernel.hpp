@@ -108,7 +108,7 @@ struct Kernels {
   // The cells of positions along an axis of a grid, and the places in them.
   void (*split)(const float* position, int count, std::int32_t* cell, float* place);
   bool (*are_finite)(const float* numbers, int count);
-  // Widens a range.
+  // Widens kMostLanes ranges; each may take any of the numbers.
   void (*widen)(const float* value, int count, float* least, float* greatest);
 };
 
