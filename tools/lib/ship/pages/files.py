@@ -26,15 +26,13 @@ def size(file: str) -> str:
 
 
 def files_table() -> str:
-    """A row has the functions that the same files have."""
-    rows: dict[tuple[str, ...], list[str]] = {}
+    """The functions that are not in the files of their names. A row has those that the same files have."""
+    rows: dict[str, list[str]] = {}
     for function in sorted({found.name for found in glsl.declarations()}):
-        files = {column: [] for column in "1234*"}
-        for file in glsl.files_of(function):
-            match = DIMENSIONS.search(file)
-            files[match[1] if match else "*"].append(f"`{file}`")
-        rows.setdefault(tuple(", ".join(of) for of in files.values()), []).append(f"`{function}`")
-    return table(("", "1D", "2D", "3D", "4D", "all"), [[", ".join(functions), *cells] for cells, functions in rows.items()])
+        files = sorted({DIMENSIONS.sub("*d.glsl", file) for file in glsl.files_of(function)})
+        if files != [f"{function.removeprefix('hn_')}*d.glsl"]:
+            rows.setdefault(", ".join(f"`{file}`" for file in files), []).append(f"`{function}`")
+    return table(("functions", "files, with the dimensions for `*`"), [[", ".join(functions), files] for files, functions in rows.items()])
 
 
 def nodes_table() -> str:
