@@ -262,7 +262,7 @@ class ForMachines(unittest.TestCase):
             with self.subTest(language):
                 name, arguments = re.fullmatch(r"(?:\w+\.)?(\w+)\((.*)\)", rows[heading]).groups()
                 written = files.picked_text("hn_fbm2", language)
-                declared = re.search(rf"(?:fn|func|function|public static float|static inline float) {name}\((.*?)\)",
+                declared = re.search(rf"(?:fn|func|function|public static float|HN_INLINE float) {name}\((.*?)\)",
                                      written, re.DOTALL)
                 self.assertEqual(arguments.count(","), declared[1].rstrip(", \n").count(","))
         code = f"#include <hashnoise/hashnoise.hpp>\nfloat f(float x, float y) {{ return {rows['C++']}; }}"
