@@ -21,7 +21,7 @@ from base.tree import ROOT, TOOLS
 from catalog.tables import glsl
 from ship.pages import command, files, numbers, picture
 from ship.recipes import RECIPES
-from translate.pick.command import SYNTAXES
+from translate.pick.command import SYNTAXES, Choice, picker
 
 PAGES = ("README.md", "llms.txt", "docs/guide/build-systems.md", "docs/guide/cellular.md", "docs/guide/cpu.md", "docs/guide/gpu-computing.md", "docs/guide/hex-tiling.md",
          "docs/reference/knobs.md", "docs/guide/moving.md", "docs/reference/noises.md", "docs/guide/random.md", "docs/guide/same-bits.md", "docs/reference/fractals.md",
@@ -295,13 +295,14 @@ class ForMachines(unittest.TestCase):
 
     def test_calls_in_other_languages_take_what_picked_functions_take(self):
         rows = dict(re.findall(r"^\| ([A-Z][\w+#, ]*) \| `(.*)` \|$", self.text, re.MULTILINE))
+        pick = picker()
         for heading, language in (("Rust", "rust"), ("C#", "csharp"), ("C", "c"), ("Java", "java"), ("Go", "go"),
                                   ("JavaScript, TypeScript", "javascript"), ("JavaScript, TypeScript", "typescript")):
             if language not in SYNTAXES:
                 continue
             with self.subTest(language):
                 name, arguments = re.fullmatch(r"(?:\w+\.)?(\w+)\((.*)\)", rows[heading]).groups()
-                written = files.picked_text("hn_fbm2", language)
+                written = pick(["hn_fbm2"], Choice(language))
                 declared = re.search(rf"(?:fn|func|function|public static float|HN_INLINE float) {name}\((.*?)\)",
                                      written, re.DOTALL)
                 self.assertEqual(arguments.count(","), declared[1].rstrip(", \n").count(","))
