@@ -21,6 +21,8 @@ import hashnoise
 import numpy
 from documents_test import FENCE
 
+from base import cuda
+
 TEXT = (golden.ROOT / "docs" / "guide" / "gpu-computing.md").read_text(encoding="utf-8")
 QUICK = ("cupy", "pyopencl")
 THOROUGH = (*QUICK, "load_inline", "numba", "taichi", "warp")
@@ -58,7 +60,16 @@ extern "C" void run(int blocks, int threads, float *out) {{
         ctypes.CDLL(Path("kernel.so").absolute()).run(*grid, *block, ctypes.c_void_p(arguments[0].ctypes.data))
 
 
-sys.modules["cupy"] = types.SimpleNamespace(  # it cannot be imported without a GPU
+def nvrtc(code: str) -> int:
+    """The status of NVIDIA's compiler, with CuPy's options."""
+    library = ctypes.CDLL(cuda.toolkit() / "lib" / "libnvrtc.so.13")
+    options = [b"-arch=sm_90", b"-ftz=true", b"--device-as-default-execution-space"]
+    made = ctypes.c_void_p()
+    library.nvrtcCreateProgram(ctypes.byref(made), code.encode(), None, 0, None, None)
+    return library.nvrtcCompileProgram(made, len(options), (ctypes.c_char_p * len(options))(*options))
+
+
+sys.modules["cupy"] = types.SimpleNamespace(  # it runs nothing without a GPU
     float32=numpy.float32, RawKernel=RawKernel, empty=lambda *of: numpy.empty(*of).view(Array))
 
 
@@ -105,3 +116,8 @@ class Thorough(Programs):
         for name in THOROUGH:
             with self.subTest(name):
                 self.run_program(program(name))
+
+    def test_nvrtc_compiles_the_kernel_for_cupy(self) -> None:
+        kernel, = re.findall(r'(?s)"""\n(.*?)"""', program("cupy"))
+        text = printed(HEADER.removesuffix(" --out hashnoise.h")) + kernel
+        self.assertEqual((nvrtc(text), nvrtc(text.replace("hn_fbm2(x", "hn_fmb2(x"))), (0, 6))
