@@ -379,7 +379,8 @@ int main(void) {
         self.assertNotEqual(self.of_the_kernel(), heights(self.folder, "cuda"))
 
     def test_the_program_runs(self):
-        configure, build = commands("In CUDA and HIP", "cmake", (ROOT / "docs" / "guide" / "cpu.md").read_text())
+        page = (ROOT / "docs" / "guide" / "gpu-computing.md").read_text()
+        configure, build = commands("Perlin noise in CUDA and HIP", "cmake", page)
         for command in (configure, build):
             done = subprocess.run(command, shell=True, cwd=self.folder, capture_output=True, text=True, check=False,
                                   env={**os.environ, "CUDACXX": str(self.nvcc), "CUDAFLAGS": "-Werror all-warnings"})
