@@ -31,9 +31,9 @@ LOW, HIGH, BINS = -1.5, 1.5, 96
 FEWEST = 20  # in a bin of two histograms together: chi-square is an approximation for many
 HASHES = (("Perlin/FNV1", "Perlin/PartialFNV1"), ("Perlin/Jenkins", "Perlin/PartialJenkins"))
 MISSING = "It could not be measured."
-INTRODUCTION = """What "Implementing Noise with Hash functions for Graphics Processing Units" (Valdenegro-Toro and
-Pincheira) shows, computed and measured again on this driver, beside the numbers that the paper prints. Each hash has three
-forms. As published is the listing as printed: its arithmetic is of int, with shifts that extend the sign, it takes the sin
+INTRODUCTION = """This page computes and measures again, on this driver, the results of "Implementing Noise with Hash
+functions for Graphics Processing Units" (Valdenegro-Toro and Pincheira), beside the numbers that the paper prints. Each
+hash has three forms. As published is the listing as printed: its arithmetic is of int, with shifts that extend the sign, it takes the sin
 of whatever integer comes, which GLSL lets every driver evaluate as it likes, and the mask of the highest byte in its FNV1,
 -2130706432, takes 2 of the 8 bits that -16777216 would. Around it is Perlin's noise of 2002 with the period of 2^20 cells
 that the paper describes. As intended is the library with HN_GRADIENT_SINE and a period of 1048576 cells. Ours is the
