@@ -297,7 +297,7 @@ def translated(files: Mapping[str, Path]) -> dict[str, str | Failed]:
                               check=False)
         if done.returncode:
             return Failed(f"SPIRV-Cross: {done.stderr.strip()}")
-        text = EXACT.sub("", done.stdout.partition("using namespace metal;")[2])
+        text = EXACT.sub("", done.stdout.partition("using namespace metal;")[2]).replace("\ninline ", "\nINLINE ")
         return NUMBER.sub(r"\g<0>f", PARTS.sub(parts, text)).replace("for (;;)", LOOP)
 
     if missing := [program for program in ("clang", "spirv-cross") if not shutil.which(program)]:

@@ -7,10 +7,12 @@
 #define NATIVE(name) name##f  // -use_fast_math
 #define ROUNDED(operation, intrinsic) intrinsic
 #define constant static __constant__ const
+#define UNROLLED _Pragma("unroll")
 #else
 #define INLINE inline
 #define ROUNDED(operation, intrinsic) operation
 #define constant static const
+#define UNROLLED _Pragma("clang loop unroll(full)")
 #if defined(__SPIR__)
 #define KERNEL(name)                                                                                     \
   __attribute__((intel_reqd_sub_group_size(16))) kernel void name(global const float* __restrict memory, \
@@ -30,7 +32,7 @@ float native_sqrt(float), native_rsqrt(float), native_sin(float), native_cos(flo
 #define fragment static INLINE
 #define thread
 // A loop that always runs as often is written out, so that its steps are counted.
-#define for _Pragma("unroll") for
+#define for UNROLLED for
 
 namespace metal {
 typedef unsigned int uint;
