@@ -113,7 +113,7 @@ class Compiler:
 class Nvcc(Compiler):
     def compiled(self, shaders: Mapping[str, str], folder: Path) -> dict[str, dict[str, float]]:
         text, binary, programs = folder / "shaders.cu", folder / "shaders.cubin", cuda.toolkit() / "bin"
-        text.write_text(module(shaders), encoding="ascii")
+        text.write_text(module(shaders).replace("for (;;)", LOOP), encoding="ascii")
         said = self.call([programs / "nvcc", "-std=c++17", f"-arch={self.chip.variable}", "-use_fast_math", "-w",
                           "-I", HEADER.parent, "-Xptxas", "-v", "-cubin", "-o", binary, text], folder)
         used = used_by_ptxas(said)
@@ -298,7 +298,7 @@ def translated(files: Mapping[str, Path]) -> dict[str, str | Failed]:
         if done.returncode:
             return Failed(f"SPIRV-Cross: {done.stderr.strip()}")
         text = EXACT.sub("", done.stdout.partition("using namespace metal;")[2]).replace("\ninline ", "\nINLINE ")
-        return NUMBER.sub(r"\g<0>f", PARTS.sub(parts, text)).replace("for (;;)", LOOP)
+        return NUMBER.sub(r"\g<0>f", PARTS.sub(parts, text))
 
     if missing := [program for program in ("clang", "spirv-cross") if not shutil.which(program)]:
         raise Missing(f"there is no {' and no '.join(missing)}, by which shaders are translated")
