@@ -65,6 +65,7 @@ class Runner:
     loop = "for (int point = 0; point < {points}; point++) {{"  # the head of a loop of {points}
     receives = "var r = "    # before a call that returns something
     one_of = "r.{name}"      # of several results
+    struct_of = ""           # a struct of these parts, where the function that makes it may not be in the text
     optimizes = False        # whether it is built as users build it, and not with all checks
     indent = "        "
 
@@ -109,6 +110,7 @@ class Runner:
 
     def call(self, module: Module, function: Function, points: int) -> str:
         syntax = self.syntax()
+        syntax.struct_of = self.struct_of or syntax.struct_of
         lines: list[str] = []
         arguments: list[str] = []
         outputs: list[tuple[str, str]] = []  # types and expressions
@@ -222,6 +224,7 @@ class CRunner(Runner):
     syntax = C
     programs = ("gcc",)
     packages = "gcc clang"
+    struct_of = "{{{parts}}}"
     read = {"float": "next_float()", "int": "(int32_t)next()", "uint": "next()", "bool": "next() != 0u"}
     write = {"float": "put_float({});", "int": "put((uint32_t){});", "uint": "put({});", "bool": "put((uint32_t){});"}
     faults = {("int", ">>"): "(({}) / (1 << ({})))", ("uint", ">>"): "(uint32_t)((int32_t)({}) >> ({}))"}
