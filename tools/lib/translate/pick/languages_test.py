@@ -194,8 +194,9 @@ class Language(unittest.TestCase):
             shown = self.text("fast", of, name)
             options = re.search(r"-O3 [\w= -]+", shown)[0].split()
             with self.subTest(name), tempfile.TemporaryDirectory() as folder:
-                written_to(Path(folder), {"loop.c": f"{shown}void loop(const float *restrict x, const float *restrict y, float "
-                                          f"*restrict out, int n) {{ for (int i = 0; i < n; i++) out[i] = {name}({call}); }}"})
+                written_to(Path(folder), {
+                    "loop.c": f"{shown}void loop(const float *restrict x, const float *restrict y, float *restrict out, "
+                              f"int n) {{ for (int i = 0; i < n; i++) out[i] = {name}({call}); }}\n"})
                 for more, is_found in (("-ftree-vectorize", True), ("-fno-tree-vectorize", False)):
                     ran(Path(folder), "gcc", "-std=c99", *options, more, f"-fopt-info-vec=found{more}", "-c", "loop.c")
                     found = (Path(folder) / f"found{more}").read_text(encoding="ascii")
