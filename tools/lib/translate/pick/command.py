@@ -58,7 +58,8 @@ SYNTAXES: dict[str, type[Syntax]] = {
         ("rust", "rust", "Rust"), ("csharp", "csharp", "CSharp"), ("c", "c", "C"),
         ("typescript", "javascript", "TypeScript"), ("javascript", "javascript", "JavaScript"),
         ("java", "java", "Java"), ("go", "go", "Go"), ("python", "python", "Python"), ("osl", "osl", "Osl")) if Path(__file__).with_name(f"{module}.py").is_file()}
-ALIASES = {"glsl-es": "glsl"}  # since one text is for both
+# One text is for all of these.
+ALIASES = {"glsl-es": "glsl", "cuda": "c", "hip": "c", "opencl": "c"}
 VERILOG = "verilog"  # modules for programs that make circuits; verilog.py can be deleted
 OTHERS = [VERILOG] if Path(__file__).with_name("verilog.py").is_file() else []
 OF_VERILOG = ("constants", "clock", "stages", "multipliers")
@@ -231,9 +232,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
                         help="glsl (the default, and glsl-es is the same) is for 3.30 and later, GLSL ES 3.00 and WebGL2, "
                         "and with precise for 4.00 and ES 3.20; glsl-desktop is without highp, which naga refuses; "
                         "hlsl is for the shader models 5 and 6; precise is for glsl, hlsl and the languages of the CPU; "
-                        "rust needs core alone; csharp is a static class; c is a header of C99; typescript and "
-                        "javascript are modules; java is for 17 and later; go for 1.18 and later; osl is a shader of "
-                        "the first function, too; tsl is a module of nodes for "
+                        "rust needs core alone; csharp is a static class; c is a header of C99, C++, CUDA, "
+                        "HIP and OpenCL C, and cuda, hip and opencl are the same; typescript and javascript are modules; "
+                        "java is for 17 and later; go for 1.18 and later; osl is a shader of the first function, too; tsl is a module of nodes for "
                         "three.js; verilog is a pipeline for each function, of integers")
     add_options(parser, ARITHMETICS, None, "default: fast, and of verilog fixed")
     parser.add_argument("--noise", metavar="FORM", help="what sums are over, in place of hn_perlin: such as "
