@@ -27,7 +27,8 @@ sys.path.insert(0, str(EXAMPLES.parent / "tools" / "lib"))
 
 from screen import Absent, Screen  # noqa: E402
 
-from base import chromium, twin  # noqa: E402
+from base import chromium, cuda, ptx, twin  # noqa: E402
+from base.debian import Missing  # noqa: E402
 from base.png import read_png  # noqa: E402
 from base.tree import ROOT  # noqa: E402
 from base.versions import take_newest  # noqa: E402
@@ -39,8 +40,8 @@ SIZE = 640, 480
 RAYLIB = "6.0.0"
 
 
-def commands(title: str, start: str) -> list[str]:
-    section = re.search(rf"^## {title}\n(.*?)(?=^## |\Z)", PAGE, re.MULTILINE | re.DOTALL)[1]
+def commands(title: str, start: str, page: str = PAGE) -> list[str]:
+    section = re.search(rf"^## {title}\n(.*?)(?=^## |\Z)", page, re.MULTILINE | re.DOTALL)[1]
     return [line.strip() for line in section.splitlines() if line.startswith(f"    {start}")]
 
 
@@ -335,6 +336,59 @@ class Vulkan(Example):
         x, y, height = titles[-1]
         self.assertEqual(subprocess.run([self.folder / "heights", self.name, x, y], check=True, text=True,
                                         stdout=subprocess.PIPE).stdout.strip(), height)
+
+
+class Cuda(unittest.TestCase):
+    """The program is built by the commands of the page. Where there is no GPU it states that, and a CPU runs the PTX of
+    its kernel."""
+
+    work: Path
+    CALLER = """
+void fill(void*);
+int main(void) {
+  static float heights[640 * 480];
+  for (ntid_x = 128, ctaid_y = 0; ctaid_y < 480; ++ctaid_y)
+    for (ctaid_x = 0; ctaid_x < 5; ++ctaid_x)
+      for (tid_x = 0; tid_x < ntid_x; ++tid_x) fill(heights);
+  return fwrite(heights, sizeof heights, 1, stdout) != 1;
+}
+"""
+
+    def setUp(self):
+        try:
+            self.nvcc = cuda.toolkit() / "bin" / "nvcc"
+        except Missing as why:
+            self.skipTest(str(why))
+        self.folder = self.work / "cuda"
+        self.copy = copied(self.folder, "cuda")
+
+    def of_the_kernel(self) -> array.array:
+        """The map that it fills."""
+        ptx_file, source, program = (self.folder / f"kernel{suffix}" for suffix in (".ptx", ".c", ""))
+        subprocess.run([self.nvcc, "-std=c++20", "-arch=sm_75", f"-I{self.copy / 'include'}", "-ptx", "-o", ptx_file,
+                        self.copy / "examples" / "cuda" / "main.cu"], check=True)
+        text = "#include <stdio.h>\n" + ptx.to_c(ptx_file.read_text(encoding="ascii")) + self.CALLER
+        source.write_text(text.replace("const void*", "void*"), encoding="ascii")
+        subprocess.run(["gcc", "-O1", *ptx.FLAGS, source, "-o", program, "-lm"], check=True)
+        return array.array("f", subprocess.run([program], check=True, stdout=subprocess.PIPE).stdout)
+
+    def test_the_kernel_has_the_heights_of_the_twin(self):
+        self.assertEqual(self.of_the_kernel(), heights(self.folder, "cuda"))
+        main = self.copy / "examples" / "cuda" / "main.cu"
+        main.write_text(main.read_text().replace("0.5f, 7u", "0.5f, 8u"))
+        self.assertNotEqual(self.of_the_kernel(), heights(self.folder, "cuda"))
+
+    def test_the_program_runs(self):
+        page = (ROOT / "docs" / "guide" / "gpu-computing.md").read_text()
+        configure, build = commands("Perlin noise in CUDA and HIP", "cmake", page)
+        for command in (configure, build):
+            done = subprocess.run(command, shell=True, cwd=self.folder, capture_output=True, text=True, check=False,
+                                  env={**os.environ, "CUDACXX": str(self.nvcc), "CUDAFLAGS": "-Werror all-warnings"})
+            self.assertIn(done.returncode, (0, 3), done.stdout + done.stderr)
+        if done.returncode:
+            self.assertIn("heights: there is no GPU that CUDA can use: ", done.stderr)
+        else:
+            self.assertIn("\n0 of 307200 heights differ\n", done.stdout)
 
 
 class Screens(unittest.TestCase):

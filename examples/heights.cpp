@@ -1,6 +1,6 @@
 // How high the land of the examples' pictures is by the twin, and how thick the clouds of Bevy's are at the start: for
 // each pixel, from the upper left, the word of a float.
-//   heights vulkan|raylib|webgl|bevy [X Y]    one pixel alone, in decimals; else all, as they are in memory
+//   heights vulkan|raylib|webgl|bevy|cuda [X Y]    one pixel alone, in decimals; else all, as they are in memory
 #define HN_ARITHMETIC HN_FIXED
 #include <cstdio>
 #include <cstdlib>
@@ -29,16 +29,18 @@ static float of_bevy(int x, int y) {
   return hashnoise::hn_clouds(hashnoise::vec3(uv.x * 8.0f, uv.y * 4.5f, 0.0f), 6, 2.0f, 0.5f, 7u);
 }
 
+static float of_cuda(int x, int y) {
+  return hashnoise::hn_fbm(hashnoise::vec2(hashnoise::ivec2(x, y)) / 128.0f, 6, 2.0f, 0.5f, 7u);
+}
+
 struct Picture {
   const char* name;
   float (*height)(int x, int y);
   int width, lines;
 };
 static constexpr Picture kPictures[] = {
-    {"vulkan", of_vulkan, 640, 480},
-    {"raylib", of_raylib, 640, 480},
-    {"webgl", of_webgl, 640, 480},
-    {"bevy", of_bevy, 1280, 720},
+    {"vulkan", of_vulkan, 640, 480}, {"raylib", of_raylib, 640, 480}, {"webgl", of_webgl, 640, 480},
+    {"bevy", of_bevy, 1280, 720},    {"cuda", of_cuda, 640, 480},
 };
 
 int main(int count, char** arguments) {

@@ -1,7 +1,7 @@
 # The tests of the examples, for ctest. Each example is a project of its own, which is built as a user builds it, with
 # all that it uses, and so is for thorough runs, but for the page. By default it is also tested that the tests of the
 # screens can fail.
-foreach(example Screens Webgl Raylib Vulkan Bevy)
+foreach(example Screens Webgl Raylib Vulkan Bevy Cuda)
   string(TOLOWER ${example} name)
   if(NOT example STREQUAL Screens AND NOT EXISTS ${CMAKE_CURRENT_LIST_DIR}/${name})
     continue()

@@ -3,6 +3,7 @@
 // compiles this with many flags; some let a compiler change the values of floats, so only the twin computes in floats
 // here.
 //
+// With HN_TEST_EVERY_FORM all functions are tried, and with HN_TEST_KERNELS the kernels of kernels.cu in their place.
 // With HN_TEST_KNOWN_INTEGERS all integer inputs are constants, the cell and the seed among them, and with
 // HN_TEST_KNOWN_FLOATS all floats are: compilers evaluate constants themselves.
 #include <array>
@@ -122,10 +123,16 @@ uvec4 words_from(const uint* words) {
                word_of<Row, kColumn + 3>(words));
 }
 
+#ifdef HN_TEST_EVERY_FORM
+constexpr bool kEveryForm = true;
+#else
+constexpr bool kEveryForm = false;
+#endif
+
 template <typename Row, typename Evaluate>
 void digest(std::string_view id, std::string_view family, Evaluate evaluate) {
   // Exact functions have no arithmetic, and of the two kinds of gradients only the selected one is evaluated.
-  if (family == "independent" || family == "hash" || family == "sine_gradient") return;
+  if (!kEveryForm && (family == "independent" || family == "hash" || family == "sine_gradient")) return;
   state = functions++ << 32;
   std::uint64_t hash = 14695981039346656037u;
   std::printf("%.*s", static_cast<int>(id.size()), id.data());
@@ -142,6 +149,7 @@ void digest(std::string_view id, std::string_view family, Evaluate evaluate) {
 }
 
 constexpr bool is_tried(std::string_view id) {
+  if (kEveryForm) return true;
   if (!kKnown.empty()) {  // what takes a cell, and by default what has ramps
     if (!id.starts_with("noise") || !id.ends_with("_cell") || id.find("cell") != id.rfind("cell")) return false;
 #ifdef HN_TEST_EACH_KIND
@@ -168,6 +176,18 @@ constexpr bool is_tried(std::string_view id) {
 
 #define SEEDED(s) , s
 #define SEED(s) s
+#ifdef HN_TEST_KERNELS
+extern "C" void hn_test_kernel(int line, const uint* in, uint* out);
+static uvec4 of_kernel(int line, uvec4 a, uvec4 b, uvec4 c, uvec4 d) {
+  const uint in[] = {a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, c.x, c.y, c.z, c.w, d.x, d.y, d.z, d.w};
+  uint out[4];
+  hn_test_kernel(line, in, out);
+  return uvec4(out[0], out[1], out[2], out[3]);
+}
+#define BODY(...) return of_kernel(__LINE__, a, b, c, d);
+#else
+#define BODY(...) __VA_ARGS__
+#endif
 
 int main(int argc, char**) {
   few_only = argc > 1;
@@ -192,7 +212,7 @@ int main(int argc, char**) {
     };                                                                                           \
     digest<Row>(id, #family,                                                                     \
                 []([[maybe_unused]] uvec4 a, [[maybe_unused]] uvec4 b, [[maybe_unused]] uvec4 c, \
-                   [[maybe_unused]] uvec4 d) -> uvec4 { __VA_ARGS__ });                          \
+                   [[maybe_unused]] uvec4 d) -> uvec4 { BODY(__VA_ARGS__) });                    \
   }
 #include "library/bodies.inc"
 #endif

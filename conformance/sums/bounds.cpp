@@ -345,21 +345,15 @@ double value_tolerance(const SumRule& rule, const OctaveArguments& arguments, co
                          ": write it, and name it in the switch");
 }
 
-std::string name_of(SumStep step) {
-  constexpr auto kNames = std::to_array<const char*>({
-#define SUM_STEP(name) #name,
+// For refuse, by their numbers.
+constexpr auto kSteps = std::to_array<const char*>({
+#define SUM_STEP(name) "step " #name,
 #include "library/sums.inc"
-  });
-  return kNames.at(static_cast<std::size_t>(step));
-}
-
-std::string name_of(SumMean mean) {
-  constexpr auto kNames = std::to_array<const char*>({
-#define SUM_MEAN(name) #name,
+});
+constexpr auto kMeans = std::to_array<const char*>({
+#define SUM_MEAN(name) "mean " #name,
 #include "library/sums.inc"
-  });
-  return kNames.at(static_cast<std::size_t>(mean));
-}
+});
 
 Proof proof_of(SumStep step) {
   switch (step) {
@@ -384,7 +378,7 @@ Proof proof_of(SumStep step) {
     case SumStep::warp_progressive:
       return {true, as_they_are, nullptr, progressive_tolerance};
   }
-  refuse("step " + name_of(step));
+  refuse(kSteps.at(static_cast<std::size_t>(step)));
 }
 
 //   billows = 2*mean - 1
@@ -403,7 +397,7 @@ double end_tolerance(SumMean end, double error) {
     case SumMean::billows:
       return 2.0 * error + kUnit * (1.0 + 2.0 * error);
   }
-  refuse("mean " + name_of(end));
+  refuse(kMeans.at(static_cast<std::size_t>(end)));
 }
 
 }  // namespace
@@ -428,7 +422,8 @@ double octave_tolerance(const SumRule& rule, const OctaveArguments& arguments, c
 // The products of a column with a gradient have magnitudes whose sum is at most the product of lengths (Cauchy).
 double octave_slope_tolerance(const SumRule& rule, const OctaveArguments& arguments, const FloatBounds& noise,
                               const FloatBounds& slope) {
-  if (rule.step != SumStep::fbm_d) refuse("derivatives of the step " + name_of(rule.step));
+  if (rule.step != SumStep::fbm_d)
+    refuse(std::string("derivatives of the ") + kSteps.at(static_cast<std::size_t>(rule.step)));
   if (arguments.from_cell && !(arguments.lacunarity >= 0.0 && arguments.lacunarity <= 255.0)) return kInfinite;
   if (count_of(arguments) == 0) return 0.0;
   if (!in_domain(arguments)) return kInfinite;

@@ -52,16 +52,14 @@
 // Compilers vectorize a loop over a noise only if the whole noise is inlined into it. A small program calls it.
 #if defined(HN_I_CALLED)
 #define HN_FN static
-#elif defined(_MSC_VER)
-#define HN_FN __forceinline
 #else
-#define HN_FN [[gnu::always_inline]] inline
+#define HN_FN HN_I_INLINE  // glsl.hpp
 #endif
 #define HN_I_OUT(type) type&
 #define HN_I_INOUT(type) type&
 // clang-format off
 #define HN_I_NEW(type, name) type name{}  // without the braces -Weffc++ warns
-#define HN_I_MADE(type) type() : cell(), fraction(), rest(), period(), tiled() {}
+#define HN_I_MADE(type) HN_I_INLINE type() : cell(), fraction(), rest(), period(), tiled() {}
 // clang-format on
 #define HN_I_HAS_PRECISE 1
 #endif

@@ -20,15 +20,19 @@
 #include <cmath>
 #include <concepts>
 #include <cstdint>
-#include <limits>
 
 // Before each function: vectors of lanes (lanes.hpp) are fast only if none is called, and a linker may take the copy of
-// a called one from another translation unit, which was compiled for another processor. Behind the parameters of a
-// lambda stands HN_I_INLINED, for which MSVC has no word.
-#ifdef _MSC_VER
-#define HN_I_INLINE __forceinline
+// a called one from another translation unit, which was compiled for another processor. In CUDA and HIP a kernel may
+// call it, too. Behind the parameters of a lambda stands HN_I_INLINED, for which MSVC has no word.
+#if defined(__CUDACC__) || defined(__HIPCC__)
+#define HN_I_DEVICE __host__ __device__
 #else
-#define HN_I_INLINE [[gnu::always_inline]] inline
+#define HN_I_DEVICE
+#endif
+#ifdef _MSC_VER
+#define HN_I_INLINE HN_I_DEVICE __forceinline
+#else
+#define HN_I_INLINE [[gnu::always_inline]] HN_I_DEVICE inline
 #endif
 #if defined(__GNUC__) || defined(__clang__)
 #define HN_I_INLINED __attribute__((always_inline))
@@ -80,7 +84,7 @@ HN_I_INLINE constexpr int convert<int, float>(float value) {
 
 template <>
 HN_I_INLINE constexpr uint convert<uint, float>(float value) {
-  if (value >= 4294967296.0f) return std::numeric_limits<uint>::max();
+  if (value >= 4294967296.0f) return 0xFFFFFFFFu;
   return value > 0.0f ? static_cast<uint>(value) : 0u;
 }
 

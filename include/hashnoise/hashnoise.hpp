@@ -10,8 +10,10 @@
 // -fno-math-errno, and GCC with -fno-trapping-math besides. Give either the -march of the machine. grid.hpp and
 // field.hpp have such loops over grids and lists of points, for sums, too.
 //
-// HN_FIXED has the same bits under any compiler's flags. The floats of HN_PRECISE need -ffp-contract=off, and no
-// fast-math, and on 32-bit x86 -msse2 -mfpmath=sse.
+// Kernels of CUDA and HIP may call the functions, too.
+//
+// HN_FIXED has the same bits under any compiler's flags. The floats of HN_PRECISE need -ffp-contract=off (nvcc
+// -fmad=false), and no fast-math, and on 32-bit x86 -msse2 -mfpmath=sse.
 //
 // Knobs (config.glsl) are macros, to be defined before the include. HN_HASH, HN_GRADIENT and HN_ARITHMETIC name inline
 // namespaces, so that translation units that differ in them may be linked together. HN_HASH_FN does not: its meaning

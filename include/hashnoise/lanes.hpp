@@ -38,6 +38,10 @@
 #include <cstring>
 #include <type_traits>
 
+#ifdef __NVCC__
+#error lanes.hpp and grid.hpp are for CPUs, and nvcc does not take them: include them in a .cpp file, or take hashnoise.hpp
+#endif
+
 #if !defined(__GNUC__) && !defined(__clang__) && !defined(HN_LANES_PORTABLE)
 #define HN_LANES_PORTABLE
 #endif

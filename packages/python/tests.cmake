@@ -43,6 +43,14 @@ set_tests_properties(python.registry PROPERTIES FIXTURES_REQUIRED python_wheel S
 add_test(NAME python.types CONFIGURATIONS Thorough
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with mypy.txt ${package_environment} types_test)
 set_tests_properties(python.types PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)
+# docs/guide/gpu-computing.md: what runs kernels of OpenCL and CUDA on a CPU, and in a thorough run PyTorch and the others,
+# which have gigabytes.
+add_test(NAME python.computing COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with computing.txt
+                                       ${package_environment} computing_test.Programs)
+add_test(NAME python.computing_thorough CONFIGURATIONS Thorough
+         COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with computing_thorough.txt
+                 ${package_environment} computing_test.Thorough)
+set_tests_properties(python.computing python.computing_thorough PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)
 foreach(subject arrays documents golden odd options source)
   add_test(NAME python.${subject} COMMAND Python3::Interpreter -B ${package_tests}/environment.py run ${package_environment} ${subject}_test)
   set_tests_properties(python.${subject} PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)

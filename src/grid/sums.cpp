@@ -62,12 +62,13 @@ struct ResolvedFbm {
 
   template <typename Position, typename Noise>
   HN_I_INLINE static Float at(const Position& p, const Noise& noise, const Arguments<D>& given) {
-    auto o = octaves_at(p, given);
-    if constexpr (kHasDetail) {
-      o = hn_octaves(p, given.limit, given.lacunarity, given.gain, given.seed);
-    } else {
-      o = hn_octaves(p, given.limit, given.octaves, given.lacunarity, given.gain, given.seed);
-    }
+    auto o = [&]() HN_I_INLINED {
+      if constexpr (kHasDetail) {
+        return hn_octaves(p, given.limit, given.lacunarity, given.gain, given.seed);
+      } else {
+        return hn_octaves(p, given.limit, given.octaves, given.lacunarity, given.gain, given.seed);
+      }
+    }();
     do {
       const Float n = noise(o);
       if constexpr (kHasDetail) {
@@ -222,7 +223,7 @@ HN_I_INLINE ivec2 next_along(ivec2 a, ivec2 b, int along, int across, int shift)
   const Int low = along * a.x + across * b.x + (rest >> 24);
   return ivec2(low >> 5, ((low & 31) << 19) | ((rest & (HN_I_UNITS_POSITION - 1)) >> 5));
 }
-// The next octave, for such cells and a lacunarity of 2, which the factors have. A cell becomes 3.4 times as large at
+// hn_i_advance, for such cells and a lacunarity of 2, which the factors have. A cell becomes 3.4 times as large at
 // most.
 constexpr double kMostNear = HN_I_UNITS_POSITION;
 template <int D, typename Octaves>
@@ -238,14 +239,6 @@ HN_I_INLINE void advance_near(Octaves& o) {
     o.z = next_along(z, turned, 2 * HN_I_COS_YZ, HN_I_SIN_YZ, HN_I_SHIFT_Z);
   }
   hn_i_update_place(o);
-}
-
-// The next octave of points that share its number, which no loop here counts.
-template <typename Octaves>
-HN_I_INLINE void next(Octaves& o) {
-  o.sum.at = Int(0);
-  o.sum.octaves = Int(2);
-  hn_next(o);
 }
 
 // A fractal octave by octave over some points: first the positions of an octave, then the noise there, by its own
@@ -324,7 +317,6 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
       if (!more) break;
       has_cells = kIsWhole;
       const auto period = across.place.period;
-      const hn_i_num weight_of_all = o.sum.weight;
       const auto advance = [&](const auto& to_next) HN_I_INLINED {
         for (int i = 0; i < now.count; i += kCount) {
           each_axis<0, kMoving>([&](auto axis) HN_I_INLINED { spots.template put<axis>(i, o); });
@@ -337,14 +329,13 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
       } else if constexpr (kIsWhole) {
         advance([&]() HN_I_INLINED {
           if (kIsTiled) o.place.period = period;  // the next octave's follows from it
-          next(o);
+          hn_i_advance(o);
         });
       } else {
-        advance([&]() HN_I_INLINED { next(o); });
+        advance([&]() HN_I_INLINED { o.p = hn_i_next(o.p, o.lacunarity); });
       }
-      o.sum.weight = weight_of_all;
       farthest = 3.4 * farthest + 2.0;
-      if constexpr (kIsTiled) next(across);
+      if constexpr (kIsTiled) hn_i_advance(across);
       of_octave.seed += HN_I_SEED_STEP;
       scale *= static_cast<double>(options.lacunarity < 0.0f ? -options.lacunarity : options.lacunarity);
       now.step = (b.step + b.rounding) * scale;

@@ -36,7 +36,7 @@ PIECES: dict[str, tuple[str, ...]] = {
     "unity": ("packages/unity", "tools/lib/ship/unity"),
     **{name: (f"packages/{name}", f"tools/lib/ship/{name}") for name in ("isf", "materialx", "rust", "unreal", "wesl")},
     **{name: (f"packages/{name}",) for name in ("build-systems", "conan", "vcpkg")},
-    **{name: (f"examples/{name}",) for name in ("bevy", "dask", "raylib", "vulkan", "webgl")},
+    **{name: (f"examples/{name}",) for name in ("bevy", "cuda", "dask", "raylib", "vulkan", "webgl")},
     "three": ("examples/three", "packages/npm/tests/three.mjs"),
     # Languages of tools/pick, the two last with the packages that are made of them.
     **{f"pick-{name}": (f"tools/lib/translate/pick/{name}.py",) for name in ("go", "java")},

@@ -303,7 +303,6 @@ def names_of_two_kinds(tree: Tree) -> Iterator[str]:
 PAGES = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "llms.txt", "docs/*/*.md", "docs/guide/gallery/*.md", "examples/**/*.md",
          "packages/*/README.md")
 OF_THE_INSIDE = {"adding", "frozen", "glossary", "internals", "one-noise", "release"}  # pages for who changes the library
-PICKED = re.compile(r"<!-- tools/make pages: picked.*?<!-- end -->", re.DOTALL)  # texts that tools/pick writes
 
 
 def internal_names_in_pages(tree: Tree) -> Iterator[str]:
@@ -311,7 +310,7 @@ def internal_names_in_pages(tree: Tree) -> Iterator[str]:
     for path in (path for pages in PAGES for path in sorted(tree.root.glob(pages))):
         if path.stem in OF_THE_INSIDE:
             continue
-        page = PICKED.sub(lambda text: "\n" * text[0].count("\n"), path.read_text(encoding="utf-8"))
+        page = path.read_text(encoding="utf-8")
         for match in re.finditer(r"\bhn_i_\w*|\bHN_I_\w*", page):
             yield (f"{path}:{page.count(chr(10), 0, match.start()) + 1}: {match[0]} is internal: recommend a public "
                    "function, or publish one")

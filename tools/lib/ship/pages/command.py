@@ -60,8 +60,6 @@ def tables() -> list[tuple[str, str, str]]:
             (LANGUAGES, "tools/make pages: picks", files.picks_table()),
             (LANGUAGES, "tools/make pages: files", files.files_table()),
             (ENGINES, "tools/make pages: nodes", files.nodes_table()),
-            *([] if is_deleted("pick-rust") else [
-                (LANGUAGES, "tools/make pages: picked in Rust", files.picked_text("hn_lattice2", "rust"))]),
             *of_packages(), *of_measuring("tables")]
 
 

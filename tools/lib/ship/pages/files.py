@@ -9,7 +9,7 @@ from base.tree import GLSL
 from catalog import popular
 from catalog.tables import glsl
 from catalog.tables.markdown import table
-from translate.pick.command import ARITHMETICS, Choice, picker, read_library
+from translate.pick.command import ARITHMETICS, Choice, read_library
 from translate.pick.program import Program, chosen
 from translate.pick.shading import LANGUAGES
 from translate.single_file.files import text
@@ -26,15 +26,13 @@ def size(file: str) -> str:
 
 
 def files_table() -> str:
-    """A row has the functions that the same files have."""
-    rows: dict[tuple[str, ...], list[str]] = {}
+    """The functions that are not in the files of their names. A row has those that the same files have."""
+    rows: dict[str, list[str]] = {}
     for function in sorted({found.name for found in glsl.declarations()}):
-        files = {column: [] for column in "1234*"}
-        for file in glsl.files_of(function):
-            match = DIMENSIONS.search(file)
-            files[match[1] if match else "*"].append(f"`{file}`")
-        rows.setdefault(tuple(", ".join(of) for of in files.values()), []).append(f"`{function}`")
-    return table(("", "1D", "2D", "3D", "4D", "all"), [[", ".join(functions), *cells] for cells, functions in rows.items()])
+        files = sorted({DIMENSIONS.sub("*d.glsl", file) for file in glsl.files_of(function)})
+        if files != [f"{function.removeprefix('hn_')}*d.glsl"]:
+            rows.setdefault(", ".join(f"`{file}`" for file in files), []).append(f"`{function}`")
+    return table(("functions", "files, with the dimensions for `*`"), [[", ".join(functions), files] for files, functions in rows.items()])
 
 
 def nodes_table() -> str:
@@ -56,10 +54,6 @@ PICKED = {"hn_perlin2": "perlin2d.glsl", "hn_perlin3": "perlin3d.glsl", "hn_simp
           "hn_simplex3": "simplex3d.glsl", "hn_cellular2": "cellular2d.glsl", "hn_fbm2": "fbm2d.glsl"}
 
 
-# The library takes half a second to read, so it is read once for each kind of text.
-pick = functools.cache(picker)
-
-
 @functools.cache
 def picks_table() -> str:
     """tools/pick's texts of functions, without the comment, beside the files that they are in."""
@@ -70,7 +64,3 @@ def picks_table() -> str:
         texts = [*(program.text(LANGUAGES["glsl"]) for program in programs), programs[0].text(LANGUAGES["wgsl"])]
         rows.append([f"`{name}`", *(f"{len(shown):,} bytes" for shown in texts), size(file)])
     return table(("", "`HN_FAST`", "`HN_FIXED`", "`HN_FAST` in WGSL", "the file, by `tools/pick whole --strip`"), rows)
-
-
-def picked_text(name: str, language: str) -> str:
-    return f"```{language}\n{pick()([name], Choice(language))}```\n"

@@ -3,6 +3,7 @@ rest."""
 
 import contextlib
 import copy
+import functools
 import io
 import os
 import pathlib
@@ -12,15 +13,18 @@ import tempfile
 import unittest
 from unittest import mock
 
+from base import cuda
+from base.debian import Missing
 from base.pieces import is_deleted, was_deleted
 from base.png import png
+from base.thorough import in_thorough_runs
 from base.tree import ROOT, TOOLS
 from catalog.tables import glsl
 from ship.pages import command, files, numbers, picture
 from ship.recipes import RECIPES
-from translate.pick.command import SYNTAXES
+from translate.pick.command import SYNTAXES, Choice, picker
 
-PAGES = ("README.md", "llms.txt", "docs/guide/build-systems.md", "docs/guide/cellular.md", "docs/guide/cpu.md", "docs/guide/hex-tiling.md",
+PAGES = ("README.md", "llms.txt", "docs/guide/build-systems.md", "docs/guide/cellular.md", "docs/guide/cpu.md", "docs/guide/gpu-computing.md", "docs/guide/hex-tiling.md",
          "docs/reference/knobs.md", "docs/guide/moving.md", "docs/reference/noises.md", "docs/guide/random.md", "docs/guide/same-bits.md", "docs/reference/fractals.md",
          "docs/guide/tutorial.md", "docs/guide/uniform.md")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -41,6 +45,7 @@ def run(*arguments, **options):
     return subprocess.run(arguments, capture_output=True, text=True, check=False, **options)
 
 
+@functools.cache
 def single_file(*arguments):
     return run(str(TOOLS / "pick"), "whole", *arguments).stdout
 
@@ -66,12 +71,29 @@ def compile_glsl(code):
         return run("glslangValidator", str(shader))
 
 
-def compile_cpp(code):
+# NVIDIA's headers declare this.
+CUDA = """#define __CUDACC__ 1
+#define __device__ __attribute__((device))
+#define __host__ __attribute__((host))
+#define __global__ __attribute__((global))
+#include <cstddef>
+struct uint3 { unsigned x, y, z; };
+struct dim3 { unsigned x, y = 1, z = 1; __host__ __device__ dim3(unsigned n) : x(n) {} };
+#include <__clang_cuda_builtin_vars.h>
+enum cudaError { cudaSuccess };
+cudaError cudaConfigureCall(dim3, dim3, std::size_t = 0, void* = nullptr);
+cudaError cudaDeviceSynchronize();
+template <class T> cudaError cudaMallocManaged(T**, std::size_t);
+"""
+CLANG_CUDA = ("clang++", "-x", "cuda", "-nocudainc", "-nocudalib", "--cuda-gpu-arch=sm_75")
+
+
+def compile_cpp(code, *compiler):
     with tempfile.NamedTemporaryFile("w", suffix=".cpp") as source:
         source.write(code)
         source.flush()
-        return run("g++", "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-I", str(ROOT / "include"),
-                   source.name)
+        return run(*(compiler or ["g++"]), "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror",
+                   "-I", str(ROOT / "include"), source.name)
 
 
 class Picture(unittest.TestCase):
@@ -117,12 +139,16 @@ class Numbers(unittest.TestCase):
             status = command.main(["--check"])
         return status, output.getvalue()
 
+    def records_alone(self):
+        """The tables of records: the others take several times as long."""
+        return mock.patch.object(command, "tables", new=lambda: [*command.of_measuring("tables")])
+
     def test_pictures_and_numbers_are_what_they_should_be(self):
         self.assertEqual(self.check(), (0, ""))
 
-    @mock.patch.object(picture, "draw", return_value=0)
+    @mock.patch.object(command, "problems", new=lambda _: [])
+    @mock.patch.object(picture, "draw", return_value=1)
     def test_another_picture_is_not_as_it_should_be(self, draw):
-        draw.return_value = 1
         self.assertEqual(self.check()[0], 1)
         drawn = {sheet.path.name for sheet in draw.call_args.args[0]}
         self.assertLess({"noise.png", "metrics.png", "wood.png", "sheet.png"}, drawn)
@@ -132,6 +158,7 @@ class Numbers(unittest.TestCase):
         typical = copy.deepcopy(numbers.typical())
         typical["hn_fbm", 3][1] += 0.1
         with mock.patch.object(numbers, "typical", return_value=typical), \
+                mock.patch.object(command, "of_measuring", new=lambda _: ()), \
                 mock.patch.object(numbers, "golden_quote", return_value="computes 7 golden values"):
             status, output = self.check()
         self.assertEqual(status, 1)
@@ -149,7 +176,7 @@ class Numbers(unittest.TestCase):
         peers["fbm.fbm2.lattice"] = {**peers["fbm.fbm2.lattice"], "ratio": "9.999"}
         gpus = {**of_gpus.costs()}
         gpus["noise2d.perlin.lattice", "m1"] = gpus["noise2d.perlin.lattice", "m1"]._replace(cost="9999")
-        with mock.patch.object(of_gpus, "costs", return_value=gpus), \
+        with self.records_alone(), mock.patch.object(of_gpus, "costs", return_value=gpus), \
                 mock.patch.object(tables, "costs", return_value=costs), \
                 mock.patch.object(tables, "peer_costs", return_value=peers):
             status, output = self.check()
@@ -166,7 +193,8 @@ class Numbers(unittest.TestCase):
                 record = pathlib.Path(folder) / renderer / "bench.csv"
                 record.parent.mkdir()
                 record.write_text("id,ratio,spirv,nvidia\n")
-            with mock.patch.object(tables, "RESULTS", pathlib.Path(folder)), self.assertRaises(SystemExit) as stop:
+            with self.records_alone(), mock.patch.object(tables, "RESULTS", pathlib.Path(folder)), \
+                    self.assertRaises(SystemExit) as stop:
                 self.check()
             self.assertEqual(stop.exception.code, 2)
 
@@ -195,6 +223,26 @@ class Code(unittest.TestCase):
             with self.subTest(code=code):
                 done = compile_cpp(code)
                 self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_cuda_compiles(self):
+        code, = blocks("cuda")
+        self.assertEqual(compile_cpp(CUDA + code, *CLANG_CUDA).stderr, "")
+        host = compile_cpp(CUDA + code.replace("__host__ __device__ ", ""), *CLANG_CUDA)
+        self.assertIn("call to __host__ function from __global__ function", host.stderr)
+
+    @in_thorough_runs
+    def test_nvcc_compiles_cuda(self):
+        code, = blocks("cuda")
+        (_, *words), = commands("nvcc", "docs/guide/gpu-computing.md")
+        try:
+            nvcc = cuda.toolkit() / "bin" / "nvcc"
+        except Missing as why:
+            self.skipTest(str(why))
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "heights.cu").write_text(code)
+            words = [word.replace("hashnoise/", f"{ROOT}/") for word in words]
+            done = run(nvcc, *words, cwd=folder)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_functions_that_pages_name_exist(self):
         known = {function.name for function in glsl.declarations()}
@@ -255,14 +303,15 @@ class ForMachines(unittest.TestCase):
 
     def test_calls_in_other_languages_take_what_picked_functions_take(self):
         rows = dict(re.findall(r"^\| ([A-Z][\w+#, ]*) \| `(.*)` \|$", self.text, re.MULTILINE))
+        pick = picker()
         for heading, language in (("Rust", "rust"), ("C#", "csharp"), ("C", "c"), ("Java", "java"), ("Go", "go"),
                                   ("JavaScript, TypeScript", "javascript"), ("JavaScript, TypeScript", "typescript")):
             if language not in SYNTAXES:
                 continue
             with self.subTest(language):
                 name, arguments = re.fullmatch(r"(?:\w+\.)?(\w+)\((.*)\)", rows[heading]).groups()
-                written = files.picked_text("hn_fbm2", language)
-                declared = re.search(rf"(?:fn|func|function|public static float|static inline float) {name}\((.*?)\)",
+                written = pick(["hn_fbm2"], Choice(language))
+                declared = re.search(rf"(?:fn|func|function|public static float|HN_INLINE float) {name}\((.*?)\)",
                                      written, re.DOTALL)
                 self.assertEqual(arguments.count(","), declared[1].rstrip(", \n").count(","))
         code = f"#include <hashnoise/hashnoise.hpp>\nfloat f(float x, float y) {{ return {rows['C++']}; }}"

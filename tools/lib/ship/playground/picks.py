@@ -8,7 +8,6 @@ sources changes."""
 from __future__ import annotations
 
 import base64
-import gc
 import json
 import re
 import zlib
@@ -202,8 +201,7 @@ def compressed(text: str) -> str:
 def texts(tell: Callable[[str], None] = lambda _: None) -> dict[str, str]:
     """JSON, compressed."""
     tell(f"Picking what pictures call, in {len(SHADING) + len(CPU)} languages: about 20 seconds of a processor core ...")
-    # Nodes of expressions are in no cycles: looking for some takes a quarter of the time, and frees nothing.
-    with ProcessPoolExecutor(initializer=gc.disable) as pool:
+    with ProcessPoolExecutor() as pool:
         every = every_module(pool.map(pieces_of, settings()))
     return {"pieces": compressed(json.dumps(data({key: every[key] for key in sorted(every)}), separators=(",", ":")))}
 

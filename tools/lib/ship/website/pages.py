@@ -18,7 +18,8 @@ GROUPS = {
     "Guide": ["guide/tutorial", "guide/gallery/README", "guide/languages", "guide/moving", "guide/cellular",
               "guide/random", "guide/uniform", "guide/hex-tiling", "guide/same-bits"],
     "Where you are": ["guide/playground", "guide/bake", "guide/build-systems", "guide/javascript", "guide/python",
-                      "guide/notebook", "guide/dask", "guide/cpu", "guide/engines", "guide/godot", "guide/conformance"],
+                      "guide/notebook", "guide/dask", "guide/cpu", "guide/gpu-computing", "guide/engines", "guide/godot",
+                      "guide/conformance"],
     "Reference": ["reference/noises", "reference/fractals", "reference/knobs", "reference/snippets/README",
                   "reference/contract", "reference/frozen", "reference/formats", "reference/checks",
                   "reference/glossary"],
@@ -46,6 +47,7 @@ WORDS = {
                                    "Warps": ("domain warp", "domain warping", "domain distortion"),
                                    "Gullies": ("erosion",)},
     "docs/guide/cellular.md": {"Cellular noise: distances, cells and borders": ("Worley", "Worley noise", "Voronoi", "cells")},
+    "docs/guide/gpu-computing.md": {"Noise on GPUs: CUDA, OpenCL, PyTorch": ("CUDA", "NVIDIA", "GPU", "HIP", "ROCm", "tensors")},
     "docs/guide/same-bits.md": {"The same bits on server and client": ("deterministic", "determinism", "multiplayer"),
                                 "A server": ("server", "Go", "golang", "Rust", "Java", "C#")},
 }

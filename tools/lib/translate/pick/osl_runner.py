@@ -43,7 +43,7 @@ SHADER = """shader calls(output color shown = 0) {{
 class OslRunner(CRunner):
     syntax = Osl
     programs = ()
-    packages = ""
+    packages = struct_of = ""
     arithmetics = ("fast", "fixed")
     read = {"float": "floats[at++]", "int": "words[at++]", "uint": "words[at++]", "bool": "words[at++] != 0"}
     write = {"float": "put_float(shown, row, to, {});", **dict.fromkeys(("int", "uint", "bool"),

@@ -542,7 +542,8 @@ class Comments(unittest.TestCase):
             (["hn_fbm2"], command.Choice("c", hash="pcg")), (["hn_fbm2"], command.Choice("c", gradient="sine")),
             (["hn_fbm2"], command.Choice("c", noise="hn_simplex2")), (["hn_fbm2", "hn_value2"], command.Choice("c")),
             (["hn_random2"], command.Choice("c")))]
-        guards = {re.search(r"#ifndef (HN_\w+_[0-9A-F]{8}_H)\n#define \1\n", shown)[1] for shown in (one, *others)}
+        guards = {re.search(r"#if !defined\((HN_\w+_[0-9A-F]{8}_H)\) .*\n#define \1\n", shown)[1]
+                  for shown in (one, *others)}
         self.assertEqual(len(guards), 1 + len(others))
         main = ('#include "first.h"\n#include "second.h"\n'
                     "float made(void) { return hn_fbm2(1.5f, 2.5f, 6, 2.0f, 0.5f, 7u); }\n")
@@ -599,6 +600,8 @@ class Command(unittest.TestCase):
     def test_it_says_what_it_wrote_and_how(self) -> None:
         status, shown = self.call("hn_value2", "--arithmetic", "fixed", "--language", "glsl-es")
         self.assertEqual((status, shown), self.call("hn_value2", "--arithmetic", "fixed"))
+        of_c = {self.call("hn_value2", "--language", language) for language in ("c", "cuda", "hip", "opencl")}
+        self.assertEqual(len(of_c), 1)
         self.assertEqual(status, 0)
         self.assertRegex(shown, r"^// hn_value\(vec2 p, uint seed\)\n// Value noise")
         self.assertRegex(shown, r"\n//   returns +\[-1, 1\]")

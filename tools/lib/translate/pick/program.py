@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import difflib
 import functools
+import gc
 import re
 import textwrap
 from collections import Counter
@@ -35,6 +36,7 @@ JOINED = re.compile(r"\w*(,\w*)+")
 STEP = re.compile("hn_(add|next|octaves|mean|density|slopes|shifts)")  # of a loop over octaves
 SUMMED = ("hn_perlin", "hn_perlin_d")  # by sums, at the place of an octave
 Key = tuple[str, tuple[str, ...]]
+gc.set_threshold(1_000_000)  # nodes of expressions are in no cycles, and to look for some takes a fifth of the time
 
 
 def read(library: Path, settings: dict[str, str], splits: bool = False, own: Sequence[Function] = (),
