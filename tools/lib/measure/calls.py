@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import importlib
 import importlib.metadata
+import operator
 import os
 import re
 import sys
@@ -101,7 +102,7 @@ def _over_arrays(is_ours, arithmetic="fast"):
         at = numpy.arange(SIDE, dtype=numpy.float32) * numpy.float32(STEP)
         if module.__name__ == "jax":
             xp, array, compiled, done = module.numpy, module.numpy.asarray, module.jit, module.block_until_ready
-            whole = lambda array: array.astype(int)
+            whole = operator.methodcaller("astype", int)
         else:
             module.set_num_threads(1)
             xp, array, compiled, done = module, module.from_numpy, module.compile, lambda array: array
