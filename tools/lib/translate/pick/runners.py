@@ -644,7 +644,7 @@ class PythonRunner(Runner):
 class JaxRunner(PythonRunner):
     """Below jit, in an environment with what jax.txt names."""
     whole = THOROUGH
-    arithmetics = ("fixed",)  # XLA fuses products
+    arithmetics = ("fixed", "precise")  # XLA fuses products in HN_FAST
     namespace = "jax.jit"
     most = 1
 
