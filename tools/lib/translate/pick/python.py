@@ -1,7 +1,7 @@
 """Python over arrays: one text for NumPy, PyTorch, JAX, CuPy and what else follows the array API.
 
-A word is an int32, whose sums and products wrap around; where its size counts, its sign is turned over. Both branches of
-what depends on arrays are computed, and then it is chosen. Python's own numbers, such as octaves, choose by themselves.
+A word is an int32, whose sums and products wrap around; where its size counts, its sign is turned over. Both branches are
+computed where arrays decide, and then it is chosen. Numbers of Python, such as octaves, decide themselves.
 """
 
 from __future__ import annotations
@@ -514,7 +514,7 @@ def _quotient_word(xp, a, b):
 
     @staticmethod
     def kind(name: str, type_: str) -> str:
-        """What users pass for a parameter (_called)."""
+        """The kind of value that users pass for a parameter (_called)."""
         if type_ not in SIZES:
             return "s"
         return "n" if name in STATIC else "d" if name == "detail" else {"float": "f", "uint": "u"}.get(type_, "i")
