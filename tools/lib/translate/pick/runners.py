@@ -325,7 +325,8 @@ __kernel void run{number:03}(__global uint32_t *at, __global const uint32_t *inp
     MAIN = """import sys
 import numpy
 import pyopencl
-context = pyopencl.Context(pyopencl.get_platforms()[0].get_devices())
+device = [one for platform in pyopencl.get_platforms() for one in platform.get_devices()][0]
+context = pyopencl.Context([device])
 queue = pyopencl.CommandQueue(context)
 words = [numpy.zeros(2, "u4"), numpy.fromfile("inputs", "u4"), numpy.zeros(1 << 24, "u4")]
 shared = pyopencl.mem_flags.READ_WRITE | pyopencl.mem_flags.COPY_HOST_PTR
