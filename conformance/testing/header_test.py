@@ -440,6 +440,11 @@ class Headers(unittest.TestCase):
             said = messages(COMPILERS[0], including("glsl.hpp"), "-std=c++17", f"-D_MSVC_LANG={version}")
             self.assertEqual("hashnoise needs C++20" in said, refused, version)
 
+    def test_nvcc_is_refused_by_name_where_its_front_end_fails(self) -> None:
+        for cuda in (("-D__CUDACC__",), ()):  # nvcc passes .cpp files on
+            said = messages(COMPILERS[0], including("grid.hpp"), "-std=c++20", "-D__NVCC__", *cuda, only="-E")
+            self.assertEqual("include them in a .cpp file" in said, bool(cuda))
+
     def test_sums_over_several_noises_live_in_one_file(self) -> None:
         for turn, arithmetic in enumerate(ARITHMETICS):
             for compiler in some_compilers(turn):

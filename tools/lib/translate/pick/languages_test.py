@@ -28,9 +28,12 @@ from translate.pick.evaluate import Module
 from translate.pick.osl_runner import OslRunner
 from translate.pick.program import Program, chosen, read
 from translate.pick.runners import (
+    ARRAYS,
     RUNNERS,
     Case,
+    CRunner,
     JavaRunner,
+    JaxRunner,
     NotInstalled,
     NotRun,
     OpenClRunner,
@@ -47,10 +50,31 @@ SKIPPED = 77
 SPECIAL = ("hn_next2", "hn_fbm2", "hn_cellular2_nearest", "hn_cell_border2_nearest", "hn_tile2", "hn_fbm_d2",
            "hn_shuffle")
 
-ALL_RUNNERS = {**RUNNERS, "osl": OslRunner, "opencl": OpenClRunner}
+ALL_RUNNERS = {**RUNNERS, "osl": OslRunner, "opencl": OpenClRunner, **ARRAYS}
 # Changes of the one text in C that some compiler refuses.
 REFUSED = (("static __host__ __device__ inline", "static inline"), ("#if defined(__OPENCL_VERSION__) ||", "#if 0 &&"),
            ("uint32_t seed)", "uint32_t or)"), ("{\n  hn_vec2 made = {x, y};\n  return made;", "{\n  return (hn_vec2){x, y};"))
+# Functions with slopes of their own, which JAX finds as well.
+SLOPES = ("perlin", "cellular", "value", "simplex", "fbm") if THOROUGH else ("perlin", "cellular")
+# By how much a sum differs below jit from what it is without, for less than 1000 cells, and slopes from the library's, at
+# positions where one in two is whole.
+JIT = """import sys
+import jax
+import numpy
+import fused
+import noise
+drawn = numpy.random.default_rng(7).uniform(-1000, 1000, (3, 100_000)).astype("f4")
+known = noise.fbm3(*drawn, 6, 2.0, 0.5, 7)
+for text in noise, fused:
+    print(abs(known - jax.jit(text.fbm3, static_argnums=3)(*drawn, 6, 2.0, 0.5, 7)).max())
+x, y = numpy.where(numpy.arange(100_000) % 2, drawn[:2] / 100, numpy.round(drawn[:2] / 100))
+for name in sys.argv[1:]:
+    settings = (6, 2.0, 0.5, 7) if name == "fbm" else (7,)
+    value = lambda x, y: jax.tree.leaves(getattr(noise, f"{name}2")(x, y, *settings))[0]
+    found = jax.jit(jax.vmap(jax.grad(value, (0, 1))))(x, y)
+    for one, other in zip(found, getattr(noise, f"{name}_d2")(x, y, *settings)[1:]):
+        print(abs(one - other).max())
+"""
 TOGETHER = ("hn_perlin2", "hn_value3_place", "hn_tile3")  # in one text
 PAGE = (ROOT / "docs" / "guide" / "same-bits.md").read_text(encoding="utf-8")
 # A program that prints the height of the page, and the commands that build and run it.
@@ -87,7 +111,7 @@ def functions(of: Module, arithmetic: str) -> dict[str, Function]:
 
 
 def drawn(of: Module, arithmetic: str) -> dict[str, Function]:
-    """Those that have points: all with integers, for the text of all of them."""
+    """Functions that have points: all with integers, for the text of all of them."""
     return of.forms if arithmetic == "fixed" else functions(of, arithmetic)
 
 
@@ -126,15 +150,22 @@ class Language(unittest.TestCase):
 
     def differing(self, arithmetic: str, of: Module, texts: Sequence[tuple[str, str]]) -> list[str]:
         """How each text of a function differs from the library; nothing if it does not."""
-        known, expected = of.forms, words(self.folder, arithmetic, of)
-        cases = [Case(known[name], shown) for name, shown in texts]
+        known, drawn_words = of.forms, words(self.folder, arithmetic, of)
+        given, expected, points = {}, {}, {}
+        for name in dict.fromkeys(name for name, _ in texts):
+            rows, results = ([one[i:i + len(one) // POINTS] for i in range(0, len(one), len(one) // POINTS)]
+                             for one in drawn_words[name])
+            taken = self.runner.few(of, known[name], rows)
+            given[name], expected[name] = (b"".join(one[i] for i in taken) for one in (rows, results))
+            points[name] = len(taken)
+        cases = [Case(known[name], shown, points[name]) for name, shown in texts]
         with tempfile.TemporaryDirectory() as folder:
-            found = self.runner.run(cases, of, POINTS, b"".join(expected[name][0] for name, _ in texts), Path(folder))
-        self.assertEqual(len(found), sum(len(expected[name][1]) for name, _ in texts))
+            found = self.runner.run(cases, of, b"".join(given[name] for name, _ in texts), Path(folder))
+        self.assertEqual(len(found), sum(len(expected[name]) for name, _ in texts))
         differences: list[str] = []
         for name, _ in texts:
-            back = expected[name][1]
-            differences.append(difference(known[name], back, found[:len(back)]))
+            back = expected[name]
+            differences.append(difference(known[name], back, found[:len(back)], points[name]))
             found = found[len(back):]
         return [f"{name}: {shown}" if shown else "" for (name, _), shown in zip(texts, differences)]
 
@@ -142,7 +173,8 @@ class Language(unittest.TestCase):
         """By default integers, and floats that are precise or not, in turn from language to language."""
         turn = list(ALL_RUNNERS.values()).index(type(self.runner))
         known = self.runner.arithmetics
-        return known if THOROUGH else ("fixed", "precise" if turn % 2 and "precise" in known else "fast")
+        some = ("fixed", "precise" if turn % 2 and "precise" in known else "fast")
+        return known if THOROUGH else [one for one in some if one in known]
 
     def text(self, arithmetic: str, of: Module, *names: str, syntax: type[Syntax] | None = None) -> str:
         syntax = syntax or self.runner.syntax
@@ -157,7 +189,7 @@ class Language(unittest.TestCase):
     def test_the_bits_are_those_of_the_library(self) -> None:
         for arithmetic in self.arithmetics():
             of = module(arithmetic, self.runner.syntax)
-            if isinstance(self.runner, OpenClRunner):
+            if self.runner.whole and (THOROUGH or arithmetic == "fixed"):
                 texts = self.whole(arithmetic, of)
                 self.lint(texts[0][1])
             else:
@@ -183,6 +215,38 @@ class Language(unittest.TestCase):
                 self.assertIn(old, right)
                 with self.assertRaises(NotRun):
                     self.lint(right.replace(old, new))
+
+    def test_below_jit_floats_and_slopes_are_within_their_bounds(self) -> None:
+        """And floats of a text in which XLA fuses positions are not."""
+        if type(self.runner) is not JaxRunner:
+            return
+        of = module("fast")
+        shown = self.text("fast", of, *(f"hn_{name}{d}2" for name in SLOPES for d in ("", "_d")), "hn_fbm3")
+        fused = shown.replace("return xp.where(x == x, x, x + x) if fuses else x", "return x")
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            written_to(folder, {"noise.py": shown, "fused.py": fused, "jit.py": JIT})
+            values, of_fused, *slopes = map(float, ran(folder, *self.runner.python(), "jit.py", *SLOPES).split())
+        self.assertLess(values, 3e-7)
+        self.assertGreater(of_fused, 1e-4)
+        self.assertLess(max(slopes), 3e-6)  # no NaN is
+
+    def test_gcc_vectorizes_a_loop_with_the_options_of_the_text(self) -> None:
+        if type(self.runner) is not CRunner:
+            return
+        of = module("fast")
+        for name, call in (("hn_perlin2", "x[i], y[i], 7u"), ("hn_simplex3", "x[i], y[i], x[i], 7u"),
+                           ("hn_value_cubic2", "x[i], y[i], 7u")):
+            shown = self.text("fast", of, name)
+            options = re.search(r"-O3 [\w= -]+", shown)[0].split()
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                written_to(Path(folder), {
+                    "loop.c": f"{shown}void loop(const float *restrict x, const float *restrict y, float *restrict out, "
+                              f"int n) {{ for (int i = 0; i < n; i++) out[i] = {name}({call}); }}\n"})
+                for more, is_found in (("-ftree-vectorize", True), ("-fno-tree-vectorize", False)):
+                    ran(Path(folder), "gcc", "-std=c99", *options, more, f"-fopt-info-vec=found{more}", "-c", "loop.c")
+                    found = (Path(folder) / f"found{more}").read_text(encoding="ascii")
+                    self.assertEqual("loop vectorized" in found, is_found, found)
 
     def test_a_text_that_is_not_compiled_is_told(self) -> None:
         if not isinstance(self.runner, OslRunner):
@@ -278,11 +342,11 @@ def faulty(syntax: type[Syntax], of: tuple[str, str], wrong: str) -> type[Syntax
     return Faulty
 
 
-def difference(function: Function, expected: bytes, found: bytes) -> str:
+def difference(function: Function, expected: bytes, found: bytes, points: int) -> str:
     """At how many points the words differ, and how at the first."""
     if expected == found:
         return ""
-    size = len(expected) // POINTS
+    size = len(expected) // points
     pairs = [(expected[i:i + size], found[i:i + size]) for i in range(0, len(expected), size)]
     if function.name == "hn_next":  # in C++ it stops before the octave that is none
         pairs = [(a, b) if a[0] else (a[:4], b[:4]) for a, b in pairs]
@@ -290,7 +354,7 @@ def difference(function: Function, expected: bytes, found: bytes) -> str:
     if not wrong:
         return ""
     right, ours = (" ".join(f"{word:08X}" for word, in struct.iter_unpack("<I", one)) for one in pairs[wrong[0]])
-    return f"{len(wrong)} of {POINTS} points differ, the first is {wrong[0]}: {ours} where the library has {right}"
+    return f"{len(wrong)} of {points} points differ, the first is {wrong[0]}: {ours} where the library has {right}"
 
 
 if __name__ == "__main__":
