@@ -193,7 +193,7 @@ class Language(unittest.TestCase):
                 texts = self.whole(arithmetic, of)
                 self.lint(texts[0][1])
             else:
-                texts = [(name, self.text(arithmetic, of, name)) for name in functions(of, arithmetic)]
+                texts = [(name, self.text(arithmetic, of, name)) for name in self.runner.only or functions(of, arithmetic)]
                 texts += [(TOGETHER[0], self.text(arithmetic, of, *TOGETHER))]
             with self.subTest(arithmetic=arithmetic):
                 self.assertGreater(len(texts), 5)

@@ -384,7 +384,9 @@ class Comments(unittest.TestCase):
 
     @staticmethod
     def comment(shown: str) -> str:
-        """The text of all comments, in one line."""
+        """The text of all comments, or of the last one in Python, in one line."""
+        if '"""' in shown:
+            return " ".join(shown.rsplit('"""', 2)[1].split())
         lines = [found[1] for line in shown.splitlines() if (found := re.match(r"\s*(?://+|/?\*+/?)(.*)", line))]
         return " ".join(" ".join(lines).split())
 

@@ -205,7 +205,7 @@ class Body(Scalars):
         if node not in self.called and isinstance(node, Operation) and node.kind in ("binary", "unary", "builtin"):
             pieces = [self._piece(argument) for argument in self._arguments(node)]
             fusible = [self.language.is_fusible(one) for one in node.arguments]
-            if node.type == "float" and node.name in ("+", "-") and any(fusible):
+            if node.kind == "binary" and node.type == "float" and node.name in ("+", "-") and any(fusible):
                 helped = [self.language.builtin("_rounded", "float", [piece]) if one else piece
                           for one, piece in zip(fusible, pieces)]
                 return self.language.binary(node.name, "float", *helped)
@@ -220,7 +220,7 @@ class Body(Scalars):
         return super()._piece(node)
 
 
-OF_NUMBERS = {"floor": "_floor", "floatBitsToUint": "_bits"}  # for what may be a number of Python
+OF_NUMBERS = {"floor": "_floor", "trunc": "_trunc", "floatBitsToUint": "_bits"}  # for what may be a number of Python
 PYTHON = {"&&": "and", "||": "or"}
 
 
@@ -448,6 +448,10 @@ def _abs(xp, x):
     """With the slope of the side above at 0, as simplex noise takes it."""
     return _where(xp, x < 0.0, -x, x + 0.0)
 ''',
+        "_trunc": '''\
+def _trunc(xp, x):
+    return float(int(x)) if isinstance(x, float) else xp.trunc(x)
+''',
         "_sqrt": '''\
 def _sqrt(xp, x):
     """With a slope of 0 at 0."""
@@ -608,7 +612,7 @@ def _quotient_word(xp, a, b):
             return self._helped(f"_{name}", arguments)
         if name in ("uintBitsToFloat", "floatBitsToUint"):
             return Piece(f"{arguments[0].within(UNARY)}.view(xp.{'float32' if type_ == 'float' else 'int32'})")
-        return self._helped(name, arguments) if name in ("_goes_on", "_floor", "_bits", "_rounded") else self.call(name, arguments)
+        return self._helped(name, arguments) if name in ("_goes_on", "_floor", "_trunc", "_bits", "_rounded") else self.call(name, arguments)
 
     def _helped(self, name: str, arguments: Sequence[Piece]) -> Piece:
         if name in self.helpers:

@@ -71,6 +71,7 @@ class Runner:
     receives = "var r = "    # before a call that returns something
     one_of = "r.{name}"      # of several results
     struct_of = ""           # a struct of these parts, where the function that makes it may not be in the text
+    only: Sequence[str] = ()  # functions, where all take too long in a thorough run
     whole = False            # whether all functions are tried, in one text
     optimizes = False        # whether it is built as users build it, and not with all checks
     indent = "        "
@@ -589,7 +590,7 @@ class PythonRunner(Runner):
     whole = True
     arithmetics = ("fixed", "fast", "precise")
     namespace = "numpy"
-    most = 3  # values of octaves and such by default: each is a call
+    most = 99 if THOROUGH else 3  # values of octaves and such: each is a call
     faults = {("uint", ">>"): "(({}) >> ({}))", ("uint", "*"): "(({}) | ({}))"}
     DRIVER = Path(__file__).with_name("python_driver.py")
 
@@ -609,7 +610,7 @@ class PythonRunner(Runner):
         """Where Python's own numbers are some of all: those next to 2."""
         places = [4 * at for kind, _, at in self.takes(module, function) if kind == "n"]
         keys = [tuple(int.from_bytes(row[at:at + 4], "little", signed=True) for at in places) for row in rows]
-        taken = sorted({*keys}, key=lambda key: [abs(number - 2) for number in key])[:len(keys) if THOROUGH else self.most]
+        taken = sorted({*keys}, key=lambda key: [abs(number - 2) for number in key])[:self.most]
         return [i for i, key in enumerate(keys) if key in taken]
 
     def run(self, cases: Sequence[Case], module: Module, inputs: bytes, folder: Path) -> bytes:
@@ -646,7 +647,7 @@ class JaxRunner(PythonRunner):
     whole = THOROUGH
     arithmetics = ("fixed", "precise")  # XLA fuses products in HN_FAST
     namespace = "jax.jit"
-    most = 1
+    most = 1  # and is compiled
 
     @property
     def package(self) -> str:
@@ -664,11 +665,14 @@ class JaxRunner(PythonRunner):
 class TorchRunner(JaxRunner):
     arithmetics = ("fixed", "fast", "precise")
     namespace = "torch"
+    most = 3
 
 
 class CompiledTorchRunner(JaxRunner):
-    """torch.compile takes many seconds for a function."""
+    """torch.compile takes up to minutes for a function."""
     whole = False
+    arithmetics = ("fixed",)
+    only = ("hn_perlin2", "hn_simplex2", "hn_value3_place", "hn_cellular2", "hn_fbm2", "hn_tile2")
     namespace = "torch.compile"
 
 
