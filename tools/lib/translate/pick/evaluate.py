@@ -360,7 +360,7 @@ class Evaluation(Typer):
             self.arguments = {key: list(arguments) for key, arguments in seen.items()}  # of the last turn alone
             start: Environment = {**state, **carried}
             for key, (other, node) in derived.items():
-                start[key] = _replaced(node, {state[other]: carried[other]})
+                start[key] = replaced(node, {state[other]: carried[other]})
             now, body = dict(start), []
             condition = None
             if not asks_behind and loop.condition is not None:
@@ -524,7 +524,7 @@ def _derived(key: tuple[object, ...], carried: dict[tuple[object, ...], Variable
     for other in carried:
         first = state[other]
         if other != key and isinstance(first, Variable) and isinstance(state[key], Operation) and all(
-                _replaced(state[key], {first: now[other]}) is now[key] for now in states):
+                replaced(state[key], {first: now[other]}) is now[key] for now in states):
             return other, state[key]
     return None
 
@@ -532,20 +532,20 @@ def _derived(key: tuple[object, ...], carried: dict[tuple[object, ...], Variable
 def _behind(condition: Node, body: Sequence[Statement], new: dict[Node, Node]) -> Node:
     """The condition of a loop that tests behind its body, of the variables that the body has set. Where the body
     computes the same of what they were before, it is of copies, so that it is not the same node."""
-    shown = _replaced(condition, dict(new))
+    shown = replaced(condition, dict(new))
     made = {node for node in reachable([shown]) if isinstance(node, Operation)}
     if made & values_of(body) == set():
         return shown
-    return _replaced(condition, {value: operation("copy", "", variable.type, (variable,))
+    return replaced(condition, {value: operation("copy", "", variable.type, (variable,))
                                  for value, variable in new.items()})
 
 
-def _replaced(node: Node, new: dict[Node, Node]) -> Node:
+def replaced(node: Node, new: dict[Node, Node]) -> Node:
     if isinstance(node, Constant):
         return node
     if node not in new:
         if not isinstance(node, Operation):
             return node
-        arguments = tuple(_replaced(argument, new) for argument in node.arguments)
+        arguments = tuple(replaced(argument, new) for argument in node.arguments)
         new[node] = operation(node.kind, node.name, node.type, arguments)
     return new[node]

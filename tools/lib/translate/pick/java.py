@@ -7,14 +7,11 @@ import textwrap
 from collections.abc import Mapping, Sequence
 
 from translate.pick.printer import STRENGTH, UNARY
-from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, block_comment, indented, pascal
+from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, block_comment, indented, pascal, record_of
 from translate.pick.values import AXES, SIZES, scalar_of
 
 UNSIGNED = {"/": "divideUnsigned", "%": "remainderUnsigned"}
 RECORD = re.compile(r"public record (\w+)\(")
-# Records of results that are no vectors, by their first and last components; a number counts the dimensions.
-RECORDS = {("value", "d"): "Derivatives", ("f1", "f"): "Distances", ("value", "quadrature"): "ValueQuadrature",
-           ("value", "slope"): "ValueSlope"}
 
 
 class Java(Syntax):
@@ -70,8 +67,7 @@ private static int toWord(float x) {
         axes = self.axes(result)
         if not self.is_public_now or axes[0] in AXES or SIZES.get(result.type, 1) < 2:
             return self.type(result.type)
-        kind = RECORDS.get((axes[0], axes[-1])) or f"{RECORDS[axes[0], axes[-1][:1]]}{len(axes) - (axes[0] == 'value')}"
-        return self._record(kind, ["float"] * len(axes), axes)
+        return self._record(record_of(axes), ["float"] * len(axes), axes)
 
     # Expressions.
 

@@ -51,6 +51,9 @@ CONSTANT = re.compile(rf"\b(?:{'|'.join(PASSED.values())})\w+")
 ROOM = 84  # for components in one line
 # Users call distances so in Field, in Python and in tools/bake, by the catalog's names.
 DISTANCES = {"first": "f1", "second": "f2", "third": "f3"}
+# Types of results that are no vectors, by their first and last components.
+RECORDS = {("value", "d"): "Derivatives", ("f1", "f"): "Distances", ("value", "quadrature"): "ValueQuadrature",
+           ("value", "slope"): "ValueSlope"}
 NEGATED = {"<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "=="}  # of whole numbers
 
 
@@ -199,6 +202,7 @@ class Syntax(Notation):
     example_of = ""        # begins a call, with that name
     example_struct = "{}"  # the argument for a struct that changes
     example_set = ""       # the argument for an output
+    writer: type[Scalars] | None = None  # writes bodies in another way
     passed = ""            # the declaration of a constant that users pass, with a place for its name and its number
 
     def __init__(self, precise: bool = False):
@@ -303,6 +307,13 @@ class Syntax(Notation):
         return f"for ({self.declare(type_, name, start, True)} {condition.text}; {step}) {{"
 
     # Functions.
+
+    def begin(self, program: Program) -> None:
+        """Prepares what the functions of a program need."""
+
+    def block(self, evaluated: Evaluated) -> list[Statement]:
+        """The statements of a function, as the language can write them."""
+        return evaluated.block
 
     def function(self, name: str, parameters: Sequence[Taken], results: Sequence[Part], is_public: bool) -> str:
         raise NotImplementedError
@@ -553,6 +564,7 @@ def pieces(program: Program, syntax: Syntax) -> Iterator[tuple[str, str]]:
 
 def _functions(program: Program, syntax: Syntax) -> Iterator[tuple[str, Evaluated, bool, str]]:
     """Names, whether users call them, and texts: first those that others call."""
+    syntax.begin(program)
     public = [syntax.function_name(wgsl_name(root.function), is_public=True) for root in program.roots]
     parameters = (one.at.text for evaluated in (*program.roots, *program.called.values())
                   for one in evaluated.parameters)
@@ -597,6 +609,12 @@ def components(function: Function) -> Sequence[str]:
     return expanded(given, SIZES[function.type] - 1) if len(given) > 1 and function.type in SIZES else AXES
 
 
+def record_of(axes: Sequence[str]) -> str:
+    """The name of the type of results that are no vectors, by their components; a number counts the dimensions."""
+    kind = RECORDS.get((axes[0], axes[-1]))
+    return kind or f"{RECORDS[axes[0], axes[-1][:1]]}{len(axes) - (axes[0] == 'value')}"
+
+
 def _function(evaluated: Evaluated, name: str, is_public: bool, syntax: Syntax,
               structs: Mapping[str, Sequence[Part]], names: Mapping[Specialization, str]) -> str:
     function = evaluated.function
@@ -604,7 +622,7 @@ def _function(evaluated: Evaluated, name: str, is_public: bool, syntax: Syntax,
     snake = [bare(special.name) for special in names]  # as variables are called before the language changes them
     results = results_of(function, evaluated.evaluation.library)
     beside = [one.name for one in results[function.type != "void":]] if syntax.sets_parameters else []
-    writer = Scalars(syntax, structs, evaluated.block, evaluated.evaluation.hints,
+    writer = (syntax.writer or Scalars)(syntax, structs, syntax.block(evaluated), evaluated.evaluation.hints,
                      evaluated.evaluation.axes, [*parameters, *beside, *snake], names, results)
     syntax.function_now, syntax.is_public_now = name, is_public
     syntax.set_structs = frozenset(syntax.variable(one.at.text) for one in evaluated.parameters if one.is_set)

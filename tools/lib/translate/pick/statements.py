@@ -110,7 +110,7 @@ def without_dead(block: list[Statement]) -> list[Statement]:
             before = len(read)
             read = reachable(value for statement in walk(block) for value in operands(statement)
                              if not isinstance(statement, (Declare, Set)) or _is_read(statement.variable, read))
-        block, changed = _live(block, read)
+        block, changed = _live(block, read, block)
         if not changed:
             return block
 
@@ -144,7 +144,13 @@ def _is_read(variable: Variable, read: set[Node]) -> bool:
     return variable.is_parameter or variable in read
 
 
-def _live(block: Sequence[Statement], read: set[Node]) -> tuple[list[Statement], bool]:
+def _read_beside(loop: Loop, whole: Sequence[Statement]) -> set[Node]:
+    """What statements read that are not in the loop."""
+    inside = {id(one) for one in walk([loop])}
+    return reachable(value for one in walk(whole) if id(one) not in inside for value in operands(one))
+
+
+def _live(block: Sequence[Statement], read: set[Node], whole: Sequence[Statement]) -> tuple[list[Statement], bool]:
     left: list[Statement] = []
     changed = False
     for statement in block:
@@ -152,14 +158,14 @@ def _live(block: Sequence[Statement], read: set[Node]) -> tuple[list[Statement],
         if isinstance(statement, (Declare, Set)):
             keeps = _is_read(statement.variable, read)
         elif isinstance(statement, If):
-            (yes, one), (no, other) = _live(statement.yes, read), _live(statement.no, read)
+            (yes, one), (no, other) = _live(statement.yes, read, whole), _live(statement.no, read, whole)
             changed |= one or other
             keeps = bool(yes or no)
             statement = If(statement.condition, yes, no)
         elif isinstance(statement, Loop):
-            body, one = _live(statement.body, read)
+            body, one = _live(statement.body, read, whole)
             changed |= one
-            keeps = any(isinstance(other, Set) for other in walk(body))
+            keeps = bool({one.variable for one in walk(body) if isinstance(one, Set)} & _read_beside(statement, whole))
             statement = Loop(statement.condition, statement.asks_behind, body)
         if keeps:
             left.append(statement)
