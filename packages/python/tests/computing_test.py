@@ -25,8 +25,8 @@ from base import cuda
 
 TEXT = (golden.ROOT / "docs" / "guide" / "gpu-computing.md").read_text(encoding="utf-8")
 QUICK = ("cupy", "pyopencl")
-THOROUGH = (*QUICK, "load_inline", "numba", "taichi", "warp")
-HEADER, HOUDINI = re.findall(r"(?m)^    (tools/pick .*)$", TEXT)
+THOROUGH = (*QUICK, "jax", "load_inline", "numba", "taichi", "torch", "warp")
+HEADER, ARRAYS, HOUDINI = re.findall(r"(?m)^    (tools/pick .*)$", TEXT)
 
 
 @functools.cache
@@ -79,7 +79,9 @@ class Programs(unittest.TestCase):
     def setUp(self) -> None:
         self.enterContext(contextlib.chdir(self.enterContext(tempfile.TemporaryDirectory())))
         self.enterContext(mock.patch.dict(os.environ, TORCH_EXTENSIONS_DIR=os.getcwd(), WARP_CACHE_PATH=os.getcwd()))
-        Path("hashnoise.h").write_text(printed(HEADER.removesuffix(" --out hashnoise.h")), encoding="ascii")
+        for line in (HEADER, ARRAYS):
+            command, name = line.split(" --out ")
+            Path(name).write_text(printed(command), encoding="ascii")
 
     def run_program(self, code: str) -> None:
         Path("program.py").write_text(code, encoding="ascii")  # Warp and Taichi read it
@@ -119,5 +121,5 @@ class Thorough(Programs):
 
     def test_nvrtc_compiles_the_kernel_for_cupy(self) -> None:
         kernel, = re.findall(r'(?s)"""\n(.*?)"""', program("cupy"))
-        text = printed(HEADER.removesuffix(" --out hashnoise.h")) + kernel
+        text = Path("hashnoise.h").read_text(encoding="ascii") + kernel
         self.assertEqual((nvrtc(text), nvrtc(text.replace("hn_fbm2(x", "hn_fmb2(x"))), (0, 6))
