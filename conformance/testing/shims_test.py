@@ -120,7 +120,7 @@ class Hlsl(Shim):
 
     def test_the_code_of_the_page_compiles(self):
         shaders = printed("hlsl")
-        self.assertEqual(len(shaders), 5)
+        self.assertEqual(len(shaders), 4)
         for shader in shaders:
             self.written(shader, {})
             self.assertEqual(self.accepted("comp" if "numthreads" in shader else "frag"), "")

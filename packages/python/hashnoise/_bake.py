@@ -4,7 +4,6 @@ import argparse
 import contextlib
 import json
 import math
-import os
 import shutil
 import signal
 import sys
@@ -24,52 +23,92 @@ NAME = "hashnoise bake"
 MOST_CELLS = 1 << 30  # so that positions fit into 64 bits, in units of 2^-32
 STATUSES = ("Exit status: 0 done, 1 values could not be computed or the file not be written, 2 bad usage, 4 a library "
             "is missing, 130 ended by Ctrl-C (SIGINT), 143 by SIGTERM, 129 by SIGHUP.")
-# Each option, what stands for its value (nothing for a flag), and its help.
+
+
+def number(text):
+    """A finite number; whole ones are an int."""
+    for kind in (int, float):
+        with contextlib.suppress(ValueError):
+            if math.isfinite(value := kind(text)):
+                return value
+    raise argparse.ArgumentTypeError(f'"{text}" is not a number')
+
+
+def axes(kind, least, most, example):
+    """"1024x512": a number for each axis."""
+    def numbers(text):
+        with contextlib.suppress(ValueError):
+            found = tuple(map(kind, text.split("x")))
+            if len(found) <= 4 and all(least <= along <= most for along in found):
+                return found
+        raise argparse.ArgumentTypeError(f'"{text}": it takes a number from {least} to {most} for each of at most four '
+                                         f"axes, as in {example}")
+    return numbers
+
+
+def ends(text):
+    """"-1:1"."""
+    with contextlib.suppress(ValueError):
+        least, greatest = map(float, text.split(":"))
+        if least < greatest and math.isfinite(greatest - least):
+            return least, greatest
+    raise argparse.ArgumentTypeError(f'"{text}": it takes two numbers, the smaller one first, as in --range -1:1')
+
+
+def columns(text):
+    if not isinstance(count := number(text), int) or count < 1:
+        raise argparse.ArgumentTypeError(f"{text} is not a whole number from 1 on")
+    return count
+
+
+# Each option, what stands for its value (nothing for a flag), what makes the value of it, or what it may be, and its help.
 OPTIONS = {
     "in place of a function": (
-        ("--expression", "PYTHON", "such as 'fbm() - 0.3 * cellular(seed=3)[0]': the functions at the points of the "
+        ("--expression", "PYTHON", str, "such as 'fbm() - 0.3 * cellular(seed=3)[0]': the functions at the points of the "
          "file; x, y, z and w, the positions in cells; seed, period and numpy. It is executed"),
-        ("--source", "FILE", "Python with functions that the expression calls")),
+        ("--source", "FILE", str, "Python with functions that the expression calls")),
     "parameters of the function, as in GLSL": (
-        ("--noise", "NAME", "which a fractal sums; by default that of the function in GLSL"),
-        ("--octaves", "N", "how many"),
-        ("--lacunarity", "NUMBER", "by how much an octave is finer than the one before"),
-        ("--gain", "NUMBER", "by how much an octave is weaker, a factor"),
-        ("--strength", "NUMBER", "how strong"),
-        ("--amplitude", "NUMBER", "how far, in cells"),
-        ("--detail", "NUMBER", "octaves as a number with a fraction, in place of --octaves"),
-        ("--footprint", "NUMBER", "the size of a pixel, in cells, which fades octaves out"),
-        ("--wave", "X[xY...]", "waves per cell along each axis, as in 2.5x-1.5"),
-        ("--phase", "NUMBER", "in turns"),
-        ("--jitter", "NUMBER", "how far points are from the centres of their cells"),
-        ("--metric", "NAME", ", ".join(METRICS)),
-        ("--instruction-set", "NAME", "such as avx2; by default the widest of the processor. Values depend on it with "
-         "--arithmetic fast alone")),
+        ("--noise", "NAME", str, "which a fractal sums; by default that of the function in GLSL"),
+        ("--octaves", "N", number, "how many"),
+        ("--lacunarity", "NUMBER", number, "by how much an octave is finer than the one before"),
+        ("--gain", "NUMBER", number, "by how much an octave is weaker, a factor"),
+        ("--strength", "NUMBER", number, "how strong"),
+        ("--amplitude", "NUMBER", number, "how far, in cells"),
+        ("--detail", "NUMBER", number, "octaves as a number with a fraction, in place of --octaves"),
+        ("--footprint", "NUMBER", number, "the size of a pixel, in cells, which fades octaves out"),
+        ("--wave", "X[xY...]", axes(float, -16, 16, "2.5x-1.5"), "waves per cell along each axis, as in 2.5x-1.5"),
+        ("--phase", "NUMBER", number, "in turns"),
+        ("--jitter", "NUMBER", number, "how far points are from the centres of their cells"),
+        ("--metric", "NAME", str, ", ".join(METRICS)),
+        ("--instruction-set", "NAME", str, "such as avx2; by default the widest of the processor. Values depend on it "
+         "with --arithmetic fast alone")),
     "parameters": (
-        ("--seed", "N", "different seeds give independent fields"),
-        ("--period", "X[xY...]", "cells after which the field repeats, along each axis or all; 0 for none"),
-        ("--arithmetic", "NAME", "fixed, precise or fast. The default, fixed, has the same bits on every machine, and "
+        ("--seed", "N", number, "different seeds give independent fields"),
+        ("--period", "X[xY...]", axes(int, *_core.rules["period"], "8x8"),
+         "cells after which the field repeats, along each axis or all; 0 for none"),
+        ("--arithmetic", "NAME", str, "fixed, precise or fast. The default, fixed, has the same bits on every machine, and "
          "those of shaders with HN_FIXED")),
     "places": (
-        ("--size", "X[xY...]", "points along each axis, one to four numbers, and as many dimensions; default 512x512"),
-        ("--cells", "X[xY...]", "along each axis, by default 8; one number is for x, and cells are as large along the "
-         "others"),
-        ("--origin", "X[xY...]", "the first point, in cells"),
-        ("--tile", None, "make the cells the period, so that the file repeats without a seam")),
+        ("--size", "X[xY...]", axes(int, 1, MOST_POINTS, "1024x1024, or 128x128x64 for a volume"),
+         "points along each axis, one to four numbers, and as many dimensions; default 512x512"),
+        ("--cells", "X[xY...]", axes(float, 0, MOST_CELLS, "8x4"), "along each axis, by default 8; one number is for x, "
+         "and cells are as large along the others"),
+        ("--origin", "X[xY...]", axes(float, -MOST_CELLS, MOST_CELLS, "1000000x-3.5"), "the first point, in cells"),
+        ("--tile", None, None, "make the cells the period, so that the file repeats without a seam")),
     "the file": (
-        ("--out", "FILE", "its name"),
-        ("--format", "NAME", "png (16 bits), exr (floats), f32 or r16 (planes of floats or of 16 bits, little-endian, "
-         "without a header), ktx2 or ktx2-float (a texture); by default the ending of the name"),
-        ("--components", "NAME,...", "which, as in f1,f2; all by default"),
-        ("--range", "LEAST:GREATEST", "the values that become 0 and 65535; by default the range that the function "
+        ("--out", "FILE", Path, "its name"),
+        ("--format", "NAME", tuple(FORMATS), "png (16 bits), exr (floats), f32 or r16 (planes of floats or of 16 bits, "
+         "little-endian, without a header), ktx2 or ktx2-float (a texture); by default the ending of the name"),
+        ("--components", "NAME,...", str, "which, as in f1,f2; all by default"),
+        ("--range", "LEAST:GREATEST", ends, "the values that become 0 and 65535; by default the range that the function "
          "documents. Once for all components, or once for each"),
-        ("--normalize", None, "map the values that are there to 0 to 65535, in each component by itself"),
-        ("--layout", "NAME", "of a volume as a picture: atlas, one picture, or slices, one for each"),
-        ("--columns", "N", "slices beside each other in an atlas; by default about a square"),
-        ("--json", None, "print in JSON how the file was made"),
-        ("--threads", "N", "how many; nothing in the file depends on it")),
+        ("--normalize", None, None, "map the values that are there to 0 to 65535, in each component by itself"),
+        ("--layout", "NAME", ("atlas", "slices"), "of a volume as a picture: atlas, one picture, or slices, one for each"),
+        ("--columns", "N", columns, "slices beside each other in an atlas; by default about a square"),
+        ("--json", None, None, "print in JSON how the file was made"),
+        ("--threads", "N", number, "how many; nothing in the file depends on it")),
 }
-DEFAULTS = {"seed": 0, "arithmetic": "fixed", "size": "512x512", "cells": "8", "range": []}
+DEFAULTS = {"seed": 0, "arithmetic": "fixed", "size": (512, 512), "cells": (8.0,), "range": []}
 OF_FUNCTIONS = [name[2:].replace("-", "_") for name, *_ in OPTIONS["parameters of the function, as in GLSL"]]
 # Their values may begin with a sign, which argparse takes for the beginning of an option.
 SIGNED = ("--expression", "--origin", "--period", "--range", "--seed", *(f"--{name}" for name in OF_FUNCTIONS))
@@ -82,28 +121,18 @@ class Parser(argparse.ArgumentParser):
         raise Stop(2, f"{message.removeprefix('argument ')}; see --help")
 
 
-def number(text):
-    """A finite number; whole ones are an int."""
-    for kind in (int, float):
-        with contextlib.suppress(ValueError):
-            if math.isfinite(value := kind(text)):
-                return value
-    raise argparse.ArgumentTypeError(f'"{text}" is not a number')
-
-
 def options():
     parser = Parser(prog=NAME, description=__doc__.partition(": ")[2].capitalize(), epilog=STATUSES, allow_abbrev=False)
     parser.add_argument("function", nargs="?", metavar="FUNCTION", help=f"one of {', '.join(FUNCTIONS)}")
     parser.add_argument("--version", action="version", version=__version__)
     for title, rows in OPTIONS.items():
         group = parser.add_argument_group(title)
-        for name, value, text in rows:
+        for name, value, kind, text in rows:
             owners = [function for function, made in FUNCTIONS.items() if name[2:] in made.__kwdefaults__]
-            more = {"action": "append" if name == "--range" else "store", "metavar": value} if value else {
-                "action": "store_true"}
-            if value in ("N", "NUMBER"):
-                more["type"] = number
-            group.add_argument(*(("-o", name) if name == "--out" else (name,)), **more,
+            more = {"action": "store_true"} if not value else {
+                "action": "append" if name == "--range" else "store", "metavar": value,
+                **({"choices": kind} if isinstance(kind, tuple) else {"type": kind})}
+            group.add_argument(*(("-o", name) if name == "--out" else (name,)), required=name == "--out", **more,
                                help=text if len(owners) in (0, len(FUNCTIONS)) else f"{text}; of {', '.join(owners)}")
     parser.set_defaults(**DEFAULTS)
     return parser
@@ -118,130 +147,73 @@ def parsed(arguments):
         else:
             words.append(word)
     given = options().parse_args(words)
-    if not given.out:
-        raise Stop(2, "--out is missing, the name of the file, as in -o heights.png")
-    given.out = Path(given.out)
-    given.size = _numbers(given, "size", int, 1, MOST_POINTS, "1024x1024, or 128x128x64 for a volume")
     given.options = {name: getattr(given, name) for name in (*OF_FUNCTIONS, "arithmetic", "seed")
                      if getattr(given, name) is not None}
     given.threads = checked_threads("bake", given.threads)
     ruled_number("bake", "seed", given.seed)
-    _check_function(given)
+    if given.expression is None:
+        if not given.function or given.source:
+            raise Stop(2, "a function is missing, such as fbm, or an --expression, which may have a --source; see --help")
+    elif given.function:
+        raise Stop(2, f'"{given.function}" is one argument too many: --expression stands in place of a function')
+    elif found := given.options.keys() & OF_FUNCTIONS:
+        raise Stop(2, f"--{min(found)} is for a function; write it into the --expression, as in fbm(octaves=6)")
+    given.function = given.function or "expression"
     _find_places(given)
     _find_format(given)
-    _find_ranges(given)
-    _find_layout(given)
     return given
 
 
-def _numbers(given, option, kind, least, most, example):
-    """"1024x512": a number for each axis."""
-    text = getattr(given, option)
-    try:
-        numbers = tuple(map(kind, text.split("x")))
-    except ValueError:
-        numbers = ()
-    if not 1 <= len(numbers) <= 4 or not all(least <= along <= most for along in numbers):
-        raise Stop(2, f'--{option} "{text}": it takes a number from {least} to {most} for each of at most four axes, '
-                      f"as in {example}")
-    return numbers
-
-
-def _along(given, option, kind, least, most, example, of_one=None):
-    """The same, for the axes of --size; of one number alone the others follow, if they can."""
-    numbers = _numbers(given, option, kind, least, most, example)
+def _along(given, option, of_one=None):
+    """The numbers of an option for the axes of --size; of one number alone the others follow, if they can."""
+    numbers = getattr(given, option)
     if of_one and len(numbers) == 1:
         numbers = of_one(*numbers)
     if len(numbers) != len(given.size):
-        raise Stop(2, f'--{option} "{getattr(given, option)}" has {len(numbers)} axes, and --size has '
-                      f"{len(given.size)}; give one number for each{', or one for all' if of_one else ''}")
+        raise Stop(2, f"--{option} has {len(numbers)} axes, and --size has {len(given.size)}; give one number for each"
+                      f"{', or one for all' if of_one else ''}")
     return numbers
-
-
-def _check_function(given):
-    if given.expression is None:
-        if not given.function or given.source:
-            raise Stop(2, "a function is missing, such as fbm, or an --expression, which may have a "
-                          "--source; see --help")
-        return
-    if given.function:
-        raise Stop(2, f'"{given.function}" is one argument too many: --expression stands in place of a function')
-    for name in given.options.keys() & OF_FUNCTIONS:
-        raise Stop(2, f"--{name.replace('_', '-')} is for a function; write it into the --expression, as in "
-                      "fbm(octaves=6)")
-    given.function = "expression"
 
 
 def _find_places(given):
     size = given.size
-    given.cells = _along(given, "cells", float, 0, MOST_CELLS, "8x4",
-                         lambda cells: (cells, *(cells * points / size[0] for points in size[1:])))
+    given.cells = _along(given, "cells", lambda cells: (cells, *(cells * points / size[0] for points in size[1:])))
     if not all(0 < cells <= MOST_CELLS for cells in given.cells):
         raise Stop(2, f"--cells: {' x '.join(map(str, given.cells))} are not all more than 0 and at most {MOST_CELLS}")
-    given.origin = given.origin or "x".join("0" * len(size))
-    given.origin = _along(given, "origin", float, -MOST_CELLS, MOST_CELLS, "1000000x-3.5")
+    given.origin = _along(given, "origin") if given.origin else (0.0,) * len(size)
     if given.wave:
-        given.options["wave"] = _along(given, "wave", float, -16, 16, "2.5x-1.5")
+        given.options["wave"] = _along(given, "wave")
     if given.period:
-        given.options["period"] = _along(given, "period", int, *_core.rules["period"], "8x8",
-                                         lambda period: (period,) * len(size))
-    if not given.tile:
-        return
-    if given.period:
-        raise Stop(2, "--tile makes the cells of the picture the period, and --period names another; leave one out")
-    if not all(along.is_integer() for along in given.cells):
-        raise Stop(2, f"--tile takes whole numbers of cells, and there are {' x '.join(map(str, given.cells))}; name "
-                      f"them all, as in --cells {'x'.join('8' * len(size))}")
-    given.options["period"] = tuple(map(int, given.cells))
+        given.options["period"] = _along(given, "period", lambda period: (period,) * len(size))
+    if given.tile:
+        if given.period:
+            raise Stop(2, "--tile makes the cells of the picture the period, and --period names another; leave one out")
+        if not all(along.is_integer() for along in given.cells):
+            raise Stop(2, f"--tile takes whole numbers of cells, and there are {' x '.join(map(str, given.cells))}; name "
+                          f"them all, as in --cells {'x'.join('8' * len(size))}")
+        given.options["period"] = tuple(map(int, given.cells))
 
 
 def _find_format(given):
-    name = given.format or given.out.suffix[1:].lower()
+    name = given.format = given.format or given.out.suffix[1:].lower()
     if name not in FORMATS:
-        hint = ", since some programs take 16 bits for .raw and others floats" if name == "raw" else ""
-        found = f'there is no "{name}"' if given.format else f'--out "{given.out}" does not state the format{hint}'
-        raise Stop(2, f"--format: {found}; there are {', '.join(FORMATS)}")
-    given.format = name
+        raise Stop(2, f'--out "{given.out}" does not state the format; name one of {", ".join(FORMATS)} by --format')
     given.has_words = FORMATS[name] == "<u2"
     given.is_texture = name.startswith("ktx2")
     if given.is_texture and len(given.size) > 3:
         raise Stop(2, "--size: a texture has at most three axes; write .f32 or .r16")
-
-
-def _find_ranges(given):
-    ranges = []
-    for text in given.range:
-        try:
-            least, greatest = map(float, text.split(":"))
-        except ValueError:
-            least = greatest = math.nan
-        if not (least < greatest and math.isfinite(greatest - least)):
-            raise Stop(2, f'--range "{text}": it takes two numbers, the smaller one first, as in --range -1:1')
-        ranges.append((least, greatest))
-    given.range = ranges
-    if given.normalize and ranges:
+    if given.normalize and given.range:
         raise Stop(2, "--normalize finds the range, and --range names it; leave one out")
-    if not given.has_words and (given.normalize or ranges):
-        raise Stop(2, f"--{'normalize' if given.normalize else 'range'} is for 16 bits; {given.format} holds the "
-                      "values as they are")
-
-
-def _find_layout(given):
-    slices, height = math.prod(given.size[2:]), math.prod(given.size[1:2])
-    for option in ("layout", "columns"):
-        if getattr(given, option) is not None and (given.format not in PICTURES or len(given.size) < 3):
-            raise Stop(2, f"--{option} is for volumes in pictures: a --size of three or four axes, as PNG or EXR")
-    if given.layout not in (None, "atlas", "slices"):
-        raise Stop(2, f'--layout: there is no "{given.layout}"; there are atlas and slices')
-    if given.layout == "slices" and given.columns is not None:
+    if not given.has_words and (given.normalize or given.range):
+        raise Stop(2, f"--{'normalize' if given.normalize else 'range'} is for 16 bits; {name} holds the values as they are")
+    if (given.layout or given.columns) and (name not in PICTURES or len(given.size) < 3):
+        raise Stop(2, "--layout and --columns are for volumes in pictures: a --size of three or four axes, as PNG or EXR")
+    slices, height, by_slice = math.prod(given.size[2:]), math.prod(given.size[1:2]), given.layout == "slices"
+    if by_slice and given.columns:
         raise Stop(2, "--columns is for --layout atlas")
-    if given.columns is None:
-        given.columns = 1 if given.layout == "slices" else math.ceil(math.sqrt(slices * height / given.size[0]))
-    elif not isinstance(given.columns, int) or given.columns < 1:
-        raise Stop(2, f"--columns: {given.columns} is not a whole number from 1 on")
-    given.columns = min(given.columns, slices)
-    rows = 1 if given.layout == "slices" else -(-slices // given.columns)
-    if given.format in PICTURES and max(given.columns * given.size[0], rows * height) > LONGEST_SIDE:
+    given.columns = 1 if by_slice else min(given.columns or math.ceil(math.sqrt(slices * height / given.size[0])), slices)
+    rows = 1 if by_slice else -(-slices // given.columns)
+    if name in PICTURES and max(given.columns * given.size[0], rows * height) > LONGEST_SIDE:
         raise Stop(2, f"--size: a picture has at most {LONGEST_SIDE} pixels along a side; write .f32 or .r16")
 
 
@@ -343,14 +315,6 @@ def complain(message):
     print(f"{NAME}: {message}", file=sys.stderr)
 
 
-class Ended(BaseException):
-    """A signal wants the program to end."""
-
-
-def _end(number, frame):
-    raise Ended(number)
-
-
 def main(arguments):
     """The program without its signals. Returns the exit status."""
     try:
@@ -372,14 +336,11 @@ def main(arguments):
 
 
 def program(arguments):
-    """A signal leaves no half file, and ends the program as signals do."""
+    """A signal leaves no half file."""
+    def end(number, _):
+        sys.exit(128 + number)
+
     for number in (signal.SIGINT, signal.SIGTERM, getattr(signal, "SIGHUP", signal.SIGTERM)):
         if signal.getsignal(number) != signal.SIG_IGN:  # as under nohup
-            signal.signal(number, _end)
-    try:
-        return main(arguments)
-    except Ended as ended:
-        number, = ended.args
-        complain(f"ended by {signal.Signals(number).name}; what was not finished is not there")
-        signal.signal(number, signal.SIG_DFL)
-        os.kill(os.getpid(), number)
+            signal.signal(number, end)
+    return main(arguments)

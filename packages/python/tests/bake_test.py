@@ -54,52 +54,43 @@ RAW = {
     "value --size 1200000 --cells 64 --tile -o a.r16": 0x3A5B0A0E,  # the pieces of a row
 }
 USAGE = (
-    ("fmb -o a.png", "'fmb' (did you mean fbm?)"), ("FBM -o a.png", "did you mean fbm?"),
-    ("worley -o a.png", "(here it is cellular)"), ("simplex --size 8 -o a.png", "in 1D", "value"),
-    ("perlin --noise value -o a.png", "perlin has no option noise"),
-    ("fbm --noise perlim -o a.png", "did you mean perlin?"), ("fbm", "--out"), ("-o a.exr", "a function is missing"),
-    ("fbm ridged -o a.png", "unrecognized arguments: ridged"), ("fbm -o a.raw", "does not state the format", "r16"),
-    ("fbm -o a.png --format tiff", "exr, f32, r16, ktx2"), ("fbm -o a.png --octave 2", "arguments: --octave"),
-    ("fbm -o a.png --size 0x4", '--size "0x4"', "as in 1024x1024"), ("fbm -o a.png --size 4xx4", "--size"),
-    ("fbm -o a.png --size 1e3", "--size"), ("fbm -o a.png --size 4x4x4x4x4", "four"),
+    # The package's errors (options_test.py has more).
+    ("fmb -o a.png", "'fmb' (did you mean fbm?)"), ("perlin --noise value -o a.png", "perlin has no option noise"),
+    ("fbm -o a.png --octaves 33", "octaves must be from 1 to 32"), ("fbm -o a.png --threads 0", "threads must be from 1"),
+    ("fbm -o a.png --seed -1", "seed must be from 0 to 4294967295"),
+    ("fbm", "--out"), ("-o a.exr", "a function is missing"), ("fbm --source a.py -o a.exr", "--expression"),
+    ("fbm ridged -o a.png", "unrecognized arguments: ridged"), ("fbm -o a.png --octave 2", "arguments: --octave"),
+    ("fbm -o a.png --gain inf", '--gain: "inf" is not a number'),
+    *((f"fbm -o a.png --size {size}", f'--size: "{size}"', "at most four", "as in 1024x1024")
+      for size in ("0x4", "4xx4", "1e3", "4x4x4x4x4")),
     ("fbm -o a.png --cells 0", "--cells"), ("fbm -o a.png --cells nan", "--cells"),
     ("fbm -o a.png --cells 1x2x3", "--cells", "--size has 2"),
     ("fbm -o a.png --cells 2.5 --tile", "whole numbers of cells"),
     ("fbm -o a.png --size 1x9 --cells 1e9", "--cells", "1073741824"), ("fbm -o a.png --tile --period 8x8", "--period"),
     ("fbm -o a.png --period 8x8x8", "3 axes", "or one for all"),
     ("fbm -o a.png --period -1x4", "--period", "from 0 to 2147483647"), ("fbm -o a.png --origin 1", "--origin"),
-    ("fbm -o a.png --range 1:-1", "--range", "-1:1"), ("fbm -o a.png --range 1", "--range"),
-    ("fbm -o a.png --range 0:nan", "--range"), ("fbm -o a.png --range -1e308:1e308", "--range"),
+    ("phasor -o a.png --wave 2x-16.5", "from -16 to 16", "2.5x-1.5"), ("phasor -o a.png --wave 2", "1 axes"),
+    *((f"fbm -o a.png --range {text}", f'--range: "{text}"', "-1:1") for text in ("1:-1", "1", "0:nan", "-1e308:1e308")),
     ("fbm -o a.png --range 0:1 --normalize", "leave one out"), ("fbm -o a.png --range 0:1 --range 0:1", "2 times"),
     ("fbm -o a.exr --range 0:1", "as they are"), ("fbm -o a.f32 --normalize", "as they are"),
+    ("fbm -o a.raw", "does not state the format", "r16"), ("fbm -o a.png --format tiff", "--format: invalid choice"),
     ("fbm -o a.png --layout slices", "volumes"), ("fbm -o a.r16 --size 4x4x4 --columns 2", "volumes"),
     ("fbm -o a.png --size 4x4x4 --columns 2 --layout slices", "--layout atlas"),
-    ("fbm -o a.png --size 4x4x4 --columns 0", "--columns"), ("fbm -o a.png --size 4x4x4 --layout pile", "slices"),
+    ("fbm -o a.png --size 4x4x4 --columns 0", "--columns: 0 is not"),
     ("fbm -o a.png --size 20000000x4", "16777216 pixels"), ("cellular -o a.png --components f3", '"f3"', "f1, f2"),
     ("cellular -o a.png --components f1,f1", "twice"),
-    ("cellular -o a.png --metric manhatten", "did you mean manhattan?"),
     ("cellular -o a.png --metric manhattan", "--range", "--normalize"),
     ("value_d -o a.png --size 2x2x2x2", "at most 4", "--components"),
     ("fbm -o a.ktx2 --size 2x2x2x2", "at most three axes"), ("fbm_d -o a.png", "no range is documented"),
-    ("fbm -o a.png --arithmetic fix", "fast, precise, fixed"),
-    ("fbm -o a.png --instruction-set mmx", "instruction_set"),
-    ("fbm -o a.png --seed -1", "seed must be from 0 to 4294967295"), ("fbm -o a.png --seed x", '"x" is not a number'),
-    ("fbm -o a.png --octaves 33", "octaves must be from 1 to 32"), ("fbm -o a.png --octaves 2.5", "whole number"),
-    ("fbm -o a.png --threads 0", "threads must be from 1 to 1024"), ("fbm -o a.png --gain -0.5", "gain is -0.5"),
-    ("fbm -o a.png --gain inf", '"inf" is not a number'), ("perlin -o a.png --octaves 6", "has no option octaves"),
-    ("cellular -o a.exr --jitter 1.5", "jitter is 1.5, and has to be from 0 to 1"),
-    ("phasor -o a.png --wave 2x-16.5", "from -16 to 16", "2.5x-1.5"), ("phasor -o a.png --wave 2", "1 axes"),
     ("fbm -o . --format png", "it is a folder"), ("fbm -o none/a.png", "there is no folder none; make it"),
     ("fbm -o /dev/null --format f32", "no regular file"), ("fbm -o a.f32 --size 500000000x500000000", "GB"),
     ("fbm --expression fbm() -o a.exr", '"fbm" is one argument too many'),
-    ("fbm --source a.py -o a.exr", "--expression"),
     ("--expression fbm() -o a.png", "no range is documented", "--normalize"),
     ("--expression fbm() --octaves 6 -o a.exr", "--octaves is for a function"),
     ("--expression fbm() --source none.py -o a.exr", "cannot read none.py"),
     ("--expression fmb() -o a.f32", "--expression: NameError", "did you mean fbm?"),
     ("--expression fbm( -o a.f32", "--expression: SyntaxError"), ("--expression fbm(octave=3) -o a.f32", "TypeError"),
     ("--expression [x]*5 -o a.f32", "5 components"), ("--expression str(x) -o a.f32", "ValueError"),
-    ("--expression simplex_smooth(0.5,period=-1) -o a.f32", "--expression: ", "Error"),
 )
 
 
@@ -361,12 +352,11 @@ class Endings(Bake):
     def test_a_signal_leaves_no_half_file(self):
         for number, name in ((signal.SIGINT, "a.png"), (signal.SIGTERM, "a.r16")):
             call = [*COMMAND, "ridged", "--size", "9000x9000", "--threads", "1", "-o", name]
-            with self.subTest(number), subprocess.Popen(call, stderr=subprocess.PIPE, text=True) as process:
+            with self.subTest(number), subprocess.Popen(call) as process:
                 while not list(self.folder.glob("*.part")) and process.poll() is None:
                     time.sleep(0.01)
                 process.send_signal(number)
-                self.assertIn(f"ended by {number.name}", process.communicate(timeout=60)[1])
-                self.assertEqual((process.returncode, os.listdir()), (-number, []))
+                self.assertEqual((process.wait(60), os.listdir()), (128 + number, []))
 
     def test_a_standard_output_that_is_full(self):
         with open("/dev/full", "w", encoding="utf-8") as full:

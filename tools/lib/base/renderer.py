@@ -49,16 +49,18 @@ class Renderer:
             except moderngl.Error as error:
                 raise NotCompiled(str(error)) from None
 
-    def draw(self, program: moderngl.Program, **uniforms: tuple[float, float, float, float]) -> array[float]:
-        """The pixels, from the left and from below."""
+    def draw(self, program: moderngl.Program, rows: int | None = None, **uniforms: tuple[float, float, float, float]
+             ) -> array[float]:
+        """The pixels, from the left and from below: of all rows, or of so many."""
         with self._context:
             for name in uniforms.keys() & {*program}:  # the driver drops what the shader does not use
                 program[name].value = uniforms[name]
             self._pixels.use()
+            self._pixels.scissor = part = (0, 0, self._pixels.width, rows or self._pixels.height)
             square = self._context.vertex_array(program, [])
             square.render(moderngl.TRIANGLES, vertices=3)
             square.release()
-            return array("f", self._pixels.read(components=4, dtype="f4"))
+            return array("f", self._pixels.read(part, components=4, dtype="f4"))
 
     @property
     def version(self) -> str:

@@ -18,9 +18,10 @@ class Section(NamedTuple):
     """A part of a page by tables.html."""
     title: str
     text: str
-    heads: Sequence[str]
-    rows: Sequence[Sequence[object]]
+    heads: Sequence[str] = ()
+    rows: Sequence[Sequence[object]] = ()
     kind: str = "table"
+    pictures: Sequence[tuple[str, str]] = ()  # their titles and files
 
 
 def write(out: Path, template: Path, **values: object) -> None:

@@ -9,4 +9,4 @@
 help_if_asked "$build/conformance/hn-conform" paper -- "$@"
 refuse_unknown_options "$called" "$root/conformance/cli/options.cpp" -- "$@"
 setup conform vulkan
-exec "$root/tools/lib/base/scientific-python" --with jinja2,matplotlib,numpy,scipy -m measure.paper.reproduction "$@"
+exec "$root/tools/lib/base/scientific-python" --with jinja2,numpy,scipy -m measure.paper.reproduction "$@"

@@ -18,7 +18,7 @@ class Vendor(NamedTuple):
     kinds: tuple[str, ...]  # what else is counted
     registers: str
     spills: tuple[str, ...]
-    target: str = ""  # LLVM's, of a compiler that takes what LLVM writes
+    is_driver: bool = True  # which takes SPIR-V, by hn-conform
 
 
 class Chip(NamedTuple):
@@ -42,12 +42,12 @@ APPLE = Vendor("Apple", "asahi", "asahi", "ALU", "cycles", "Instructions", ("FSC
                ("Spills", "Fills"))
 # The kinds are the units that run instructions. From Ampere to Hopper a multiprocessor has 128 lanes for FP, 64 for the
 # ALU (integers, comparisons, minima) and for IMAD, and fewer for XU (roots, powers, floors, conversions).
-PTXAS = Vendor("NVIDIA", "ptxas", "", "Issue slots", "issue slots", "Issue slots",
-               ("FP", "ALU", "IMAD", "XU", "moves", "uniform", "memory", "branches", "Loops"), "Registers",
-               ("Spilled bytes",), "nvptx64-nvidia-cuda")
+NVCC = Vendor("NVIDIA", "nvcc", "", "Issue slots", "issue slots", "Issue slots",
+              ("FP", "ALU", "IMAD", "XU", "moves", "uniform", "memory", "branches", "Loops"), "Registers",
+              ("Spilled bytes",), is_driver=False)
 IGC = Vendor("Intel", "ocloc", "", "Passes", "passes for 16 lanes", "Instructions",
              ("floats", "integers", "products", "math", "moves", "memory", "branches", "Loops"), "Registers",
-             ("Spilled bytes",), "spir64-unknown-unknown")
+             ("Spilled bytes",), is_driver=False)
 
 CHIPS = (
     Chip("turing", "NVIDIA TU104, Turing", NVIDIA, "NOUVEAU_CHIPSET=0x164"),
@@ -69,10 +69,10 @@ CHIPS = (
     # Its shim has no other.
     Chip("m1", "Apple M1", APPLE, ""),
     # For sm_89 (Ada) it makes the same counts.
-    Chip("sm86", "NVIDIA sm_86, Ampere and Ada, by ptxas", PTXAS, "sm_86"),
-    Chip("sm90", "NVIDIA sm_90, Hopper, by ptxas", PTXAS, "sm_90"),
-    Chip("sm100", "NVIDIA sm_100, Blackwell for data centres, by ptxas", PTXAS, "sm_100"),
-    Chip("sm120", "NVIDIA sm_120, Blackwell, by ptxas", PTXAS, "sm_120"),
+    Chip("sm86", "NVIDIA sm_86, Ampere and Ada, by nvcc", NVCC, "sm_86"),
+    Chip("sm90", "NVIDIA sm_90, Hopper, by nvcc", NVCC, "sm_90"),
+    Chip("sm100", "NVIDIA sm_100, Blackwell for data centres, by nvcc", NVCC, "sm_100"),
+    Chip("sm120", "NVIDIA sm_120, Blackwell, by nvcc", NVCC, "sm_120"),
     Chip("tgllp", "Intel Tiger Lake, Xe", IGC, "tgllp", 8),
     Chip("acm", "Intel Arc A770, Xe-HPG", IGC, "acm-g10", 8),
     Chip("bmg", "Intel Arc B580, Xe2", IGC, "bmg", 16),

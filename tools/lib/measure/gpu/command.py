@@ -6,10 +6,10 @@
     tools/measure gpu --list-chips
 
 Mesa's drivers for NVIDIA, AMD, Adreno and Apple compile shaders without a GPU, for a stand-in of the kernel. NVIDIA's
-ptxas and Intel's IGC need none; they get the same shaders by way of SPIRV-Cross, Clang and LLVM. Of each shader, which
-is one call in a fragment shader, less the empty shader, the record has cycles or instructions, registers and spills.
-The default is every function with each arithmetic, on every chip. It needs hn-conform on the PATH or built
-(tools/measure clock builds it), clang and spirv-cross. DIR gets costs.csv and chips.csv; docs/measured/results/gpu has
+nvcc and Intel's IGC need none; they get the same shaders by way of SPIRV-Cross. Of each shader, which is one call in a
+fragment shader, less the empty shader, the record has cycles or instructions, registers and spills. The default is every
+function with each arithmetic, on every chip. It needs hn-conform on the PATH or built (tools/measure clock builds it),
+clang and spirv-cross. DIR gets costs.csv and chips.csv; docs/measured/results/gpu has
 such files, and tools/make pages makes tables of them. docs/measured/measuring.md explains them.
 
 Exit status: 0 done, 1 something costs more than in the baseline, 2 bad usage, 3 there are no drivers for a chip, and
@@ -94,16 +94,16 @@ def measure(chips: Sequence[Chip], found: Drivers, hn_conform: str, files: dict[
     """The device and the shaders of each chip, and why others have none."""
     devices, shaders, skipped = {}, {}, []
     progress = Progress(len(chips) * len(files))
-    texts = translated(files) if any(chip.vendor.target for chip in chips) else {}
+    texts = translated(files) if any(not chip.vendor.is_driver for chip in chips) else {}
 
     def one(chip: Chip) -> None:
         started = time.monotonic()
         try:
-            if chip.vendor.target:
-                device, results = compile_kernels(found, chip, texts, progress.step)
-            else:
+            if chip.vendor.is_driver:
                 device, results = compile_all(found.compiler(chip, [hn_conform, "shader-statistics"]),
                                               found.environment(chip), list(files.values()), progress.step)
+            else:
+                device, results = compile_kernels(found, chip, texts, progress.step)
         except Missing as why:
             skipped.append(f"{chip.name} is skipped: {why}")
             return

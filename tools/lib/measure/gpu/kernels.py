@@ -1,9 +1,9 @@
-"""Shaders by compilers that take no SPIR-V of Vulkan, and the instructions in their output: NVIDIA's ptxas, whose
-nvdisasm prints the machine's instructions, and Intel's IGC, which prints them itself.
+"""Shaders by compilers that take no SPIR-V of Vulkan, and the instructions in their output: NVIDIA's nvcc, with
+nvdisasm, which prints the machine's instructions, and Intel's IGC, which prints them itself.
 
-SPIRV-Cross prints a shader in Metal's language, which Clang compiles as C++ for OpenCL (metal.hpp), to LLVM's text for
-the one or the other. No compiler estimates a cost here, so instructions are counted, each by the unit of the GPU that
-runs it.
+SPIRV-Cross prints a shader in Metal's language. With metal.hpp before it, it is CUDA for nvcc, and C++ for OpenCL,
+which Clang and LLVM compile to the SPIR-V that IGC takes. No compiler estimates a cost here, so instructions are counted,
+each by the unit of the GPU that runs it.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from base import cuda
 from base.debian import Missing
 from measure.gpu import compiling
 from measure.gpu.compiling import Compiled, Device
@@ -29,17 +30,19 @@ if TYPE_CHECKING:
 
 HEADER = Path(__file__).with_name("metal.hpp")
 # Clang's options. Operations that may be contracted are marked, and LLVM optimizes later.
-OPTIONS = ("-x", "cl", "-cl-std=clc++", "-cl-no-stdinc", "-cl-single-precision-constant", "-cl-denorms-are-zero",
-           "-ffp-contract=fast", "-freciprocal-math", "-w", "-I", HEADER.parent)
+OPTIONS = ("-x", "cl", "-cl-std=clc++", "-cl-no-stdinc", "-cl-denorms-are-zero", "-ffp-contract=fast",
+           "-freciprocal-math", "-w", "-I", HEADER.parent)
 # Functions that SPIRV-Cross defines for what must not be contracted; the header has them.
 EXACT = re.compile(r"template<[^\n]*>\n\[\[clang::optnone\]\].*?\n}\n", re.DOTALL)
-CONSTRUCTOR = re.compile(r"\b(?:float|int|uint|bool)[234](?:x[234])?(?=\()")
+PARTS = re.compile(r"\.([xyzw]+)\b")  # of a vector
+NUMBER = re.compile(r"\b\d+\.\d+(?:e[+-]?\d+)?")
 EXACT_PRODUCT = "spvFMul("
 BATCH = 24  # shaders that a compiler gets at once
 LIMIT = 300.0  # seconds for them
 PASSES = ("-O3", "-vectorize-slp=false", "-vectorize-loops=false")  # of LLVM; a compiler of shaders makes no vectors
-# Options of llc: products and sums are contracted, divisions are the GPU's own, and small numbers become 0.
-APPROXIMATE = ("-fp-contract=fast", "-nvptx-prec-divf32=0", "-denormal-fp-math-f32=preserve-sign")
+# In place of "for (;;)", as SPIRV-Cross prints sums: nvcc writes a loop out if a condition stands in its head. No sum of
+# the library has more octaves.
+LOOP = "for (int step = 0; step < 32; ++step)"
 
 
 class Failed(Exception):
@@ -99,15 +102,6 @@ class Compiler:
             raise Failed(f"the compiler {compiling.end(done.returncode)}{f' ({why[:200]})' * bool(why)}")
         return done.stdout
 
-    def optimized(self, shaders: Mapping[str, str], folder: Path) -> Path:
-        text, plain, made = (folder / name for name in ("shaders.cl", "shaders.bc", "optimized.bc"))
-        text.write_text(module(shaders), encoding="ascii")
-        self.call(["clang", *OPTIONS, f"--target={self.chip.vendor.target}", "-O3", "-Xclang", "-disable-llvm-passes",
-                   "-Xclang", "-disable-lifetime-markers", "-Xclang", "-opaque-pointers", "-emit-llvm", "-c", text,
-                   "-o", plain], folder)
-        self.call([*self.found.program("opt"), *PASSES, plain, "-o", made], folder)
-        return made
-
     def statistics(self, shaders: Mapping[str, str]) -> dict[str, dict[str, float]]:
         with tempfile.TemporaryDirectory() as scratch:
             found = self.compiled(shaders, Path(scratch))
@@ -116,26 +110,20 @@ class Compiler:
         return found
 
 
-class Ptxas(Compiler):
+class Nvcc(Compiler):
     def compiled(self, shaders: Mapping[str, str], folder: Path) -> dict[str, dict[str, float]]:
-        architecture, ptx, binary = self.chip.variable, folder / "shaders.ptx", folder / "shaders.cubin"
-        self.call([*self.found.program("llc"), "-O3", f"-mcpu={architecture}", *APPROXIMATE,
-                   self.optimized(shaders, folder), "-o", ptx], folder)
-        said = self.call([self.found.nvidia(self.assembler()), f"-arch={architecture}", "-O3", "-v", "-o", binary, ptx],
-                         folder)
+        text, binary, programs = folder / "shaders.cu", folder / "shaders.cubin", cuda.toolkit() / "bin"
+        text.write_text(module(shaders), encoding="ascii")
+        said = self.call([programs / "nvcc", "-std=c++17", f"-arch={self.chip.variable}", "-use_fast_math", "-w",
+                          "-I", HEADER.parent, "-Xptxas", "-v", "-cubin", "-o", binary, text], folder)
         used = used_by_ptxas(said)
-        counted = counts_of_sass(self.call([self.found.nvidia("nvdisasm"), "-c", binary], folder))
+        counted = counts_of_sass(self.call([programs / "nvdisasm", "-c", binary], folder))
         return {name: {**counted[name], **used[name]} for name in shaders if name in counted and name in used}
 
-    def assembler(self) -> str:
-        """The wheel has a newer one for the newest GPUs."""
-        return "ptxas-blackwell" if int(self.chip.variable.removeprefix("sm_")) >= 100 else "ptxas"
-
     def device(self) -> Device:
-        said = self.call([self.found.nvidia(self.assembler()), "--version"], Path.cwd())
+        said = self.call([cuda.toolkit() / "bin/nvcc", "--version"], Path.cwd())
         version = re.search(r"release [\d.]+, V([\d.]+)", said)
-        return Device(self.chip.variable,
-                      f"ptxas {version[1] if version else '?'}, LLVM {self.found.version('libllvm')}")
+        return Device(self.chip.variable, f"nvcc {version[1] if version else '?'}")
 
 
 class Igc(Compiler):
@@ -147,6 +135,15 @@ class Igc(Compiler):
             if chosen:
                 found |= self.by_ocloc(chosen, folder, "" if exact else "-cl-mad-enable")
         return found
+
+    def optimized(self, shaders: Mapping[str, str], folder: Path) -> Path:
+        text, plain, made = (folder / name for name in ("shaders.cl", "shaders.bc", "optimized.bc"))
+        text.write_text(module(shaders), encoding="ascii")
+        self.call(["clang", *OPTIONS, "--target=spir64-unknown-unknown", "-O3", "-Xclang", "-disable-llvm-passes",
+                   "-Xclang", "-disable-lifetime-markers", "-Xclang", "-opaque-pointers", "-emit-llvm", "-c", text,
+                   "-o", plain], folder)
+        self.call([*self.found.program("opt"), *PASSES, plain, "-o", made], folder)
+        return made
 
     def by_ocloc(self, shaders: Mapping[str, str], folder: Path, options: str) -> dict[str, dict[str, float]]:
         spirv = folder / "shaders.spv"
@@ -161,7 +158,7 @@ class Igc(Compiler):
         return Device(self.chip.variable, f"IGC {self.found.version('libigc')}, LLVM {self.found.version('libllvm')}")
 
 
-COMPILERS = {"ptxas": Ptxas, "ocloc": Igc}  # by the driver of a vendor
+COMPILERS = {"nvcc": Nvcc, "ocloc": Igc}  # by the driver of a vendor
 
 # Of NVIDIA's instructions: the unit by the first word, and by a modifier where that matters. The letters of an
 # architecture may bring others; what is in no row runs on the ALU.
@@ -283,20 +280,25 @@ def unit(name: str, operands: str) -> str:
 
 
 def module(shaders: Mapping[str, str]) -> str:
-    """C++ for OpenCL with a kernel for each shader, of its name."""
-    return f'#include "{HEADER.name}"\n' + "".join(f"namespace of_{name} {{{text}SHADER({name})\n}}\n"
+    """CUDA or C++ for OpenCL with a kernel for each shader, of its name."""
+    return f'#include "{HEADER.name}"\n' + "".join(f"namespace metal::of_{name} {{{text}SHADER({name})\n}}\n"
                                                    for name, text in shaders.items())
 
 
 def translated(files: Mapping[str, Path]) -> dict[str, str | Failed]:
-    """The shaders of SPIR-V files in Metal's language. Missing without the programs that translate them."""
+    """The shaders of SPIR-V files in Metal's language, as metal.hpp takes it. Missing without the programs that
+    translate them."""
+    def parts(found: re.Match[str]) -> str:
+        numbers = ["xyzw".index(letter) for letter in found[1]]
+        return f"[{numbers[0]}]" if len(numbers) == 1 else f".at<{', '.join(map(str, numbers))}>()"
+
     def one(file: Path) -> str | Failed:
         done = subprocess.run(["spirv-cross", "--msl", "--msl-force-native-arrays", file], capture_output=True, text=True,
                               check=False)
         if done.returncode:
             return Failed(f"SPIRV-Cross: {done.stderr.strip()}")
         text = EXACT.sub("", done.stdout.partition("using namespace metal;")[2])
-        return CONSTRUCTOR.sub(r"made<\g<0>>", text)
+        return NUMBER.sub(r"\g<0>f", PARTS.sub(parts, text)).replace("for (;;)", LOOP)
 
     if missing := [program for program in ("clang", "spirv-cross") if not shutil.which(program)]:
         raise Missing(f"there is no {' and no '.join(missing)}, by which shaders are translated")

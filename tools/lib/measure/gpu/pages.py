@@ -86,5 +86,5 @@ def _cost(rows: Mapping[tuple[str, str], Row], id: str, chip: str) -> str:
     if row.problem:
         return "fails"
     counted = row if "Loops" in chip_named(chip).vendor.kinds else rows[id, WITNESS]
-    waits = chip_named(chip).vendor.target and TABLES.search(row.kinds)
+    waits = not chip_named(chip).vendor.is_driver and TABLES.search(row.kinds)
     return row.cost + "*" * bool(LOOPS.search(counted.kinds)) + "+" * bool(waits)

@@ -12,7 +12,7 @@ import numpy as np
 from scipy import stats
 
 from base.testing import Case, called
-from base.thorough import in_thorough_runs, some
+from base.thorough import THOROUGH, in_thorough_runs, some
 from base.tree import ROOT
 from measure import stamps
 from measure.hashes import command, controls, fields, gate, judgement, lags, library, streams, windows
@@ -28,6 +28,7 @@ OF_WINDOWS = {"autocorrelation": windows.fourier, "spectral peak": windows.fouri
               "copied lines": lambda window: [windows.copied_lines(window)],
               "copied runs": lambda window: [windows.copied_runs([window])]}
 FEW = 1 << 12  # pairs of cells
+SMALL = {} if THOROUGH else {2: 512, 3: 96}  # sides of windows
 
 
 def rejecting(findings):
@@ -35,7 +36,7 @@ def rejecting(findings):
 
 
 def first_window(hash_, n=2):
-    return gate.sample(hash_, n, gate.ORIGINS[n][0], 0)
+    return gate.sample(hash_, n, (-gate.SIDES[n] // 2,) * n, 0)
 
 
 class Controls(unittest.TestCase):
@@ -45,6 +46,7 @@ class Controls(unittest.TestCase):
             made = {finding.test for _, found in gate.judge(GOOD, 2, small) for finding in found}
         self.assertEqual(made | {"dieharder"}, {control.rejected_by for control in CONTROLS})
 
+    @mock.patch.dict(gate.SIDES, SMALL)
     def test_windows(self):
         for turn, (name, function) in enumerate(OF_WINDOWS.items()):
             for control in CONTROLS:
@@ -58,11 +60,13 @@ class Controls(unittest.TestCase):
                 for n in some([2, 3], turn):
                     self.assertEqual(rejecting(lags.judge(BY_NAME[name], n, FEW)), {test}, f"{name} in {n}D")
 
+    @mock.patch.dict(gate.SIDES, SMALL)
     def test_seeds_and_components(self):
         for control, test in ((BY_NAME["seed_moves"], "seeds"), (BY_NAME["moved_component"], "components"),
                               (BY_NAME["first_factors"], "parities of components")):
             with mock.patch.object(windows, "judge", return_value=[]):
-                found = gate.of_windows(control, control.dimensions, gate.Effort(1, gate.QUICK.seeds, windows=0))
+                seeds = gate.QUICK.seeds[:1 + (test == "seeds")]
+                found = gate.of_windows(control, control.dimensions, gate.Effort(1, seeds, windows=0))
                 self.assertEqual(rejecting(found), {test}, control.name)
 
     def test_dieharder(self):

@@ -16,11 +16,11 @@ from pathlib import Path
 import numpy as np
 
 from base.renderer import NoRenderer, NotCompiled
-from base.tree import TOOLS
 from base.usage import Parser
 from measure.noise import measures, page, record
 from measure.noise.measures import Finding, Measured
 from measure.noise.noise import Sampler, Subject, read, version
+from translate.single_file.files import text
 
 DESCRIPTION = """\
 Judges anybody's noise: its range, jumps, repeats and more, with a page, a record and an exit status.
@@ -68,12 +68,12 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
         if name not in JUDGED:
             parser.error(f"--require {name}: there is no such measure. There are {', '.join(JUDGED)}")
     try:
-        text = read(Path(file))
+        glsl = read(Path(file))
     except (OSError, UnicodeDecodeError) as error:
         parser.error(f"cannot read {file}: {error}")
     if options.range and options.range[0] >= options.range[1]:
         parser.error(f"--range {options.range[0]:g} {options.range[1]:g}: the first is to be below the second")
-    options.subject = Subject(options.name or expression.strip(), text, expression.strip(), options.dimensions,
+    options.subject = Subject(options.name or expression.strip(), glsl, expression.strip(), options.dimensions,
                               tuple(options.range) if options.range else None)
     for name, has, wanted in (("seeds", options.subject.has_seed, "uses no `seed`"),
                               ("derivative", options.subject.has_slope, "sets no `slope`"),
@@ -86,25 +86,23 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
 
 def ours(dimensions: int) -> Subject:
     """Perlin noise of the library, with its derivatives."""
-    done = subprocess.run([TOOLS / "pick", "whole", "--strip", f"perlin_d{dimensions}d.glsl",
-                           f"perlin{dimensions}d.glsl"], capture_output=True, text=True, check=True)
-    text = "\n".join(line for line in (done.stdout + WITH_SLOPE).splitlines()
-                     if not line.startswith("#version") and f"vec{5 - dimensions} p, uint seed, out" not in line)
-    return Subject("hn_perlin", text, "judge_ours(p, seed, slope)", dimensions, (-1.0, 1.0))
+    library = text([f"perlin_d{dimensions}d.glsl", f"perlin{dimensions}d.glsl"], "glsl", strip=True)
+    slope = "".join(line for line in WITH_SLOPE.splitlines(True) if f"vec{dimensions} p" in line)
+    return Subject("hn_perlin", library + slope, "judge_ours(p, seed, slope)", dimensions, (-1.0, 1.0))
 
 
 def by_softpipe(subject: Subject) -> np.ndarray | None:
     """The values that measures.compilers compares, by the other driver, which a process of its own loads."""
     with tempfile.TemporaryDirectory() as folder:
-        text, values = Path(folder) / "shader", Path(folder) / "values"
-        text.write_text(json.dumps(vars(subject)), encoding="utf-8")
-        done = subprocess.run([sys.executable, "-B", "-m", "measure.noise.command", "--draw", str(text), str(values)],
+        shader, values = Path(folder) / "shader", Path(folder) / "values"
+        shader.write_text(json.dumps(vars(subject)), encoding="utf-8")
+        done = subprocess.run([sys.executable, "-B", "-m", "measure.noise.command", "--draw", str(shader), str(values)],
                               env={**os.environ, **SOFTPIPE}, capture_output=True, check=False)
         return np.fromfile(values, np.float32) if done.returncode == 0 else None
 
 
-def draw(text: str, values: str) -> int:
-    sampler = Sampler(Subject(**json.loads(Path(text).read_text(encoding="utf-8"))))
+def draw(shader: str, values: str) -> int:
+    sampler = Sampler(Subject(**json.loads(Path(shader).read_text(encoding="utf-8"))))
     sampler.random(-measures.ANYWHERE / 10, measures.ANYWHERE / 10, 800)[0].astype(np.float32).tofile(values)
     return 0
 

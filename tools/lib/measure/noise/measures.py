@@ -69,8 +69,7 @@ def extremes(m: Measured) -> Finding:
         values, places = m.sampler.random(-ANYWHERE / 16, ANYWHERE / 16, 100 + turn)
         for sign, found in best.items():
             # Away from each other, since neighbours have the same peak.
-            order = np.argsort(-sign * np.nan_to_num(values))[:4]
-            found += [(float(sign * values[i]), places[i]) for i in order]
+            found += [(float(sign * values[i]), places[i]) for i in _largest(sign * np.nan_to_num(values), 4)]
     ends = {}
     for sign, found in best.items():
         found.sort(key=lambda one: -one[0])
@@ -84,6 +83,11 @@ def extremes(m: Measured) -> Finding:
                  f" All are in [{claimed[0]:g}, {claimed[1]:g}].")
     return Finding("range", beyond > OUTSIDE if claimed else None, max(-low, high), said,
                    {"least": low, "greatest": high})
+
+
+def _largest(values: np.ndarray, count: int) -> np.ndarray:
+    """The places of so many."""
+    return np.argpartition(-values, count)[:count]
 
 
 def _climbed(sampler: Sampler, sign: int, value: float, place: np.ndarray) -> float:
@@ -110,7 +114,7 @@ def jumps(m: Measured) -> Finding:
         values, places = m.sampler.random(-16, 16, 300 + turn)
         beside, _ = m.sampler.random(-16, 16, 300 + turn, moved=direction * near)
         steps = np.abs(beside - values)
-        for i in np.argsort(-np.nan_to_num(steps))[:count]:
+        for i in _largest(np.nan_to_num(steps), count):
             worst = max(worst, _jump(m.sampler, places[i].astype(float), direction * near))
     for axis in range(m.n):
         worst = max(worst, _at_walls(m, axis))
@@ -122,7 +126,7 @@ def jumps(m: Measured) -> Finding:
 
 def _jump(sampler: Sampler, place: np.ndarray, step: np.ndarray) -> float:
     """The largest step of 512 between two places, less what the slope around it explains."""
-    row = sampler.grid(place - 2 * step, 5 * step / 512, np.zeros(len(place)))[0].astype(float)
+    row = sampler.grid(place - 2 * step, 5 * step / 512, np.zeros(len(place)), 1)[0].astype(float)
     steps = np.abs(np.diff(row))
     i = int(np.argmax(steps))
     around = np.delete(steps[max(i - 4, 0):i + 5], min(i, 4))
@@ -284,7 +288,7 @@ def far(m: Measured) -> Finding:
     for place in (-1e3, 1e4, 1e5, 1e6, 1e9):
         values = m.sampler.random(place, place + 256, 700)[0].astype(float)
         there[place] = float(np.std(values)) if np.isfinite(values).all() else np.nan
-    odd = [m.sampler.draw(np.full(m.n, bad), np.zeros(m.n), np.zeros(m.n), 1)[0, 0] for bad in (np.nan, np.inf)]
+    odd = [m.sampler.draw(np.full(m.n, bad), np.zeros(m.n), np.zeros(m.n), 1, rows=1)[0, 0] for bad in (np.nan, np.inf)]
     parts = {place: value / max(m.deviation, 1e-30) for place, value in there.items()}
     good = [place for place, part in parts.items() if abs(part - 1) <= FAR]
     reach = max((place for place in good if place > 0), default=0.0)

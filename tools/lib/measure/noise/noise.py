@@ -114,18 +114,18 @@ class Sampler:
         self._program = self.renderer.program(subject.shader(times))
 
     def draw(self, origin: np.ndarray, along: np.ndarray, up: np.ndarray, turn: int = 0, seed: int = 0,
-             gradient: bool = False, away: float = 0.0) -> np.ndarray:
+             gradient: bool = False, away: float = 0.0, rows: int = 512) -> np.ndarray:
         """The pixels of a drawing: value and place, or value and gradient, one after another."""
         def four(vector: np.ndarray) -> tuple[float, ...]:
             return (*map(float, vector), *(0.0,) * (4 - len(vector)))
 
-        pixels = self.renderer.draw(self._program, origin=four(origin), along=four(along), up=four(up),
-                                     setup=(float(seed), float(turn), float(gradient), away))
-        return np.frombuffer(pixels, np.float32).reshape(COUNT, 4)
+        pixels = self.renderer.draw(self._program, rows, origin=four(origin), along=four(along), up=four(up),
+                                    setup=(float(seed), float(turn), float(gradient), away))
+        return np.frombuffer(pixels, np.float32).reshape(-1, 4)
 
-    def grid(self, origin: np.ndarray, along: np.ndarray, up: np.ndarray, seed: int = 0) -> np.ndarray:
-        """A square of values; axis 0 goes up."""
-        return self.draw(origin, along, up, seed=seed)[:, 0].reshape(512, 512)
+    def grid(self, origin: np.ndarray, along: np.ndarray, up: np.ndarray, rows: int = 512) -> np.ndarray:
+        """Rows of 512 values; axis 0 goes up."""
+        return self.draw(origin, along, up, rows=rows)[:, 0].reshape(rows, 512)
 
     def random(self, low: float, high: float, turn: int, moved: np.ndarray | None = None, seed: int = 0,
                away: float = 0.0) -> tuple[np.ndarray, np.ndarray]:

@@ -23,7 +23,7 @@ def greys(values: np.ndarray) -> str:
     low, high = finite.min(), finite.max()
     bytes_ = ((finite - low) / max(high - low, 1e-30) * 255).astype(np.uint8)[::-1]
     data = png(values.shape[1], values.shape[0], np.repeat(bytes_[..., None], 3, -1).tobytes())
-    return f'<img alt="" src="data:image/png;base64,{base64.b64encode(data).decode()}">'
+    return f'<img alt="" width="128" src="data:image/png;base64,{base64.b64encode(data).decode()}">'
 
 
 def bars(counts: list[int]) -> str:
@@ -62,8 +62,17 @@ def picture(sampler: Sampler, finding: Finding) -> str:
 
 def write(folder: Path, theirs: Sampler, ours: Sampler, found: Mapping[str, Finding], of_ours: Mapping[str, Finding],
           seconds: float, commit: str) -> None:
-    rows = [(name, [(one, Markup(picture(sampler, one))) for sampler, one in ((theirs, finding), (ours, of_ours.get(name)))
-                    if one]) for name, finding in found.items()]
-    page.write(folder / "index.html", Path(__file__).with_name("judge.html"), subject=theirs.subject, commit=commit,
-               rows=rows, version=version(), size=f"{len(theirs.subject.text.encode()):,}", seconds=f"{seconds:.2f}")
+    def cell(sampler: Sampler, one: Finding | None) -> Markup | str:
+        verdict = {None: "", True: "FAIL ", False: "pass "}[one.fails] if one else ""
+        return one and Markup("{}<b>{:.4g}</b><br>{}<br>{}").format(verdict, one.number, one.sentence,
+                                                                    Markup(picture(sampler, one))) or ""
+
+    subject = theirs.subject
+    text = (f"{subject.expression}, version {commit}, judged from values that Mesa's llvmpipe computed. The file has "
+            f"{len(subject.text.encode()):,} bytes, and compiled in {seconds:.2f} s. Numbers are of a sample: what was not "
+            "found may be there.")
+    rows = [(name, cell(theirs, finding), cell(ours, of_ours.get(name))) for name, finding in found.items()]
+    page.write(folder / "index.html", Path(page.__file__).with_name("tables.html"), title=subject.name, problems=(),
+               facts={"hashnoise": version(), "renderer": theirs.renderer.version}, sections=[
+                   page.Section("Measures", text, ("measure", subject.name, "hn_perlin, for comparison"), rows, "table dense")])
     record.put(folder / "judged.csv", theirs.subject, found.values(), theirs.renderer.version)

@@ -12,7 +12,8 @@ from translate.pick.values import AXES, PREFIXES
 TYPES = {"float": "float", "int": "int32_t", "uint": "uint32_t", "bool": "int"}
 # Who compiles: GPUs' languages have no headers, and a function of CUDA is the host's alone unless it is marked.
 HEAD = """\
-#if defined(__OPENCL_VERSION__)
+#if defined(__OPENCL_VERSION__) || defined(__OPENCL_C_VERSION__)
+#define HN_OPENCL
 typedef int int32_t;
 typedef uint uint32_t;
 #define floorf floor
@@ -37,7 +38,7 @@ CONTRACTION = """\
 // -cl-fp32-correctly-rounded-divide-sqrt alone.
 //
 // Products are rounded before they are added to. GCC does not know the pragma: compile with -ffp-contract=off.
-#if defined(__OPENCL_VERSION__)
+#if defined(HN_OPENCL)
 #pragma OPENCL FP_CONTRACT OFF
 #elif defined(__HIP__)
 #pragma clang fp contract(off)

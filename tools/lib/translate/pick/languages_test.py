@@ -27,7 +27,17 @@ from translate.pick.comparison import OTHER_KNOBS, compile_words
 from translate.pick.evaluate import Module
 from translate.pick.osl_runner import OslRunner
 from translate.pick.program import Program, chosen, read
-from translate.pick.runners import RUNNERS, Case, JavaRunner, NotInstalled, NotRun, Runner, ran, written_to
+from translate.pick.runners import (
+    RUNNERS,
+    Case,
+    JavaRunner,
+    NotInstalled,
+    NotRun,
+    OpenClRunner,
+    Runner,
+    ran,
+    written_to,
+)
 from translate.pick.scalars import Piece, Syntax, text
 
 POINTS = 200
@@ -37,7 +47,10 @@ SKIPPED = 77
 SPECIAL = ("hn_next2", "hn_fbm2", "hn_cellular2_nearest", "hn_cell_border2_nearest", "hn_tile2", "hn_fbm_d2",
            "hn_shuffle")
 
-ALL_RUNNERS = {**RUNNERS, "osl": OslRunner}
+ALL_RUNNERS = {**RUNNERS, "osl": OslRunner, "opencl": OpenClRunner}
+# Changes of the one text in C that some compiler refuses.
+REFUSED = (("static __host__ __device__ inline", "static inline"), ("#if defined(__OPENCL_VERSION__) ||", "#if 0 &&"),
+           ("uint32_t seed)", "uint32_t or)"), ("{\n  hn_vec2 made = {x, y};\n  return made;", "{\n  return (hn_vec2){x, y};"))
 TOGETHER = ("hn_perlin2", "hn_value3_place", "hn_tile3")  # in one text
 PAGE = (ROOT / "docs" / "guide" / "same-bits.md").read_text(encoding="utf-8")
 # A program that prints the height of the page, and the commands that build and run it.
@@ -73,13 +86,18 @@ def functions(of: Module, arithmetic: str) -> dict[str, Function]:
     return {name: known[name] for name in dict.fromkeys(names)}
 
 
+def drawn(of: Module, arithmetic: str) -> dict[str, Function]:
+    """Those that have points: all with integers, for the text of all of them."""
+    return of.forms if arithmetic == "fixed" else functions(of, arithmetic)
+
+
 def write_points(folder: Path) -> None:
     """The functions' arguments and results, for each arithmetic."""
     folder.mkdir(parents=True, exist_ok=True)
     for arithmetic in (*command.ARITHMETICS, OTHER_KNOBS):
         of = module(arithmetic)
         program = folder / arithmetic
-        compile_words(of, functions(of, arithmetic), POINTS, arithmetic, program, "-O0", "-Dalways_inline=unused")
+        compile_words(of, drawn(of, arithmetic), POINTS, arithmetic, program, "-O0", "-Dalways_inline=unused")
         subprocess.run([program, f"{program}.in", f"{program}.out"], check=True)
 
 
@@ -95,7 +113,7 @@ def words(folder: Path, arithmetic: str, of: Module) -> dict[str, tuple[bytes, b
     inputs, outputs = (Path(f"{folder / arithmetic}.{end}").read_bytes() for end in ("in", "out"))
     found: dict[str, tuple[bytes, bytes]] = {}
     at = [0, 0]
-    for name, function in functions(of, arithmetic).items():
+    for name, function in drawn(of, arithmetic).items():
         ends = [start + 4 * POINTS * count for start, count in zip(at, counts(of, function))]
         found[name] = inputs[at[0]:ends[0]], outputs[at[1]:ends[1]]
         at = ends
@@ -108,7 +126,7 @@ class Language(unittest.TestCase):
 
     def differing(self, arithmetic: str, of: Module, texts: Sequence[tuple[str, str]]) -> list[str]:
         """How each text of a function differs from the library; nothing if it does not."""
-        known, expected = functions(of, arithmetic), words(self.folder, arithmetic, of)
+        known, expected = of.forms, words(self.folder, arithmetic, of)
         cases = [Case(known[name], shown) for name, shown in texts]
         with tempfile.TemporaryDirectory() as folder:
             found = self.runner.run(cases, of, POINTS, b"".join(expected[name][0] for name, _ in texts), Path(folder))
@@ -130,14 +148,41 @@ class Language(unittest.TestCase):
         syntax = syntax or self.runner.syntax
         return text(Program(of, chosen(of, names)), syntax(arithmetic == "precise"))
 
+    def whole(self, arithmetic: str, of: Module) -> list[tuple[str, str]]:
+        """All functions that have points, in one text."""
+        names = drawn(of, arithmetic)
+        shown = text(Program(of, chosen(of, names), calls_first=True), self.runner.syntax(arithmetic == "precise"))
+        return [(name, shown) for name in names]
+
     def test_the_bits_are_those_of_the_library(self) -> None:
         for arithmetic in self.arithmetics():
             of = module(arithmetic, self.runner.syntax)
-            texts = [(name, self.text(arithmetic, of, name)) for name in functions(of, arithmetic)]
-            texts += [(TOGETHER[0], self.text(arithmetic, of, *TOGETHER))]
+            if isinstance(self.runner, OpenClRunner):
+                texts = self.whole(arithmetic, of)
+                self.lint(texts[0][1])
+            else:
+                texts = [(name, self.text(arithmetic, of, name)) for name in functions(of, arithmetic)]
+                texts += [(TOGETHER[0], self.text(arithmetic, of, *TOGETHER))]
             with self.subTest(arithmetic=arithmetic):
                 self.assertGreater(len(texts), 5)
                 self.assertEqual("\n".join(filter(None, self.differing(arithmetic, of, texts))), "")
+
+    def lint(self, shown: str) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            self.runner.lint([shown], Path(folder))
+
+    def test_compilers_of_all_languages_take_the_text_of_c(self) -> None:
+        if not isinstance(self.runner, OpenClRunner):
+            return
+        of = module("fast")
+        self.lint(text(Program(of, chosen(of, of.forms), calls_first=True), self.runner.syntax()))
+        right = self.text("fast", of, "hn_cellular2")
+        self.lint(right)
+        for old, new in REFUSED:
+            with self.subTest(old):
+                self.assertIn(old, right)
+                with self.assertRaises(NotRun):
+                    self.lint(right.replace(old, new))
 
     def test_a_text_that_is_not_compiled_is_told(self) -> None:
         if not isinstance(self.runner, OslRunner):

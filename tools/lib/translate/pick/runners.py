@@ -3,6 +3,7 @@ results."""
 
 from __future__ import annotations
 
+import itertools
 import re
 import shutil
 import subprocess
@@ -291,6 +292,84 @@ int main(void) {{
 
     def result(self, results: Sequence[Part], number: int) -> str:
         return results[number].name
+
+
+class OpenClRunner(CRunner):
+    """Texts of C as OpenCL C, which the first driver runs: pocl, on a CPU. Calls of one text are kernels of a program."""
+    programs = ("clang", "g++", "/usr/bin/python3")
+    packages = "clang g++ pocl-opencl-icd python3-pyopencl"
+    arithmetics = ("fixed", "precise")  # a driver may fuse products in HN_FAST
+    read = {"float": "*(__global const float *)in++", "int": "(int32_t)*in++", "uint": "*in++", "bool": "*in++ != 0u"}
+    write = {"float": "*(__global float *)out++ = {};", "uint": "*out++ = {};",
+             **dict.fromkeys(("int", "bool"), "*out++ = (uint32_t){};")}
+    IN_KERNEL = 24  # calls: drivers inline all of them, and the optimizer of one that is long takes minutes
+    KERNEL = """
+__kernel void run{number:03}(__global uint32_t *at, __global const uint32_t *inputs, __global uint32_t *outputs) {{
+  __global const uint32_t *in = inputs + at[0];
+  __global uint32_t *out = outputs + at[1];
+{calls}
+  at[0] = (uint32_t)(in - inputs);
+  at[1] = (uint32_t)(out - outputs);
+}}
+"""
+    MAIN = """import sys
+import numpy
+import pyopencl
+context = pyopencl.Context(pyopencl.get_platforms()[0].get_devices())
+queue = pyopencl.CommandQueue(context)
+words = [numpy.zeros(2, "u4"), numpy.fromfile("inputs", "u4"), numpy.zeros(1 << 24, "u4")]
+shared = pyopencl.mem_flags.READ_WRITE | pyopencl.mem_flags.COPY_HOST_PTR
+buffers = [pyopencl.Buffer(context, shared, hostbuf=one) for one in words]
+for name in sys.argv[1:]:
+    with open(name) as file:
+        program = pyopencl.Program(context, file.read()).build(["-cl-opt-disable"])
+    for kernel in sorted(program.all_kernels(), key=lambda one: one.function_name):
+        kernel(queue, (1,), None, *buffers)
+for one, buffer in zip(words, buffers):
+    pyopencl.enqueue_copy(queue, one, buffer)
+words[2][:words[0][1]].tofile("outputs")
+"""
+    # NVIDIA's headers declare these for NVRTC.
+    CUDA = """#define __device__ __attribute__((device))
+#define __host__ __attribute__((host))
+#define __fmul_rn __nvvm_mul_rn_f
+__device__ inline float floorf(float x) { return __builtin_floorf(x); }
+__device__ inline float truncf(float x) { return __builtin_truncf(x); }
+__device__ inline float fabsf(float x) { return __builtin_fabsf(x); }
+__device__ inline float sqrtf(float x) { return __nvvm_sqrt_rn_f(x); }
+"""
+    SILENT = ("-Wall", "-Wextra", "-pedantic", "-Wno-unused-function", "-Werror")
+    COMPILERS = (("g++", "-std=c++98", "-fsyntax-only", "-x", "c++"), ("clang++", "-std=c++20", "-fsyntax-only", "-x", "c++"),
+                 *(("clang", f"-cl-std=CL{version}", "-target", "spir64", "-nostdlibinc", "-fsyntax-only", "-x", "cl")
+                   for version in ("1.2", "2.0", "3.0")))
+    TO_PTX = ("clang", "--cuda-device-only", "-nocudainc", "-nocudalib", "--cuda-gpu-arch=sm_75", "-D__CUDACC_RTC__", "-S",
+              "-o", "text.ptx", "-include", "cuda.h", "-x", "cuda")
+
+    def check(self, lints: bool = False) -> None:
+        super().check(lints)
+        if subprocess.run(["/usr/bin/python3", "-c", "import pyopencl; pyopencl.get_platforms()"], check=False).returncode:
+            raise NotInstalled(f"there is no driver of OpenCL: apt-get install {self.packages}")
+
+    def kernels(self, calls: Sequence[str]) -> str:
+        return "".join(self.KERNEL.format(number=i, calls="\n".join(calls[i:i + self.IN_KERNEL]))
+                       for i in range(0, len(calls), self.IN_KERNEL))
+
+    def build(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> Sequence[str | Path]:
+        programs = itertools.groupby(zip(texts, calls), lambda one: one[0])
+        sources = written_to(folder, {f"m{i}.cl": text + self.kernels([call for _, call in of_text])
+                                      for i, (text, of_text) in enumerate(programs)})
+        return ["env", "POCL_CACHE_DIR=cache", "PYOPENCL_NO_CACHE=1", "/usr/bin/python3", "-c", self.MAIN, *sources]
+
+    def lint(self, texts: Sequence[str], folder: Path) -> None:
+        """By compilers of each language that the text is."""
+        super().lint(texts, folder)
+        written_to(folder, {"cuda.h": self.CUDA})
+        for text in texts:
+            names = re.findall(r"^HN_INLINE \w+ (hn_(?!i_)\w+)\(", text, re.MULTILINE)
+            used = "".join(f"__device__ auto *used_{name} = {name};\n" for name in names)
+            for compiler in (*self.COMPILERS, self.TO_PTX):
+                written_to(folder, {"text": text + used * (compiler == self.TO_PTX)})
+                ran(folder, *compiler[:-2], *self.SILENT, *compiler[-2:], "text")
 
 
 class CSharpRunner(Runner):
