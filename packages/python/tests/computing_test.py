@@ -108,7 +108,7 @@ class Programs(unittest.TestCase):
     def test_the_kernel_for_houdini_moves_points(self) -> None:
         kernel, = re.findall(r"(?ms)^```c\n(.*?)^```$", TEXT)
         context = pyopencl.create_some_context(interactive=False)
-        program = pyopencl.Program(context, printed(HOUDINI) + kernel).build()
+        program = pyopencl.Program(context, printed(HOUDINI) + kernel).build(["-cl-fast-relaxed-math"])
         points = numpy.random.default_rng(88).uniform(-8, 8, (1000, 3)).astype(numpy.float32)
         moved = points.copy()
         memory = pyopencl.Buffer(context, pyopencl.mem_flags.USE_HOST_PTR, hostbuf=moved)
