@@ -1,4 +1,4 @@
-"""docs/guide/gpu-computing.md: the programs run as they stand there, on the CPU. Each compares its values with hashnoise.grid."""
+"""docs/guide/gpu-computing.md: the programs run as they stand, on a CPU, and find the bits of hashnoise.grid."""
 
 from __future__ import annotations
 
