@@ -370,6 +370,7 @@ Judged check_cell_names(Session& session, const Evaluation& evaluation) {
       square += offset * offset;
     }
     const int metric = border ? 1 : static_cast<int>(there[static_cast<std::size_t>(cell_names.input("metric"))]);
+    static_assert(kMetrics == 5);  // any other number counts as Euclidean
     const double distance = metric == 2   ? square
                             : metric == 3 ? sum
                             : metric == 4 ? largest

@@ -34,9 +34,9 @@ def suite_of(page):
     return json.loads(gzip.decompress(base64.b64decode(SUITE.search(page)[0])))
 
 
-def reporting(page, timed):
+def reporting(page):
     """The page with a suite that reports its progress here, as if it had all default cases."""
-    suite = suite_of(page) | {"report_to": "event", "golden": "89abcdef", "timed": timed}
+    suite = suite_of(page) | {"report_to": "event", "golden": "89abcdef"}
     packed = base64.b64encode(gzip.compress(json.dumps(suite).encode())).decode()
     return SUITE.sub(packed, page)
 
@@ -98,10 +98,10 @@ class Web(ProgramTest):
     def chromium(self, *switches):
         return chromium.command(chromium.found(), self.folder / "profile", PHONE, *switches)
 
-    def open(self, page, *switches, timed=()):
-        """The text of the page at its end. Only named cases are timed."""
+    def open(self, page, *switches):
+        """The text of the page at its end."""
         server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Listener)
-        server.page = reporting(page, list(timed)).replace("<body>", f"<body>{LOOK}").encode()
+        server.page = reporting(page).replace("<body>", f"<body>{LOOK}").encode()
         self.assertNotEqual(server.page, page.encode())
         server.events, server.over = [], threading.Event()
         threading.Thread(target=server.serve_forever, daemon=True).start()
@@ -213,19 +213,6 @@ class Web(ProgramTest):
         run, = json.loads(end["results"])["runs"]
         statuses = {case["id"].split(".")[5]: case["status"] for case in run["cases"]}
         self.assertEqual((statuses["wgsl"], statuses["es300"]), ("unsupported", "pass"))
-
-    def test_costs_are_told_as_multiples(self):
-        page = self.page("--thorough", "--filter", "hash.lattice2.lattice.*")
-        timed = suite_of(page)["timed"]
-        self.assertEqual(len(timed), 13)
-        some = [one for one in timed if one["name"] in ("empty", "noise2d.perlin.fast", "noise2d.perlin.fixed")]
-        for _ in range(5):  # while others use the machine, the clock may show nothing
-            end = self.open(page, timed=some)
-            if "Costs of functions here" in end["found"]:
-                break
-        costs = dict(re.findall(r"(noise2d\.perlin\.\w+)\s+([\d.]+)", end["found"].partition("Costs of functions here")[2]))
-        self.assertEqual((list(costs), costs["noise2d.perlin.fast"]), (["noise2d.perlin.fast", "noise2d.perlin.fixed"], "1.00"))
-        self.assertGreater(float(costs["noise2d.perlin.fixed"]), 1)
 
     def test_a_page_of_some_cases_names_no_golden_files(self):
         self.assertNotIn("golden", suite_of(self.page(*SMALL)))

@@ -47,7 +47,7 @@ __global__ void kernel(float* n) { *n = hashnoise::hn_fbm(hashnoise::vec2(n[0], 
 
 
 def messages(*command: str) -> str:
-    """A compiler's messages about the kernels, and its output if it refuses them."""
+    """A compiler's messages about the kernels, and all that it prints if it refuses them."""
     done = subprocess.run([*command, "-std=c++20", f"-I{ROOT / 'include'}", f"-I{twin_flags_test.TABLES}",
                            str(HERE / "kernels.cu")], capture_output=True, text=True, check=False)
     return done.stderr + (done.stdout if done.returncode else "")

@@ -65,7 +65,6 @@ struct Function {
   bool takes_strength() const { return input("strength") >= 0; }
   bool takes_amplitude() const { return input("amplitude") >= 0; }
   bool takes_footprint() const { return input("footprint") >= 0; }
-  bool takes_depth() const { return input("depth") >= 0; }
   bool takes_count() const { return input("n") >= 0; }        // of items
   bool takes_detail() const { return input("detail") >= 0; }  // a float of octaves
   // Whether an output is the cell of the nearest feature point or the word of a hexagon, which is exact though other

@@ -25,6 +25,8 @@ COMPILERS = [argument for argument in sys.argv[1:] if argument != "--thorough"]
 PUBLIC = sorted(path.name for path in (INCLUDE / "hashnoise").glob("*.hpp"))
 HEADERS = ("hashnoise.hpp", "glsl.hpp")
 ARITHMETICS = ("HN_FAST", "HN_PRECISE", "HN_FIXED")
+HASHES = ("FNV1", "PARTIAL_FNV1", "JENKINS", "PARTIAL_JENKINS", "MURMUR", "PCG", "XXHASH32", "CUSTOM")
+WIDTHS = ("x86-64-v4", "x86-64", "x86-64-v3", "x86-64-v2")  # of instructions
 # Sums over several noises in one file: of the library and of the user's.
 SUMS = """
 namespace hashnoise {
@@ -166,7 +168,10 @@ CALLED = """
 inline hashnoise::Range called(std::span<float> values, float x) {
   namespace lanes = hashnoise::lanes;
   const hashnoise::vec3 p(x, x, x);
-  values[0] = hashnoise::hn_fbm(p, 6, 2.0f, 0.5f, 7u) + hashnoise::hn_cellular(p, 7u).x + hashnoise::hn_simplex_d(p, 7u).x;
+  values[0] = hashnoise::hn_fbm(p, 6, 2.0f, 0.5f, 7u) + hashnoise::hn_cellular(p, 7u).x + hashnoise::hn_simplex_d(p, 7u).x +
+              hashnoise::hn_clouds(hashnoise::vec3(hashnoise::ivec2(1, 2), 3.5f), 5, 2.0f, 0.5f, 7u) +
+              hashnoise::hn_position(hashnoise::hn_tile(hashnoise::vec4(x), hashnoise::ivec4(2))).x;
+  lanes::fill(hashnoise::Grid<2>{{x, x}, {x, x}, {8, 8}}, values, [](lanes::vec2 q) { return lanes::hn_simplex(q, 7u); });
   return lanes::fill(hashnoise::CellGrid<2>{{1, 2}, {0.0f, 0.0f}, {0.5, 0.5}, {8, 8}}, values,
                      [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_fbm(lanes::hn_place(cell, f), 6, 2.0f, 0.5f, 7u); });
 }
@@ -324,10 +329,16 @@ class BesideOthers(unittest.TestCase):
                 self.assertIn("the size of the values", done.stderr)
 
     def test_no_header_warns(self) -> None:
-        for compiler in COMPILERS:
-            more = MORE_WARNINGS["clang++" if "clang" in Path(compiler).name else "g++"]
-            with self.subTest(compiler=compiler):
-                self.compiled(compiler, all_headers() + CALLED, *WARNINGS, *more)
+        rows = [(*row, "LATTICE") for row in itertools.product(ARITHMETICS, ("OCTAHEDRAL", "SINE"))]
+        # A hash is one line, so with all else at its default one hash beside the default's is enough.
+        rows += [("HN_FAST", "OCTAHEDRAL", hashed) for hashed in some(HASHES, 0)]
+        for turn, (arithmetic, gradient, hashed) in enumerate(rows):
+            knobs = [f"-DHN_ARITHMETIC={arithmetic}", f"-DHN_GRADIENT=HN_GRADIENT_{gradient}", f"-DHN_HASH=HN_HASH_{hashed}"]
+            width = [f"-march={WIDTHS[turn // 2 % len(WIDTHS)]}"] if platform.machine() == "x86_64" else []
+            for compiler in some_compilers(turn):
+                more = MORE_WARNINGS["clang++" if "clang" in Path(compiler).name else "g++"]
+                with self.subTest(compiler=compiler, knobs=knobs, width=width):
+                    self.compiled(compiler, all_headers() + CALLED, *WARNINGS, *more, *knobs, "-DHN_HASH_FN(k)=(k)", *width)
 
     def test_floats_of_x87_are_an_error_with_precise(self) -> None:
         text = including("hashnoise.hpp")
@@ -428,6 +439,11 @@ class Headers(unittest.TestCase):
         for version, refused in (("201703L", True), ("202002L", False)):
             said = messages(COMPILERS[0], including("glsl.hpp"), "-std=c++17", f"-D_MSVC_LANG={version}")
             self.assertEqual("hashnoise needs C++20" in said, refused, version)
+
+    def test_nvcc_is_refused_by_name_where_its_front_end_fails(self) -> None:
+        for cuda in (("-D__CUDACC__",), ()):  # nvcc passes .cpp files on
+            said = messages(COMPILERS[0], including("grid.hpp"), "-std=c++20", "-D__NVCC__", *cuda, only="-E")
+            self.assertEqual("include them in a .cpp file" in said, bool(cuda))
 
     def test_sums_over_several_noises_live_in_one_file(self) -> None:
         for turn, arithmetic in enumerate(ARITHMETICS):

@@ -31,7 +31,6 @@ function shownVerdict() {
 async function run(suite) {
   const results = [];
   let info = null;
-  let costs = null;
   let shown = -Infinity;
   const start = performance.now();
   const stop = document.getElementById("stop");
@@ -55,11 +54,8 @@ async function run(suite) {
       results.push(result);
       await tell(suite, { type: "finished", ...result });
     },
-    async timed(found) {
-      costs = found;
-    },
   });
-  showResults(suite, info, results, costs);
+  showResults(suite, info, results);
   document.getElementById("send").href = `${kAddress}/issues/new?template=result.yml`;
   document.title = `${bad(results).length ? "✗" : "✓"} ${document.title}`;
   const found = document.getElementById("found").innerText;

@@ -179,20 +179,6 @@ export class Renderer {
     return words;
   }
 
-  // The time to draw the whole texture, in milliseconds. Reading back waits for the draw.
-  time(program, uniforms) {
-    const gl = this.gl;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);
-    this.setUniforms(program, uniforms);
-    gl.bindVertexArray(this.vertexArray);
-    gl.viewport(0, 0, kWidth, kHeight);
-    const words = new Uint32Array(4);
-    const start = performance.now();
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
-    gl.readPixels(0, 0, 1, 1, gl.RGBA_INTEGER, gl.UNSIGNED_INT, words);
-    return performance.now() - start;
-  }
-
   // A row of the grid at a time, from vertex 0 on: some drivers count vertices wrongly in larger draws.
   capture(program, points) {
     const gl = this.gl;

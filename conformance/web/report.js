@@ -203,8 +203,7 @@ export function showStopped(title, message) {
   place("current").textContent = message;
 }
 
-// costs: of costs.js, or null.
-export function showResults(suite, info, results, costs) {
+export function showResults(suite, info, results) {
   const good = asExpected(results);
   const total = suite.cases.length;
   const stopped = results.length === total ? "" : `, stopped after ${results.length} of ${total}`;
@@ -226,11 +225,6 @@ export function showResults(suite, info, results, costs) {
   if (differences.length) {
     found.append(element("h2", {}, "Largest difference from the exact values"),
                  table(["function", "difference"], differences));
-  }
-  if (costs) {
-    found.append(element("h2", {}, "Costs of functions here"),
-                 table(["function", "as a multiple of Perlin noise with floats"],
-                       Object.entries(costs).map(([name, percent]) => [name, (percent / 100).toFixed(2)])));
   }
   found.append(element("details", {}, element("summary", {}, "Every case"),
                        table(["case", "status", "values"], results.map((r) => [r.id, r.status, r.samples]))));

@@ -1,7 +1,6 @@
 // Runs the cases one after the other, over lost contexts.
 import { kBadStatuses, outcomeWith, runCase } from "./checks.js";
-import { measureCosts } from "./costs.js";
-import { DriverError, NoContext, Renderer, openContext } from "./renderer.js";
+import { NoContext, Renderer, openContext } from "./renderer.js";
 import { openDevice } from "./webgpu.js";
 
 // A context that is gone may come back when the browser has started its GPU process again.
@@ -57,8 +56,8 @@ async function reopened(open) {
 
 const kOpen = { webgl2: () => new Renderer(openContext()), webgpu: openDevice };
 
-// listener: async ready(info), started(id), finished(result), and timed(costs) if the suite has functions to time;
-// wantsMore(), which is called before each case. Throws NoContext if there is none.
+// listener: async ready(info), started(id) and finished(result); wantsMore(), which is called before each case. Throws
+// NoContext if there is none.
 export async function runSuite(suite, listener) {
   // The renderers of the APIs; null where one was lost. The page cannot do without its own.
   const renderers = { [suite.api]: await kOpen[suite.api]() };
@@ -85,16 +84,5 @@ export async function runSuite(suite, listener) {
     }
     await listener.finished({ id: test.id, ...outcome, seconds });
     await breathe();
-  }
-  if (suite.timed.length && renderers.webgl2) await listener.timed(await costsOn(renderers.webgl2, suite));
-}
-
-// Null if the device cannot be timed; nothing of its verdict depends on that.
-async function costsOn(renderer, suite) {
-  try {
-    return await measureCosts(renderer, suite, breathe);
-  } catch (error) {
-    if (error instanceof DriverError) return null;
-    throw error;
   }
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <map>
@@ -31,26 +30,6 @@ static_assert(std::endian::native == std::endian::little, "the page's numbers ar
 constexpr std::uint64_t kPageSeed = 1;
 constexpr std::size_t kPagePoints = 1024;
 constexpr std::size_t kFurtherPagePoints = 128;  // of further functions, which are many
-
-// The functions that the page times. They take a position on the plane.
-constexpr std::array<std::string_view, 6> kTimed = {"fbm.fbm2",        "noise2d.cellular", "noise2d.perlin",
-                                                    "noise2d.simplex", "noise2d.value",    "warp.warp2"};
-
-// Times a function at many positions for each pixel. They are apart, so that no evaluation can be left out.
-constexpr std::string_view kTimedMain = R"(
-uniform highp int rounds;
-out highp uvec4 result;
-highp float timed(highp float value) {{ return value; }}
-highp float timed(highp vec2 value) {{ return value.x + value.y; }}
-void main() {{
-  highp float sum = 0.0;
-  for (highp int i = 0; i < rounds; ++i) {{
-    highp vec2 p = gl_FragCoord.xy * 0.0625 + vec2(float(i) * 0.375, float(i) * 0.21875);
-    sum += timed({});
-  }}
-  result = uvec4(floatBitsToUint(sum));
-}}
-)";
 
 // Numbers values, so that each is stored once.
 class Table {
@@ -84,32 +63,11 @@ class SuiteWriter {
 
   const std::optional<std::string>& defect() const { return defect_; }
 
-  // The timed functions, if people see the page, and "empty", which is what all have besides.
-  Json timed_json() {
-    Json list = Json::array();
-    const auto add = [&](std::string_view name, const std::string& text) {
-      const auto made = program(profile_named("es300"), text, Stage::fragment);
-      if (made) list.push_back({{"name", name}, {"program", *made}});
-    };
-    add("empty", fmt::format(kTimedMain, "p"));
-    for (const std::string_view id : kTimed) {
-      const Function& function = find_function(id);
-      for (const std::string_view name : {"lattice", "lattice+fixed"}) {
-        const Configuration& configuration = configuration_named(name);
-        add(fmt::format("{}.{}", id, name_of(configuration.arithmetic)),
-            fmt::format("{}#include \"{}\"\n{}", knobs_of(configuration), function.file,
-                        fmt::format(kTimedMain, function.call)));
-      }
-    }
-    return list;
-  }
-
   Json finish(Json cases, std::string_view report_to, Platform platform, bool whole) {
     Json suite = {{"schema", 1}, {"version", library_version()}, {"api", api_of(platform)}};
     if (sources_.edited()) suite["library"] = to_json(*sources_.edited());
     if (!report_to.empty()) suite["report_to"] = report_to;
     if (whole) suite["golden"] = golden_checksum(golden_);
-    suite["timed"] = report_to.empty() ? timed_json() : Json::array();  // before the tables of what it adds to
     suite["uniforms"] = {{"trips", {{"type", "int"}, {"value", kLoopTrips}}},
                          {"variant_seed", {{"type", "uint"}, {"value", kVariantSeed}}}};
     suite["texts"] = texts_.values();

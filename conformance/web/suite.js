@@ -24,7 +24,6 @@ export class Suite {
     this.cases = json.cases;
     this.uniforms = json.uniforms;
     this.golden = json.golden ?? null;  // only of all default cases
-    this.timed = json.timed;
     this.reportTo = json.report_to ?? null;
     this.json = json;
     this.api = json.api;

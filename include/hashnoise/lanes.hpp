@@ -38,7 +38,7 @@
 #include <cstring>
 #include <type_traits>
 
-#ifdef __NVCC__
+#if defined(__CUDACC__) && defined(__NVCC__)
 #error lanes.hpp and grid.hpp are for CPUs, and nvcc does not take them: include them in a .cpp file, or take hashnoise.hpp
 #endif
 

@@ -110,9 +110,9 @@ class MetalEvaluator final : public Evaluator {
   std::filesystem::path header() const { return folder_.path() / "metal_stdlib"; }
   std::filesystem::path precompiled() const { return folder_.path() / "metal_stdlib.pch"; }
 
-  // -O1: what takes longer to compile than to run.
+  // -O0: what takes longer to compile than to run.
   std::vector<std::string> options() const {
-    return {"-std=c++14",           "-O1", "-fPIC", "-ffp-contract=off", "-Wno-unknown-attributes", "-I",
+    return {"-std=c++14",           "-O0", "-fPIC", "-ffp-contract=off", "-Wno-unknown-attributes", "-I",
             folder_.path().string()};
   }
 

@@ -10,7 +10,7 @@ from base.tree import ROOT
 
 # As the test suite builds the twin: without contraction, so that floats are the same on every machine.
 COMPILER = ("g++", "-std=c++20", "-O2", "-ffp-contract=off")
-SOON = "-O1"  # an option for what is compiled longer than it runs, which then is about as fast
+SOON = ("-O1", "-Dalways_inline=unused")  # options for what is compiled longer than it runs, which then is about as fast
 
 
 class NotBuilt(ValueError):

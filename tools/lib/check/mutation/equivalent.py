@@ -217,6 +217,11 @@ library_parts = cache(parts)
 
 
 @cache
+def of_file(file: str) -> list[Equivalence]:
+    return [equivalence for equivalence in EQUIVALENT if equivalence.file == file]
+
+
+@cache
 def included_anyhow(file: str) -> frozenset[str]:
     """Includes of a file that another of its includes brings as well."""
     library = library_parts()
@@ -248,4 +253,4 @@ def is_equivalent(mutant: Mutant) -> bool:
         return True
     if mutant.rule == "sign" and SQUARED.search(mutant.original, 0, mutant.start):
         return True
-    return any(equivalence.covers(mutant) for equivalence in EQUIVALENT)
+    return any(equivalence.covers(mutant) for equivalence in of_file(mutant.file))

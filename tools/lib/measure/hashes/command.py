@@ -5,16 +5,12 @@
     tools/measure hashes --hash LATTICE --quick    one hash, in minutes: prints the verdict
     tools/measure hashes --against 'mine=noise.glsl:hash(p)'    a hash of a shader; with --out DIR writes hashes.csv
 
-To judge a candidate for the default hash, give a copy of glsl/ and include/ in one folder, with what is tried in its
-detail/word.glsl: --include FOLDER/include --hash LATTICE.
-
 Exit status: 0 every hash passes, 1 one does not, 2 bad usage, 4 something could not be built or is not installed.
 """
 
 from __future__ import annotations
 
 import argparse
-import os
 import re
 import subprocess
 import sys
@@ -31,7 +27,8 @@ import scipy
 
 from base.renderer import Renderer
 from base.tree import ROOT
-from base.usage import Parser, whole
+from base.twin import NotBuilt
+from base.usage import Parser
 from measure import record, stamps
 from measure.hashes import controls, fields, gate, library, others, streams, stripes
 from measure.hashes.judgement import Finding, worst
@@ -60,8 +57,8 @@ def measure(task: Task) -> tuple[Task, dict[str, list[Finding]]]:
     return task, dict(gate.judge(*task))
 
 
-def measured(tasks: Iterable[Task], jobs: int) -> Iterable[tuple[Task, dict[str, list[Finding]]]]:
-    with ProcessPoolExecutor(jobs) as pool:
+def measured(tasks: Iterable[Task]) -> Iterable[tuple[Task, dict[str, list[Finding]]]]:
+    with ProcessPoolExecutor() as pool:
         for task, parts in pool.map(measure, tasks):
             findings = [*chain.from_iterable(parts.values())]
             print(verdict(f"{task.hash.name} {task.dimensions}D", findings), flush=True)
@@ -86,7 +83,7 @@ def judge_others(options) -> int:
     renderer, rows = Renderer(others.SIDE), []
     for other in options.against:
         try:
-            for n, origin, findings in others.judge(other, options.axes, renderer):
+            for n, origin, findings in others.judge(other, renderer):
                 print(verdict(f"{other.name} {n}D at {origin}", findings), flush=True)
                 rows.append(row(other.name, n, origin, findings))
         except others.BadExpression as error:
@@ -102,13 +99,13 @@ def write(path: Path, rows: Sequence[dict[str, str]], by: str) -> None:
 
 
 def twins(options, folder: Path) -> list[library.Twin]:
-    names = library.hash_names(options.include)
+    names = library.hash_names()
     if unknown := {*options.hash} - {*names}:
         options.parser.error(f"there is no hash {', '.join(sorted(unknown))}; the library has {', '.join(names)}")
     macros = {name: [f"HN_HASH={names[name]}"] for name in options.hash or ([] if options.hash_fn else names)}
     if options.hash_fn:
         macros["CUSTOM"] = ["HN_HASH=HN_HASH_CUSTOM", f"HN_HASH_FN(k)=({options.hash_fn})"]
-    return [library.build(name, some, options.include, folder) for name, some in macros.items()]
+    return [library.build(name, some, folder) for name, some in macros.items()]
 
 
 def traces(twin: library.Twin, subject: fields.Noise | tuple[float, ...] | str) -> list[fields.Measure]:
@@ -118,8 +115,8 @@ def traces(twin: library.Twin, subject: fields.Noise | tuple[float, ...] | str) 
     return [*(fields.sums(twin, subject) if isinstance(subject, str) else stripes.measure(twin.phasor, subject))]
 
 
-def noises(twin: library.Twin, jobs: int) -> list[fields.Measure]:
-    with ProcessPoolExecutor(jobs) as pool:
+def noises(twin: library.Twin) -> list[fields.Measure]:
+    with ProcessPoolExecutor() as pool:
         return [*chain.from_iterable(pool.map(partial(traces, twin), (*fields.NOISES, *stripes.WAVES, *fields.CUTS)))]
 
 
@@ -128,15 +125,15 @@ def measure_all(options, every: Sequence[library.Twin]) -> int:
     tasks = [Task(twin, n, gate.FULL) for twin in every for n in DIMENSIONS]
     tasks += [Task(control, control.dimensions, gate.QUICK) for control in (controls.GOOD, *controls.CONTROLS)]
     rows, passed = [], True
-    for task, parts in measured(tasks, options.jobs):
+    for task, parts in measured(tasks):
         if isinstance(task.hash, library.Twin):
             rows += [row(task.hash.name, task.dimensions, part, findings) for part, findings in parts.items()]
         else:
             findings = [*chain.from_iterable(parts.values())]
             rows.append(row(task.hash.about, task.dimensions, "all", findings))
             passed &= task.hash.rejected_as_meant(findings)
-    default = next(twin for twin in every if twin.name == library.default_hash(options.include))
-    shown = noises(default, options.jobs)
+    default = next(twin for twin in every if twin.name == library.default_hash())
+    shown = noises(default)
     for found in shown:
         if not found.passed:
             print(f"{found.noise} {found.dimensions}D FAILS {found.name}: {found.mean:.4f} (allowed {found.limit:g})")
@@ -158,10 +155,10 @@ def versions() -> str:
 
 def run(options, folder: Path) -> int:
     every = twins(options, folder)
-    if not (options.hash or options.hash_fn or options.quick or options.dimensions):
+    if not (options.hash or options.hash_fn or options.quick):
         return measure_all(options, every)
     effort = gate.QUICK if options.quick else gate.FULL
-    found = measured([Task(twin, n, effort) for twin in every for n in options.axes], options.jobs)
+    found = measured([Task(twin, n, effort) for twin in every for n in DIMENSIONS])
     return int(not all([finding.passed for _, parts in found for finding in chain.from_iterable(parts.values())]))
 
 
@@ -170,22 +167,17 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     parser.add_argument("--hash", action="append", default=[], metavar="NAME",
                         help="a hash of the library (repeatable)")
     parser.add_argument("--hash-fn", metavar="EXPR", help="your own hash: an expression of the uint k")
-    parser.add_argument("--dimensions", type=int, choices=DIMENSIONS, help="only in the plane, or only in space")
     parser.add_argument("--quick", action="store_true", help="fewer windows, distances and numbers")
     parser.add_argument("--against", type=others.Other.parse, action="append", metavar="NAME[/2|/3]=FILE:EXPRESSION",
                         help="a hash of a shader: a uint, or a float in [0, 1), of c, an ivec2 and an ivec3, or of p, "
                         "the same as floats; with /2 or /3 only in the plane or in space (repeatable)")
-    parser.add_argument("--include", type=Path, default=ROOT / "include", metavar="DIR",
-                        help="another copy of include/, with its glsl/ beside it")
     parser.add_argument("--out", type=Path, metavar="DIR", help="where records are written")
-    parser.add_argument("--jobs", type=whole, default=os.cpu_count() or 1, metavar="N", help="processes")
     options = parser.parse_args(arguments)
     options.parser = parser
-    options.axes = (options.dimensions,) if options.dimensions else DIMENSIONS
     of_ours = options.hash or options.hash_fn or options.quick
     if options.against and of_ours:
         parser.error("--against goes without --hash, --hash-fn and --quick, which are for hashes of this library")
-    if options.out and not options.against and (of_ours or options.dimensions):
+    if options.out and of_ours:
         parser.error("--out goes with --against, or alone: a record has every hash")
     return options
 
@@ -197,7 +189,7 @@ def main(arguments: list[str]) -> int:
     try:
         with tempfile.TemporaryDirectory() as folder:
             return run(options, Path(folder))
-    except library.NotBuilt as error:
+    except NotBuilt as error:
         print(f"{options.parser.prog}: {error}", file=sys.stderr)
         return 4
 

@@ -9,12 +9,11 @@ from unittest import mock
 import numpy as np
 
 from base.thorough import THOROUGH, in_thorough_runs
-from base.tree import ROOT
 from measure.hashes import fields, library, stripes
 from measure.hashes.hashes_test import changed
 
 FOLDER = TemporaryDirectory()
-TWIN = THOROUGH and library.build("DEFAULT", [], ROOT / "include", Path(FOLDER.name))
+TWIN = THOROUGH and library.build("DEFAULT", [], Path(FOLDER.name))
 NOISES = {(noise.title, noise.dimensions): noise for noise in fields.NOISES}
 
 
@@ -24,7 +23,7 @@ def failing(measures):
 
 def another(test, name, pattern, replacement):
     include = changed(test, name, pattern, replacement)
-    return library.build("changed", [], include, include.parent)
+    return library.build("changed", [], include.parent, include)
 
 
 class Directions(unittest.TestCase):

@@ -11,37 +11,36 @@ from pathlib import Path
 
 import numpy as np
 
-from base.twin import NotBuilt, compile_program
+from base.tree import ROOT
+from base.twin import compile_program
 
 SOURCE = Path(__file__).resolve().parent / "lattice.cpp"
+INCLUDE = ROOT / "include"
 WORDS = ("word", "further")  # quantities that are no floats
 # Factors with which hashes of a lattice often multiply the coordinates: the first primes of xxHash, in this order. They
 # are tried where a library does not name its own.
 USUAL_STEPS = ((0x9E3779B1,), (0x85EBCA77,), (0xC2B2AE3D,))
 
 
-def _text_of(include: Path, name: str) -> str:
-    try:
-        return (include.parent / "glsl" / "hashnoise" / name).read_text(encoding="utf-8")
-    except OSError as error:
-        raise NotBuilt(f"{include} is not a library: {error}") from error
+def _text_of(name: str, include: Path = INCLUDE) -> str:
+    return (include.parent / "glsl" / "hashnoise" / name).read_text(encoding="utf-8")
 
 
-def hash_names(include: Path) -> dict[str, int]:
-    """The hashes that a library offers, by their numbers in its config.glsl; without the user's own."""
-    found = re.findall(r"^#define HN_HASH_(\w+) (\d+)\b", _text_of(include, "config.glsl"), re.MULTILINE)
+def hash_names() -> dict[str, int]:
+    """The hashes that the library offers, by their numbers; without the user's own."""
+    found = re.findall(r"^#define HN_HASH_(\w+) (\d+)\b", _text_of("config.glsl"), re.MULTILINE)
     return {name: int(number) for name, number in found if name != "CUSTOM"}
 
 
-def default_hash(include: Path) -> str:
+def default_hash() -> str:
     """The hash that is used if HN_HASH is not defined."""
-    return re.search(r"^#define HN_HASH HN_HASH_(\w+)", _text_of(include, "config.glsl"), re.MULTILINE)[1]
+    return re.search(r"^#define HN_HASH HN_HASH_(\w+)", _text_of("config.glsl"), re.MULTILINE)[1]
 
 
-def steps_of(include: Path) -> tuple[tuple[int, ...], ...]:
+def steps_of(include: Path = INCLUDE) -> tuple[tuple[int, ...], ...]:
     """For each axis the constants that spread its coordinates: by HN_I_STEP_X in detail/word.glsl and so on, or
     by names that have more before the axis. Where there are none, usual ones."""
-    text = _text_of(include, "detail/word.glsl")
+    text = _text_of("detail/word.glsl", include)
     return tuple(tuple(int(value, 0) for value in
                        re.findall(rf"^#define HN_I_STEP\w*_{axis} (\w+?)u?\b", text, re.MULTILINE)) or usual
                  for axis, usual in zip("XYZ", USUAL_STEPS))
@@ -107,7 +106,7 @@ def _bits(numbers: np.ndarray) -> np.ndarray:
     return (numbers.astype(np.int64, copy=False) & 0xFFFFFFFF).astype(np.uint32)
 
 
-def build(name: str, macros: list[str], include: Path, folder: Path) -> Twin:
+def build(name: str, macros: list[str], folder: Path, include: Path = INCLUDE) -> Twin:
     """Compiles a twin into a folder; macros are like HN_HASH=1."""
     program = folder / re.sub(r"\W", "_", name)
     compile_program(name, SOURCE, program, "-shared", "-fPIC", include=include, macros=macros)

@@ -105,11 +105,10 @@ def words_of(renderer: Renderer, program: int, origin: tuple[int, ...]) -> np.nd
     return np.ascontiguousarray(words.transpose())
 
 
-def judge(other: Other, dimensions: tuple[int, ...], renderer: Renderer) -> Iterator[tuple[int, str, list[Finding]]]:
+def judge(other: Other, renderer: Renderer) -> Iterator[tuple[int, str, list[Finding]]]:
     """The findings of every window, with the dimensions and the origin."""
-    for n in dimensions:
-        if n in other.dimensions:
-            program, kind = compiled(renderer, other, n)
-            for origin in ORIGINS[n]:
-                window = windows.Window(words_of(renderer, program, origin), "", KINDS[kind][1])
-                yield n, ", ".join(map(str, origin)), windows.judge(window)
+    for n in other.dimensions:
+        program, kind = compiled(renderer, other, n)
+        for origin in ORIGINS[n]:
+            window = windows.Window(words_of(renderer, program, origin), "", KINDS[kind][1])
+            yield n, ", ".join(map(str, origin)), windows.judge(window)

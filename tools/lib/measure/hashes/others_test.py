@@ -14,7 +14,7 @@ import numpy as np
 
 from base.renderer import Renderer
 from measure import stamps
-from measure.hashes import command, gate, others, windows
+from measure.hashes import command, gate, others
 from measure.hashes.others import ORIGINS, Other
 
 SHADER = """
@@ -64,8 +64,8 @@ class Others(unittest.TestCase):
         small = {2: ORIGINS[2][:1]}
         with mock.patch.object(others, "ORIGINS", small), contextlib.redirect_stdout(io.StringIO()) as printed:
             for expression, status in (("good(c)", 0), ("striped(p)", 1)):
-                given = ["--against", f"theirs={self.folder / 'hashes.glsl'}:{expression}"]
-                self.assertEqual(command.main([*given, "--dimensions", "2", "--out", str(self.folder)]), status)
+                given = ["--against", f"theirs/2={self.folder / 'hashes.glsl'}:{expression}"]  # in the plane alone
+                self.assertEqual(command.main([*given, "--out", str(self.folder)]), status)
         self.assertRegex(printed.getvalue(), r"theirs 2D at -512, -512: FAILS autocorrelation: ")
         row, = stamps.read(self.folder / "hashes.csv").rows
         self.assertEqual((row["hash"], row["dimensions"], row["part"], row["of"]), ("theirs", "2", "-512, -512", "6"))
@@ -78,13 +78,8 @@ class Others(unittest.TestCase):
             with self.assertRaisesRegex(argparse.ArgumentTypeError, problem):
                 Other.parse(text)
         with self.assertRaisesRegex(others.BadExpression, "neither a uint nor a float.*(?s:.)*absent"):
-            next(others.judge(self.other("absent(p)"), (2, 3), self.renderer))
+            next(others.judge(self.other("absent(p)"), self.renderer))
         given = f"theirs={self.folder / 'hashes.glsl'}:good(c)"
         with contextlib.redirect_stderr(io.StringIO()) as printed, self.assertRaises(SystemExit):
             command.main(["--against", given, "--against", given.replace("=", "/3=", 1)])
         self.assertIn("names theirs twice in 3D: write theirs/2=... and theirs/3=...", printed.getvalue())
-
-    def test_a_hash_may_be_for_the_plane_alone(self):
-        plane = Other.parse(f"theirs/2={self.folder / 'hashes.glsl'}:good(c)")
-        with mock.patch.object(windows, "judge", return_value=[]):
-            self.assertEqual({n for n, _, _ in others.judge(plane, (2, 3), self.renderer)}, {2})

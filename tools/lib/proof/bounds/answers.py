@@ -22,7 +22,7 @@ def library() -> ctypes.CDLL:
     with tempfile.TemporaryDirectory() as folder:
         suite.write(Path(folder))
         compiled = Path(folder, "answers.so")
-        compile_program("the bounds of sums", SOURCE, compiled, SOON, "-shared", "-fPIC", f"-I{CONFORMANCE}",
+        compile_program("the bounds of sums", SOURCE, compiled, *SOON, "-shared", "-fPIC", f"-I{CONFORMANCE}",
                         include=Path(folder))
         found = ctypes.CDLL(str(compiled))
     found.answer.restype = ctypes.c_char_p

@@ -25,7 +25,7 @@ def lines_of(source: str) -> list[list[str]]:
     """The words of each line that a program beside this file prints."""
     with TemporaryDirectory() as folder:
         program = Path(folder) / "program"
-        compile_program(source, Path(__file__).with_name(source), program, SOON)
+        compile_program(source, Path(__file__).with_name(source), program, *SOON)
         output = subprocess.run([program], capture_output=True, text=True, check=True).stdout
     return [line.split() for line in output.splitlines()]
 

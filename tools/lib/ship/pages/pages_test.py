@@ -3,6 +3,7 @@ rest."""
 
 import contextlib
 import copy
+import functools
 import io
 import os
 import pathlib
@@ -44,6 +45,7 @@ def run(*arguments, **options):
     return subprocess.run(arguments, capture_output=True, text=True, check=False, **options)
 
 
+@functools.cache
 def single_file(*arguments):
     return run(str(TOOLS / "pick"), "whole", *arguments).stdout
 
@@ -137,12 +139,16 @@ class Numbers(unittest.TestCase):
             status = command.main(["--check"])
         return status, output.getvalue()
 
+    def records_alone(self):
+        """The tables of records: the others take several times as long."""
+        return mock.patch.object(command, "tables", new=lambda: [*command.of_measuring("tables")])
+
     def test_pictures_and_numbers_are_what_they_should_be(self):
         self.assertEqual(self.check(), (0, ""))
 
-    @mock.patch.object(picture, "draw", return_value=0)
+    @mock.patch.object(command, "problems", new=lambda _: [])
+    @mock.patch.object(picture, "draw", return_value=1)
     def test_another_picture_is_not_as_it_should_be(self, draw):
-        draw.return_value = 1
         self.assertEqual(self.check()[0], 1)
         drawn = {sheet.path.name for sheet in draw.call_args.args[0]}
         self.assertLess({"noise.png", "metrics.png", "wood.png", "sheet.png"}, drawn)
@@ -152,6 +158,7 @@ class Numbers(unittest.TestCase):
         typical = copy.deepcopy(numbers.typical())
         typical["hn_fbm", 3][1] += 0.1
         with mock.patch.object(numbers, "typical", return_value=typical), \
+                mock.patch.object(command, "of_measuring", new=lambda _: ()), \
                 mock.patch.object(numbers, "golden_quote", return_value="computes 7 golden values"):
             status, output = self.check()
         self.assertEqual(status, 1)
@@ -169,7 +176,7 @@ class Numbers(unittest.TestCase):
         peers["fbm.fbm2.lattice"] = {**peers["fbm.fbm2.lattice"], "ratio": "9.999"}
         gpus = {**of_gpus.costs()}
         gpus["noise2d.perlin.lattice", "m1"] = gpus["noise2d.perlin.lattice", "m1"]._replace(cost="9999")
-        with mock.patch.object(of_gpus, "costs", return_value=gpus), \
+        with self.records_alone(), mock.patch.object(of_gpus, "costs", return_value=gpus), \
                 mock.patch.object(tables, "costs", return_value=costs), \
                 mock.patch.object(tables, "peer_costs", return_value=peers):
             status, output = self.check()
@@ -186,7 +193,8 @@ class Numbers(unittest.TestCase):
                 record = pathlib.Path(folder) / renderer / "bench.csv"
                 record.parent.mkdir()
                 record.write_text("id,ratio,spirv,nvidia\n")
-            with mock.patch.object(tables, "RESULTS", pathlib.Path(folder)), self.assertRaises(SystemExit) as stop:
+            with self.records_alone(), mock.patch.object(tables, "RESULTS", pathlib.Path(folder)), \
+                    self.assertRaises(SystemExit) as stop:
                 self.check()
             self.assertEqual(stop.exception.code, 2)
 

@@ -76,7 +76,7 @@ def draw(sheets: Sequence[Sheet], check: bool = False, functions: str = "") -> i
         (folder / "sheets.inc").write_text("".join(
             f'{{{json.dumps(str(sheet.path))}, {sheet.side}, {sheet.columns}, '
             f'{{{", ".join(f"kTiles[{numbers[code]}]" for code in sheet.expressions)}}}}},\n' for sheet in sheets), encoding="utf-8")
-        compile_program("the code of the pictures", Path(__file__).with_name("picture.cpp"), folder / "picture", SOON,
+        compile_program("the code of the pictures", Path(__file__).with_name("picture.cpp"), folder / "picture", *SOON,
                         "-I", name, "-lpng")
         return subprocess.run([folder / "picture", *(["--check"] if check else [])], check=False).returncode
 
