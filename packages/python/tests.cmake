@@ -20,6 +20,13 @@ include(${CMAKE_CURRENT_LIST_DIR}/bake.cmake OPTIONAL)
 # Dask is kept beside the environment, since it takes longer to install than its test.
 add_test(NAME python.dask COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with dask.txt
                                   ${package_environment} dask_test)
+# hashnoise.arrays: NumPy and JAX, and what takes long to install and to compile, PyTorch.
+add_test(NAME python.libraries COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with jax.txt
+                                       ${package_environment} libraries_test.Numpy libraries_test.Jax)
+add_test(NAME python.torch CONFIGURATIONS Thorough
+         COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with torch.txt
+                 ${package_environment} libraries_test.Torch)
+set_tests_properties(python.libraries python.torch PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)
 # Workers that are killed, and what takes long to install: distributed, xarray with pandas, and Zarr.
 add_test(NAME python.dask_cluster CONFIGURATIONS Thorough
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with dask_cluster.txt

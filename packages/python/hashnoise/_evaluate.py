@@ -25,7 +25,7 @@ _MOST_SINGLE = 2.0**128 - 2.0**103  # from here on a number is infinite as a flo
 _OF_GRIDS = (_FLOAT32, np.dtype(np.float16), _UINT16)
 
 
-def evaluated(function, least, coordinates, points, cell, out, threads, *, noise=None, fractal="", **options):
+def evaluated(function, least, coordinates, *, points, cell, out, threads, noise=None, fractal="", **options):
     """A function's result: its field at the points of arrays.
 
     function     its name, for messages
@@ -36,14 +36,14 @@ def evaluated(function, least, coordinates, points, cell, out, threads, *, noise
     options      those of the function, by name
     """
     if points is not None:
-        coordinates, cell = _along_axes(function, coordinates, points, cell)
-    dimensions = _dimensions(function, coordinates, 1 if points is not None else least)
+        coordinates, cell = along_axes(function, coordinates, points, cell)
+    dimensions = checked_dimensions(function, coordinates, 1 if points is not None else least)
     masks = []
     arrays = [_coordinate(function, axis, value, masks) for axis, value in zip(AXES, coordinates[:dimensions])]
     cells = [] if cell is None else _cells(function, cell, dimensions, masks)
     if dimensions == 1 and points is None:
         for name, array in zip(("x", "cell"), arrays + cells):
-            _refuse_points(function, name, array.shape)
+            refuse_points(function, name, array.shape)
     field = make_field(function, dimensions, noise, fractal, options)
     components = len(field.component_names)
     shape = _shape(function, arrays + cells)
@@ -90,27 +90,30 @@ def functions_of(module, kind):
         own = {"period": None, **own} if kind == "noise" else {**own, "period": None}
         options = {"points": None, "seed": 0, **own, "cell": None, "arithmetic": "fast", "out": None, "threads": None,
                    "instruction_set": None}
-
-        def called(*coordinates, **given):
-            if len(coordinates) > most:
-                raise TypeError(f"{name}: it takes {least} to {most} positional arguments, not {len(coordinates)}")
-            for option in given:
-                if option not in options:
-                    raise TypeError(f"{name}: there is no option {option}{no_option(option, options)}")
-            chosen = {**options, **given}
-            points, cell, out, threads = (chosen.pop(option) for option in ("points", "cell", "out", "threads"))
-            return evaluated(name, least, coordinates, points, cell, out, threads, **{kind: name}, **chosen)
-
-        called.__module__, called.__name__, called.__qualname__ = module, name, name
         others = "help(hashnoise) explains the options that are not named here.\n\n>>> "
-        called.__doc__ = doc.replace(">>> ", others, 1)
-        called.__kwdefaults__ = options  # for tools that list them, and so is the signature
-        axes = [inspect.Parameter(axis, inspect.Parameter.POSITIONAL_ONLY, default=None) for axis in AXES[:most]]
-        keywords = [inspect.Parameter(option, inspect.Parameter.KEYWORD_ONLY, default=value)
-                    for option, value in options.items()]
-        called.__signature__ = inspect.Signature(axes + keywords)
-        return called
+        return named_function(module, name, most, options, doc.replace(">>> ", others, 1),
+                              functools.partial(evaluated, name, least, **{kind: name}))
     return function_of
+
+
+def named_function(module, name, most, options, doc, evaluate):
+    """A function of up to `most` coordinates with these options and their defaults: it calls evaluate(coordinates,
+    **options)."""
+    def called(*coordinates, **given):
+        if len(coordinates) > most:
+            raise TypeError(f"{name}: it takes up to {most} positional arguments, not {len(coordinates)}")
+        for option in given:
+            if option not in options:
+                raise TypeError(f"{name}: there is no option {option}{no_option(option, options)}")
+        return evaluate(coordinates, **{**options, **given})
+
+    called.__module__, called.__name__, called.__qualname__, called.__doc__ = module, name, name, doc
+    called.__kwdefaults__ = options  # for tools that list them, and so is the signature
+    axes = [inspect.Parameter(axis, inspect.Parameter.POSITIONAL_ONLY, default=None) for axis in AXES[:most]]
+    keywords = [inspect.Parameter(option, inspect.Parameter.KEYWORD_ONLY, default=value)
+                for option, value in options.items()]
+    called.__signature__ = inspect.Signature(axes + keywords)
+    return called
 
 
 def make_field(function, dimensions, noise, fractal, options):
@@ -306,7 +309,7 @@ def checked_threads(function, threads):
     return 0 if threads is None else ruled_number(function, "threads", threads)
 
 
-def _dimensions(function, coordinates, least):
+def checked_dimensions(function, coordinates, least):
     given = [value is not None for value in coordinates]
     dimensions = given.index(False) if False in given else len(given)
     if any(given[dimensions:]):
@@ -317,11 +320,12 @@ def _dimensions(function, coordinates, least):
     return dimensions
 
 
-def _along_axes(function, coordinates, points, cell):
-    """The coordinates of points, and their cells, as arrays for each axis."""
+def along_axes(function, coordinates, points, cell, rows=None):
+    """The coordinates of points, and their cells, as arrays for each axis. `rows` makes an array of them."""
+    rows = rows or _rows
     if any(value is not None for value in coordinates):
         raise TypeError(f"{function}: pass coordinates or points, not both")
-    points = _rows(function, "points", points)
+    points = rows(function, "points", points)
     dimensions = points.shape[-1] if points.ndim else 0
     if not 1 <= dimensions <= len(AXES):
         found = f"the shape {points.shape}"
@@ -333,7 +337,7 @@ def _along_axes(function, coordinates, points, cell):
         raise TypeError(f"{function}: with points a cell is a whole number, or an array with the cells of a point "
                         "along its last axis, not a tuple of arrays: numpy.stack(cell, axis=-1) makes such an array")
     if cell is not None and np.ndim(cell):
-        cell = _rows(function, "cell", cell)
+        cell = rows(function, "cell", cell)
         if cell.shape[-1] != dimensions:
             raise ValueError(f"{function}: cell must have a whole number for each of the {dimensions} coordinates of a "
                              f"point along the last axis, and is of the shape {cell.shape}")
@@ -348,7 +352,7 @@ def _rows(function, name, value):
         raise ValueError(f"{function}: {name} makes no array: {error}") from None
 
 
-def _refuse_points(function, name, shape):
+def refuse_points(function, name, shape):
     """An array of one coordinate for each point, that might be one of points, too."""
     if len(shape) < 2 or not {shape[0], shape[-1]} & {2, 3, 4}:
         return

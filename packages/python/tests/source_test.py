@@ -60,8 +60,8 @@ class Source(unittest.TestCase):
         for name in ("CMakeLists.txt", "LICENSE", "pyproject.toml", "docs/guide/python.md", "src/CMakeLists.txt"):
             self.assertTrue((self.root / name).is_file(), name)
         for folder in ("glsl/hashnoise", "glsl/hashnoise/detail", "include/hashnoise", "packages/python/hashnoise",
-                       "vectors"):
-            origin = VECTORS if folder == "vectors" else golden.ROOT / folder
+                       "vectors", "arrays"):
+            origin = VECTORS.with_name(folder) if folder in ("vectors", "arrays") else golden.ROOT / folder
             names, copied = ({path.name for path in of.iterdir() if path.is_file()}
                              for of in (origin, self.root / folder))
             self.assertEqual(copied, names)
@@ -70,8 +70,8 @@ class Source(unittest.TestCase):
                 self.assertTrue((path.parent / name).is_file(), (path, name))
         self.assertEqual(self.missing_headers(), "")
 
-    def test_without_a_build_it_has_the_vectors(self):
-        """A clone makes them, and a source distribution has them."""
+    def test_without_a_build_it_has_what_a_clone_makes(self):
+        """The vectors and the text of hashnoise.arrays."""
         with tempfile.TemporaryDirectory() as folder:
             with tarfile.open(self.archive) as ours, tarfile.open(built(self.root, folder)) as again:
                 self.assertEqual(ours.getnames(), again.getnames())
@@ -79,7 +79,8 @@ class Source(unittest.TestCase):
                 provider = metadata.Provider()
                 provider.build_state("sdist")
                 provider.dynamic_metadata({}, {})
-            self.assertEqual(run.call_args[0][0][1:], [golden.ROOT / "tools" / "make", "vectors"])
+            self.assertEqual([call.args[0][1:] for call in run.call_args_list],
+                             [[golden.ROOT / "tools" / "make", "vectors"], ["-B", "-m", "ship.python.arrays"]])
 
     def test_a_file_that_is_missing_is_noticed(self):
         path = self.root / "glsl" / "hashnoise" / "perlin2d.glsl"

@@ -17,6 +17,7 @@ PAGE = ROOT / "docs" / "guide" / "python.md"
 # Texts of others are not copied into the repository: they are those of the nanobind that is compiled in. They go
 # through this folder, since a path among license-files is one below the root.
 LICENSES = ROOT / "build" / "licenses"
+ARRAYS = ROOT / "build" / "arrays"
 HEADER = "nanobind/ext/robin_map/include/tsl/robin_map.h"
 
 
@@ -39,12 +40,16 @@ def of_nanobind() -> dict[str, str]:
     return {"nanobind.txt": own, "robin_map.txt": re.sub(r"^ \* ?", "", notice[1], flags=re.MULTILINE)}
 
 
-def take_vectors() -> None:
-    """Makes what pyproject.toml takes along, unless it is there; a source distribution has it in a folder of its own."""
-    if (ROOT / "vectors").is_dir():
-        shutil.copytree(ROOT / "vectors", VECTORS, dirs_exist_ok=True)
-    elif not VECTORS.is_dir():
+def take_along(is_source: bool) -> None:
+    """Makes what pyproject.toml and CMake take along, unless it is there. A source distribution has it in folders of its
+    own, and no tools that make it."""
+    for folder in (VECTORS, ARRAYS):
+        if (ROOT / folder.name).is_dir():
+            shutil.copytree(ROOT / folder.name, folder, dirs_exist_ok=True)
+    if is_source and not VECTORS.is_dir():
         subprocess.run([sys.executable, TOOLS / "make", "vectors"], stdout=subprocess.DEVNULL, check=True)
+    if not (ROOT / ARRAYS.name).is_dir():
+        subprocess.run([sys.executable, "-B", "-m", "ship.python.arrays"], cwd=TOOLS / "lib", check=True)
 
 
 class Provider:
@@ -57,8 +62,7 @@ class Provider:
 
     def dynamic_metadata(self, settings: dict[str, object], project: dict[str, object]) -> dict[str, object]:
         names = ["LICENSE"]
-        if self.is_source:
-            take_vectors()
+        take_along(self.is_source)
         for name, text in {} if self.is_source else of_nanobind().items():
             LICENSES.mkdir(parents=True, exist_ok=True)
             (LICENSES / name).write_text(text, encoding="utf-8")
