@@ -25,8 +25,8 @@ from documents_test import FENCE
 from base import cuda
 
 TEXT = (golden.ROOT / "docs" / "guide" / "gpu-computing.md").read_text(encoding="utf-8")
-QUICK = ("cupy", "pyopencl")
-THOROUGH = (*QUICK, "jax", "load_inline", "numba", "taichi", "torch", "warp")
+QUICK = ("cupy", "jax", "pyopencl")
+THOROUGH = (*QUICK, "load_inline", "numba", "taichi", "torch", "warp")
 HEADER, ARRAYS, HOUDINI = re.findall(r"(?m)^    (tools/pick .*)$", TEXT)
 
 
