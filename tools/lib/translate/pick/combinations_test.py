@@ -28,7 +28,7 @@ from base.tree import GLSL, ROOT
 from translate.pick import command
 from translate.pick.osl_runner import OslRunner
 from translate.pick.program import read
-from translate.pick.runners import RUNNERS, NotInstalled, NotRun, Runner, ran, written_to
+from translate.pick.runners import ARRAYS, RUNNERS, NotInstalled, NotRun, Runner, ran, written_to
 from translate.pick.shading_runners import device, pairs_of
 from translate.wgsl.device import Absent
 
@@ -193,7 +193,7 @@ def compiler(language: str) -> Compiler:
         return GlslCompiler(language)
     if language in ("hlsl", "metal"):
         return HlslCompiler() if language == "hlsl" else MetalCompiler()
-    runner: Runner = OslRunner() if language == "osl" else RUNNERS[language]()
+    runner: Runner = OslRunner() if language == "osl" else {**RUNNERS, **ARRAYS}[language]()
     runner.check(lints=True)
     return runner
 
@@ -210,6 +210,7 @@ REFUSED: Mapping[str, Sequence[tuple[str, str]]] = {
     "javascript": (("seed)", "seed, seed)"), ("@param {number} seed", "@param {string} seed"),
                    ("@returns {number} [", "@returns {Vector2} [")),
     "java": (("int seed) {", "int seed) {\nint unused = (int) 1;\n"), ("<p>Example", "<p><p>Example")),
+    "python": (("seed=0)", "seed=0, seed=0)"), ("return _called(", "return (_called(")),
     "osl": (("int seed)", "int seed, int seed)"),),
     "glsl": (("uint seed) {", "uint seed, highp uint seed) {"),),
     "godot": (("return ", "return seed + "),), "hlsl": (("uint seed) {", "uint seed, uint seed) {"),),

@@ -6,6 +6,7 @@ the CPU.
     tools/pick hn_perlin2 --language wgsl --out noise.wgsl
     tools/pick hn_fbm2 --language wgsl --import-path hashnoise    a module for Bevy: #import hashnoise::hn_fbm2
     tools/pick hn_simplex3 --language rust --out noise.rs
+    tools/pick hn_fbm3 --language python --out noise.py   functions of arrays: NumPy, PyTorch, JAX, CuPy
     tools/pick hn_fbm2 --language osl --out fbm2.osl   a node for Blender's Cycles
     tools/pick hn_fbm2 --language tsl --out noise.js   nodes for three.js
     tools/pick hn_fbm3 --noise hn_simplex3 --arithmetic fixed --language rust --out noise.rs
@@ -18,7 +19,7 @@ A function is called by its form: hn_perlin2 is hn_perlin(vec2 p, uint seed), an
 hn_perlin(hn_place2 place, uint seed). The functions that it calls are inlined; a function that is called more than once
 stays a function. Constants are folded, and unused code is removed. The values are the library's. In the text its
 name is the library's where the language has overloads, and its form's elsewhere: hn_perlin2 in WGSL and C,
-perlin2 in Rust, Perlin2 in C# and Go.
+perlin2 in Rust and Python, Perlin2 in C# and Go.
 
 Ask for all functions of a shader or program at once: two texts may have the same function. In HLSL, C#, Java and Go
 --name gives a second text names of its own, and in OSL the shader.
@@ -57,9 +58,11 @@ SYNTAXES: dict[str, type[Syntax]] = {
     language: getattr(importlib.import_module(f"translate.pick.{module}"), name) for language, module, name in (
         ("rust", "rust", "Rust"), ("csharp", "csharp", "CSharp"), ("c", "c", "C"),
         ("typescript", "javascript", "TypeScript"), ("javascript", "javascript", "JavaScript"),
-        ("java", "java", "Java"), ("go", "go", "Go"), ("python", "python", "Python"), ("osl", "osl", "Osl")) if Path(__file__).with_name(f"{module}.py").is_file()}
+        ("java", "java", "Java"), ("go", "go", "Go"), ("python", "python", "Python"), ("osl", "osl", "Osl"))
+    if Path(__file__).with_name(f"{module}.py").is_file()}
 # One text is for all of these.
 ALIASES = {"glsl-es": "glsl", "cuda": "c", "hip": "c", "opencl": "c"}
+MANY = 100  # functions
 VERILOG = "verilog"  # modules for programs that make circuits; verilog.py can be deleted
 OTHERS = [VERILOG] if Path(__file__).with_name("verilog.py").is_file() else []
 OF_VERILOG = ("constants", "clock", "stages", "multipliers")
@@ -104,8 +107,8 @@ class Choice:
 
     def check(self) -> None:
         if self.name and self.language not in NAMED:
-            raise Unknown(f"--name is of --language {', '.join(NAMED)}. A text in Rust, TypeScript or JavaScript is a "
-                          "module of any name; elsewhere name all functions in one call of tools/pick")
+            raise Unknown(f"--name is of --language {', '.join(NAMED)}. A text in Rust, TypeScript, JavaScript or "
+                          "Python is a module of any name; elsewhere name all functions in one call of tools/pick")
         if self.name and self.language in SYNTAXES and self.name in SYNTAXES[self.language].reserved:
             raise Unknown(self.taken)
         of_verilog = next((name for name in OF_VERILOG if getattr(self, name)), None)
@@ -159,7 +162,7 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
 
     @functools.lru_cache(maxsize=4)
     def program(names: tuple[str, ...], choice: Choice) -> Program:
-        made = Program(module(choice), chosen(module(choice), names))
+        made = Program(module(choice), chosen(module(choice), names), calls_first=len(names) > MANY)
         if made.module.summed:
             check_sums(made, made.module.summed)
         return made
@@ -234,7 +237,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                         "hlsl is for the shader models 5 and 6; precise is for glsl, hlsl and the languages of the CPU; "
                         "rust needs core alone; csharp is a static class; c is a header of C99, C++, CUDA, "
                         "HIP and OpenCL C, and cuda, hip and opencl are the same; typescript and javascript are modules; "
-                        "java is for 17 and later; go for 1.18 and later; osl is a shader of the first function, too; tsl is a module of nodes for "
+                        "java is for 17 and later; go for 1.18 and later; python is for arrays of NumPy, PyTorch, JAX and such; osl is a shader of the first function, too; tsl is a module of nodes for "
                         "three.js; verilog is a pipeline for each function, of integers")
     add_options(parser, ARITHMETICS, None, "default: fast, and of verilog fixed")
     parser.add_argument("--noise", metavar="FORM", help="what sums are over, in place of hn_perlin: such as "

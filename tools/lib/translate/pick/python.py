@@ -111,8 +111,10 @@ def _where(xp, condition, a, b):
     if isinstance(condition, bool):
         return a if condition else b
     if not hasattr(a, "dtype") and not hasattr(b, "dtype"):
+        if isinstance(a, bool):
+            return a if a == b else condition if a else ~condition
         is_float = isinstance(a, float) or isinstance(b, float)
-        return _cast(xp.where(condition, a, b), xp.float32 if is_float else xp.bool if isinstance(a, bool) else xp.int32)
+        return _cast(xp.where(condition, a, b), xp.float32 if is_float else xp.int32)
     return xp.where(condition, a, b)
 
 
@@ -255,7 +257,8 @@ class Function:
                 self._known[node] = node.name.partition(".")[0] in self.may if node.is_parameter else (
                     known is None or all(map(self.may_be_python, known)))
             else:
-                self._known[node] = all(map(self.may_be_python, node.arguments))
+                of_parts = any if node.type not in SIZES or SIZES[node.type] > 1 else all  # a vector has both
+                self._known[node] = of_parts(map(self.may_be_python, node.arguments))
         return self._known[node]
 
     def _with_structs(self, evaluated: Evaluated) -> list[Statement]:

@@ -4,6 +4,7 @@ results."""
 from __future__ import annotations
 
 import itertools
+import json
 import re
 import shutil
 import subprocess
@@ -11,7 +12,9 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from base.pypi import environment
 from base.thorough import THOROUGH
+from base.tree import ROOT, TOOLS
 from translate.names import wgsl_name
 from translate.parsing.syntax import Function
 from translate.pick.c import C
@@ -47,9 +50,10 @@ def written_to(folder: Path, files: Mapping[str, str]) -> list[str]:
 
 
 class Case(NamedTuple):
-    """A function, and a text of its own."""
+    """A function, a text that has it, and at how many points it is called."""
     function: Function
     text: str
+    points: int
 
 
 class Runner:
@@ -67,6 +71,7 @@ class Runner:
     receives = "var r = "    # before a call that returns something
     one_of = "r.{name}"      # of several results
     struct_of = ""           # a struct of these parts, where the function that makes it may not be in the text
+    whole = False            # whether all functions are tried, in one text
     optimizes = False        # whether it is built as users build it, and not with all checks
     indent = "        "
 
@@ -76,10 +81,14 @@ class Runner:
         if missing:
             raise NotInstalled(f"there is no {' and no '.join(missing)}: apt-get install {self.packages}")
 
-    def run(self, cases: Sequence[Case], module: Module, points: int, inputs: bytes, folder: Path) -> bytes:
+    def few(self, module: Module, function: Function, rows: Sequence[bytes]) -> Sequence[int]:
+        """The points at which it is called: all."""
+        return range(len(rows))
+
+    def run(self, cases: Sequence[Case], module: Module, inputs: bytes, folder: Path) -> bytes:
         """The functions' results for these words."""
         (folder / "inputs").write_bytes(inputs)
-        calls = [self.call(module, case.function, points) for case in cases]
+        calls = [self.call(module, case.function, case.points) for case in cases]
         self.build_and_run([case.text for case in cases], calls, folder)
         return (folder / "outputs").read_bytes()
 
@@ -298,6 +307,7 @@ class OpenClRunner(CRunner):
     """Texts of C as OpenCL C, which the first driver runs: pocl, on a CPU. Calls of one text are kernels of a program."""
     programs = ("clang", "g++", "/usr/bin/python3")
     packages = "clang g++ pocl-opencl-icd python3-pyopencl"
+    whole = True
     arithmetics = ("fixed", "precise")  # a driver may fuse products in HN_FAST
     read = {"float": "*(__global const float *)in++", "int": "(int32_t)*in++", "uint": "*in++", "bool": "*in++ != 0u"}
     write = {"float": "*(__global float *)out++ = {};", "uint": "*out++ = {};",
@@ -570,6 +580,100 @@ func Write() { os.WriteFile("outputs", outputs, 0644) }
         return f"r{number}"
 
 
+class PythonRunner(Runner):
+    """Each text is a module. Its functions take arrays of all points."""
+    syntax = SYNTAXES.get("python")
+    programs = ("python3",)
+    packages = "python3-numpy"
+    whole = True
+    arithmetics = ("fixed", "fast", "precise")
+    namespace = "numpy"
+    most = 3  # values of octaves and such by default: each is a call
+    faults = {("uint", ">>"): "(({}) >> ({}))", ("uint", "*"): "(({}) | ({}))"}
+    DRIVER = Path(__file__).with_name("python_driver.py")
+
+    def python(self) -> Sequence[str | Path]:
+        return [TOOLS / "lib" / "base" / "scientific-python"]
+
+    def takes(self, module: Module, function: Function) -> list[tuple[str, str, int]]:
+        """The kinds of what users pass (Python.kind), the types, and at which word each begins."""
+        found: list[tuple[str, str, int]] = []
+        at = 0
+        for name, type_ in ((one.at.text, type_) for one in function.parameters for _, type_ in module.passed(one)):
+            found.append((self.syntax.kind(name, type_), type_, at))
+            at += len(module.parts(type_))
+        return found
+
+    def few(self, module: Module, function: Function, rows: Sequence[bytes]) -> Sequence[int]:
+        """Where Python's own numbers are some of all: those next to 2."""
+        places = [4 * at for kind, _, at in self.takes(module, function) if kind == "n"]
+        keys = [tuple(int.from_bytes(row[at:at + 4], "little", signed=True) for at in places) for row in rows]
+        taken = sorted({*keys}, key=lambda key: [abs(number - 2) for number in key])[:len(keys) if THOROUGH else self.most]
+        return [i for i, key in enumerate(keys) if key in taken]
+
+    def run(self, cases: Sequence[Case], module: Module, inputs: bytes, folder: Path) -> bytes:
+        syntax = self.syntax()
+
+        def taken(type_: str) -> object:
+            return [syntax.type_name(type_), [taken(part.type) for part in fields_of(module, type_)]] if (
+                type_ in module.structs) else type_
+
+        texts = {text: f"text{i}.py" for i, text in enumerate(dict.fromkeys(case.text for case in cases))}
+        written_to(folder, {name: text for text, name in texts.items()})
+        described = []
+        for function, text, points in cases:
+            takes = self.takes(module, function)
+            described.append({
+                "file": texts[text], "name": syntax.function_name(wgsl_name(function), is_public=True), "points": points,
+                "takes": [taken(type_) for _, type_, _ in takes],
+                "static": [i for i, (kind, _, _) in enumerate(takes) if kind == "n"],
+                "words": sum(len(module.parts(type_)) for _, type_, _ in takes),
+                "gives": sum(len(module.parts(part.type)) for part in results_of(function, module)) + sum(
+                    len(module.parts(one.type)) for one in function.parameters if one.is_set and module.passed(one))})
+        written_to(folder, {"cases.json": json.dumps(described)})
+        (folder / "inputs").write_bytes(inputs)
+        ran(folder, *self.python(), self.DRIVER, self.namespace, folder)
+        return (folder / "outputs").read_bytes()
+
+    def lint(self, texts: Sequence[str], folder: Path) -> None:
+        names = written_to(folder, {f"text{i}.py": text for i, text in enumerate(texts)})
+        ran(folder, "python3", "-W", "error", "-m", "py_compile", *names)
+
+
+class JaxRunner(PythonRunner):
+    """Below jit, in an environment with what jax.txt names."""
+    whole = THOROUGH
+    arithmetics = ("fixed",)  # XLA fuses products
+    namespace = "jax.jit"
+    most = 1
+
+    @property
+    def package(self) -> str:
+        return self.namespace.partition(".")[0]
+
+    def check(self, lints: bool = False) -> None:
+        super().check(lints)
+        if environment(ROOT / "build" / f"python-{self.package}", self.DRIVER.with_name(f"{self.package}.txt")):
+            raise NotInstalled(f"{self.package} cannot be installed: PyPI cannot be reached")
+
+    def python(self) -> Sequence[str | Path]:
+        return [ROOT / "build" / f"python-{self.package}" / "bin" / "python"]
+
+
+class TorchRunner(JaxRunner):
+    arithmetics = ("fixed", "fast", "precise")
+    namespace = "torch"
+
+
+class CompiledTorchRunner(JaxRunner):
+    """torch.compile takes many seconds for a function."""
+    whole = False
+    namespace = "torch.compile"
+
+
 RUNNERS: dict[str, type[Runner]] = {language: of for language, of in {
     "rust": RustRunner, "csharp": CSharpRunner, "c": CRunner, "javascript": JavaScriptRunner, "java": JavaRunner,
     "go": GoRunner}.items() if of.syntax}  # else it was deleted
+# Namespaces of arrays.
+ARRAYS: dict[str, type[Runner]] = {} if PythonRunner.syntax is None else {
+    "python": PythonRunner, "jax": JaxRunner, "torch": TorchRunner, "torch.compile": CompiledTorchRunner}

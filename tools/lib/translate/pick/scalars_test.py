@@ -192,7 +192,7 @@ class Comments(unittest.TestCase):
                 self.assertRegex(self.texts[language], rf"\A{head}")
         for language, shown in self.texts.items():
             with self.subTest(language):
-                head = " ".join(re.sub(r"(?m)^// *", "", shown.partition("\n\n")[0]).split())
+                head = " ".join(re.sub(r"(?m)^(//|#) *", "", shown.partition("\n\n")[0]).split())
                 self.assertIn(f"tools/pick {' '.join(self.NAMES)} --language {language} --arithmetic fixed Copyright",
                               head)
                 self.assertLessEqual(max(map(len, shown.splitlines())), 120)
