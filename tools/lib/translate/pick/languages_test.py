@@ -88,7 +88,7 @@ def functions(of: Module, arithmetic: str) -> dict[str, Function]:
 
 
 def drawn(of: Module, arithmetic: str) -> dict[str, Function]:
-    """Those that have points: all with integers, for the text of all of them."""
+    """The functions with points: all with integers, for the text of all of them."""
     return of.forms if arithmetic == "fixed" else functions(of, arithmetic)
 
 

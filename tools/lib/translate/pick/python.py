@@ -472,7 +472,7 @@ def _quotient_word(xp, a, b):
 
     @staticmethod
     def kind(name: str, type_: str) -> str:
-        """What users pass for a parameter (_called)."""
+        """The kind of value that users pass for a parameter (_called)."""
         if type_ not in SIZES:
             return "s"
         return "n" if name in STATIC else "d" if name == "detail" else {"float": "f", "uint": "u"}.get(type_, "i")
