@@ -64,3 +64,5 @@ foreach(subject arrays documents golden odd options source)
 endforeach()
 add_test(NAME python.environment COMMAND Python3::Interpreter -B -m unittest environment_test
          WORKING_DIRECTORY ${package_tests})
+set_tests_properties(python.environment PROPERTIES FIXTURES_REQUIRED python_wheel
+                     ENVIRONMENT HASHNOISE_ENVIRONMENT=${package_environment})

@@ -65,8 +65,8 @@ __all__ = ["components", "fractals", "grid", "instruction_sets", "noises", *_noi
 def __getattr__(name):
     """Called for a name that there is not: that of GLSL or of another package is meant, or the nearest one."""
     bare = name.removeprefix("hn_")
-    if name == "dask":
-        meant = "; import hashnoise.dask"
+    if name in ("arrays", "dask"):
+        meant = f"; import hashnoise.{name}"
     elif bare == "cellular_phase":
         meant = "; cellular has the option phase"
     elif bare.lower() in ("fastnoise", "fastnoiselite"):

@@ -17,6 +17,7 @@ STUB = Path(hashnoise.__file__).with_name("__init__.pyi")
 
 PROGRAM = '''
 import hashnoise
+import hashnoise.arrays
 import numpy as np
 import numpy.typing as npt
 
@@ -53,12 +54,15 @@ heights = hashnoise.grid("fbm", [64, 48], step=0.01, dtype="uint16", range=[-0.5
                          cell=np.array([1, 2]))
 of_points: npt.NDArray[np.float32] = hashnoise.fbm(points=np.stack([x, x, x], -1), seed=3)
 of_points = hashnoise.cellular(points=[[0.5, 0.25]], cell=[[1, 2]], metric="manhattan")
+fitted = hashnoise.arrays.fbm(x, x, gain=x, seed=np.arange(100), octaves=3, period=(4, 4), arithmetic="fixed")
 text: str = "fbm"
 if text in hashnoise.noises(2) + hashnoise.fractals(2):
     image = hashnoise.grid(text, (9, 9), step=0.1)
 '''
 WRONG = {
     'hashnoise.perlin()': "call-overload",
+    'hashnoise.arrays.perlin(0.5, arithmetic="precise")': "arg-type",
+    'hashnoise.arrays.perlin(0.5, out=0.5)': "call-arg",
     'hashnoise.perlin(0.5, metric="euclidean")': "call-overload",
     'hashnoise.perlin(0.5, arithmetic="exact")': "call-overload",
     'hashnoise.perlin(0.5, seed=0.5)': "call-overload",
@@ -88,7 +92,7 @@ WRONG = {
 }
 # The modules behind the stub are without types, as it has them.
 CONFIGURATION = """[mypy]
-[mypy-hashnoise._core,hashnoise._evaluate,hashnoise._grids,hashnoise._noises,hashnoise._sums,hashnoise._bake.*,hashnoise._bake_files,dask.*,xarray.*]
+[mypy-hashnoise._core,hashnoise._evaluate,hashnoise._grids,hashnoise._noises,hashnoise._sums,hashnoise._bake.*,hashnoise._bake_files,hashnoise.arrays.*,dask.*,xarray.*]
 ignore_errors = True
 ignore_missing_imports = True
 """
@@ -133,7 +137,7 @@ class Types(unittest.TestCase):
 
     def test_wrong_calls(self):
         lines = [f"{call}  # {number}" for number, call in enumerate(WRONG)]
-        done = self.check("import hashnoise, numpy as np, numpy.typing as npt\n" + "\n".join(lines) + "\n")
+        done = self.check("import hashnoise.arrays, numpy as np, numpy.typing as npt\n" + "\n".join(lines) + "\n")
         self.assertEqual(done.returncode, 1)
         for number, (call, code) in enumerate(WRONG.items()):
             with self.subTest(call):
@@ -142,7 +146,7 @@ class Types(unittest.TestCase):
     def compare_with_the_code(self, folder: str | None = None) -> subprocess.CompletedProcess[str]:
         (self.scratch / "mypy.ini").write_text(CONFIGURATION)
         # Dask is not here; dask_cluster_test.py has it.
-        (self.scratch / "allowed").write_text(r"hashnoise\._.*" + "\n" + r"hashnoise\.dask" + "\n")
+        (self.scratch / "allowed").write_text("hashnoise\\.(arrays\\.)?_.*\nhashnoise\\.dask\n")
         return self.call("mypy.stubtest", "hashnoise", "--mypy-config-file", "mypy.ini", "--allowlist", "allowed",
                          "--ignore-unused-allowlist")
 

@@ -25,6 +25,16 @@ SUMS = '''\
 # Made by tools/make catalog from catalog/sums.toml and settings.toml.
 """The fractals and the warps, over any noise. help(hashnoise) describes their common options."""
 '''
+ARRAYS_STUB = '''\
+# Made by tools/make catalog from catalog/noises.toml, sums.toml and settings.toml.
+"""The types of hashnoise.arrays. Arrays may be of any library, and settings may be arrays."""
+
+from collections.abc import Sequence
+from typing import Any, Literal
+
+from .. import _Metric, _Noise, _Whole, _Wholes
+
+'''
 # Overloads of a grid in a stub: its array has the type of dtype, or of `out`.
 GRID = ("name: _Name, size: _Wholes, *, step: _Numbers, origin: _Numbers = 0.0, cell: _Wholes | None = None, "
         "first: _Wholes = 0, seed: _Whole = 0, noise: _Noise | None = None, octaves: _Whole | None = None, "
@@ -49,15 +59,18 @@ GRIDS = [*((dtype, out, result.format(array), return_range)
 def files(catalog: Catalog) -> dict[Path, str]:
     if is_deleted("python"):
         return {}
+    functions = (*catalog.noises, *catalog.sums)
     noises = _module(NOISES, catalog.noises, "noise", "NOISES", catalog)
     sums = _module(SUMS, catalog.sums, "fractal", "SUMS", catalog)
-    types = "".join(_types(function, catalog) for function in (*catalog.noises, *catalog.sums))
+    types = "".join(_types(function, catalog) for function in functions)
     stub = with_section(STUB, "metrics", _literal("_Metric", catalog.metrics))[1]
     names = _literal("_Noise", [noise.name for noise in catalog.noises]) + _literal(
         "_Fractal", [sum_.name for sum_ in catalog.sums])
     stub = with_section(STUB, "names", names, stub)[1]
     stub = with_section(STUB, "grid", "".join(_of_grid(*kind) for kind in GRIDS), stub)[1]
-    return dict([(ROOT / PACKAGE / "_noises.py", noises), (ROOT / PACKAGE / "_sums.py", sums),
+    arrays = ARRAYS_STUB + _list("__all__ = [", [f'"{function.name}"' for function in functions], "]") + "\n" + "".join(
+        _types_of_arrays(function, catalog) for function in functions)
+    return dict([(ROOT / PACKAGE / "arrays" / "__init__.pyi", arrays), (ROOT / PACKAGE / "_noises.py", noises), (ROOT / PACKAGE / "_sums.py", sums),
                  with_section(STUB, "functions", types, stub),
                  with_section(f"{PACKAGE}/_evaluate.py", "metrics", _metrics(catalog.metrics))])
 
@@ -169,6 +182,16 @@ def _types(function: Function, catalog: Catalog) -> str:
         *(number if function.shape == "value" else []),
         _signature(function, _coordinates(function, "npt.ArrayLike"), of_axes, "_Values"),
         _signature(function, nothing, options, "_Values")])
+
+
+def _types_of_arrays(function: Function, catalog: Catalog) -> str:
+    """A function of hashnoise.arrays in its stub."""
+    known = {"arithmetic": 'Literal["fast", "fixed"]', "wave": "Sequence[Any] | None", "seed": "Any", "points": "Any",
+             "cell": "Any"}
+    options = [f"{one.name}: {known.get(one.name, one.type.replace('_Number', 'Any').replace('Any | None', 'Any'))} = "
+               f"{one.default}" for one in _options(function, catalog) if one not in _LAST]
+    places = [*(f"{axis}: Any = None" for axis in AXES[:function.last]), "/", "*"]
+    return _list(f"def {function.name}(", [*places, *options], ") -> Any: ...")
 
 
 def _coordinates(function: Function, type_: str) -> list[str]:

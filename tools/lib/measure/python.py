@@ -3,8 +3,8 @@
     tools/measure python --python FILE [--out DIR] [--rounds N]
 
 FILE is a Python that has the package and those to compare with (pip install pyfastnoiselite opensimplex vnoise
-perlin-numpy noise). Functions that it lacks are left out. python.csv goes into DIR: the noise, the package and its
-version, nanoseconds per point (the median of the rounds), that time in ours, and the spread of this quotient, half the
+perlin-numpy noise jax torch). Functions that it lacks are left out. python.csv goes into DIR: the noise, the package and its
+version, nanoseconds per point (the median of the rounds; in rows of memory MiB), that time in ours, and the spread of this quotient, half the
 distance between its quartiles. All use one thread, in turns. Nothing else should run meanwhile.
 docs/measured/results/cpu/python.csv is such a file; tools/make pages makes the table of docs/measured/measuring.md of
 it.

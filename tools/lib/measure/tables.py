@@ -94,7 +94,7 @@ def quotes() -> list[str]:
     one, six = ([_of_theirs(rows, noise.format(axes)) for axes in (2, 3)] for noise in ("Perlin {}D", "fBm {}D, 6 octaves"))
     of = (stamps.read(RESULTS / name).facts["hashnoise"].split()[0] for name in (f"{GPU}/peers.csv", "cpu/python.csv"))
     others = [float(row["ratio"]) for row in package_costs("python")
-              if row["noise"].startswith("six octaves") and row["package"] != "hashnoise"]
+              if row["noise"] == "six octaves of Perlin 2D" and not row["package"].startswith(("hashnoise", "gathered"))]
     return [f"as much as FastNoiseLite's ({one[0]:.2f} times in 2D, {one[1]:.2f} in 3D), and six octaves a quarter "
             f"({six[0]:.2f} and {six[1]:.2f})",
             f"take {min(others):.0f} to {max(others):.0f} times as long",

@@ -43,7 +43,7 @@ PARTS = tuple(part for part in (
          ("catalog/*.toml", "glsl/hashnoise/config.glsl", "conformance/web/address.js", "CHANGELOG.md"),
          ("README.md", "docs/guide/javascript.md", "docs/reference/noises.md", "docs/reference/fractals.md",
           "glsl/hashnoise/fbm2d.glsl", "glsl/hashnoise/octaves2d.glsl", "include/hashnoise/detail/functions_of_glsl.h",
-          "packages/python/hashnoise/*.py*", "playground/catalog.js", "src/grid/catalog.inc", *LINES)),
+          "packages/python/hashnoise/**/*.py*", "playground/catalog.js", "src/grid/catalog.inc", *LINES)),
     Part("dimensions", "files of glsl/ that only include others, and what other dimensions have of the plane's text",
          "a second", "translate.dimensions.command", (),
          # config.glsl is by hand, and the products above this part are made of it.

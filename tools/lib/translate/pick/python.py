@@ -407,6 +407,11 @@ def _floor(xp, x):
 def _bits(xp, x):
     return struct.unpack("i", struct.pack("f", x))[0] if isinstance(x, float) else x.view(xp.int32)
 ''',
+        "_abs": '''\
+def _abs(xp, x):
+    """With the slope of the side above at 0, as simplex noise takes it."""
+    return _where(xp, x < 0.0, -x, x + 0.0)
+''',
         "_sqrt": '''\
 def _sqrt(xp, x):
     """With a slope of 0 at 0."""
@@ -557,8 +562,8 @@ def _quotient_word(xp, a, b):
             return self._helped(f"_{name}{'_word' * (type_ == 'uint')}", arguments)
         if name in ("floor", "trunc"):
             return self.call(f"xp.{name}", arguments)
-        if name == "sqrt":
-            return self._helped("_sqrt", arguments)
+        if name == "sqrt" or name == "abs" and type_ == "float":
+            return self._helped(f"_{name}", arguments)
         if name in ("uintBitsToFloat", "floatBitsToUint"):
             return Piece(f"{arguments[0].within(UNARY)}.view(xp.{'float32' if type_ == 'float' else 'int32'})")
         return self._helped(name, arguments) if name in ("_goes_on", "_floor", "_bits") else self.call(name, arguments)
