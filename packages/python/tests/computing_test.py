@@ -26,7 +26,7 @@ from base import cuda
 
 TEXT = (golden.ROOT / "docs" / "guide" / "gpu-computing.md").read_text(encoding="utf-8")
 QUICK = ("cupy", "jax", "pyopencl")
-THOROUGH = (*QUICK, "load_inline", "numba", "taichi", "torch", "warp")
+THOROUGH = (*QUICK, "load_inline", "numba", "torch", "warp")
 HEADER, ARRAYS, HOUDINI = re.findall(r"(?m)^    (tools/pick .*)$", TEXT)
 
 
@@ -92,7 +92,7 @@ class Programs(unittest.TestCase):
             Path(name).write_text(printed(command), encoding="ascii")
 
     def run_program(self, code: str) -> None:
-        Path("program.py").write_text(code, encoding="ascii")  # Warp and Taichi read it
+        Path("program.py").write_text(code, encoding="ascii")  # Warp reads it
         runpy.run_path("program.py")
 
     def test_they_run(self) -> None:
