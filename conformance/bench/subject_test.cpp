@@ -106,7 +106,7 @@ std::vector<Subject> some_of(const std::vector<Subject>& all, std::size_t every)
 }
 
 TEST_F(SubjectShaders, OfTheLibraryCompile) {
-  for (const Subject& subject : some_of(library_subjects(default_configuration()), 17)) expect_shaders_work(subject);
+  for (const Subject& subject : some_of(library_subjects(default_configuration()), 37)) expect_shaders_work(subject);
 }
 
 // A row of the table makes the same calls with each setting, so some of the rows show that the setting arrives.
@@ -134,7 +134,7 @@ TEST_F(SubjectShaders, CostMoreThanTheEmptyOnes) {
     const auto optimised = words ? optimise_spirv(*words) : words;
     return optimised ? count_spirv(*optimised) : 0;
   };
-  std::vector<Subject> subjects = some_of(library_subjects(default_configuration()), 13);
+  std::vector<Subject> subjects = some_of(library_subjects(default_configuration()), 31);
   for (const int dimensions : {2, 3}) {
     subjects.push_back(float_subject(dimensions));
     subjects.push_back(integer_subject(dimensions));

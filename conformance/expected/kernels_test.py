@@ -82,13 +82,14 @@ class Kernels(unittest.TestCase):
 
     @in_thorough_runs
     def test_what_nvcc_makes_has_the_bits_of_the_twin(self) -> None:
-        for arithmetic in ARITHMETICS:
+        # From sm_100 on NVIDIA's compiler has another optimizer.
+        for arithmetic, machine in zip(ARITHMETICS, ("sm_75", "sm_120", "sm_120")):
             macros = (f"HN_ARITHMETIC={arithmetic}", "HN_TEST_EVERY_FORM")
             as_cpu = ("-O1", "-ffp-contract=off", twin_flags_test.INLINE_SOME)
             rounded = () if arithmetic == "HN_FIXED" else ("-fmad=false",)
             with self.subTest(arithmetic=arithmetic), tempfile.TemporaryDirectory() as folder:
                 text, source, made = (Path(folder, f"kernels.{name}") for name in ("ptx", "c", "o"))
-                self.assertEqual(messages(nvcc(), "-arch=sm_75", *rounded, "-Werror", "all-warnings", "-ptx", "-o", str(text),
+                self.assertEqual(messages(nvcc(), f"-arch={machine}", *rounded, "-Werror", "all-warnings", "-ptx", "-o", str(text),
                                           f"-DHN_ARITHMETIC={arithmetic}"), "")
                 kernels = text.read_text(encoding="ascii")
                 numbers = re.findall(r"\.entry kernel(\d+)\(", kernels)

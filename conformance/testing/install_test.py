@@ -72,23 +72,30 @@ def pkg_config(folder, *arguments):
 
 
 class WithoutPrograms(unittest.TestCase):
-    """Installs a build of the library alone; find_package finds it."""
+    """Installs a build of the library alone, which tests share; find_package finds it."""
 
     options = ()
 
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.build = pathlib.Path(scratch.name, "build")
-        self.project = pathlib.Path(scratch.name, "project")
-        self.project.mkdir()
-        self.scratch = pathlib.Path(scratch.name)
-        done = self.configure(SOURCE, "-DHASHNOISE_CONFORMANCE=OFF", *self.options)
-        self.assertEqual(done.returncode, 0, done.stderr)
+    @classmethod
+    def setUpClass(cls):
+        cls.build = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
+        done = cls.configure(cls.build, SOURCE)
+        assert done.returncode == 0, done.stderr
 
-    def configure(self, source, *options):
-        return subprocess.run([CMAKE, "-G", "Ninja", "-S", source, "-B", self.build, *options], capture_output=True,
-                              text=True, check=False)
+    def setUp(self):
+        self.scratch = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        self.project = self.scratch / "project"
+        self.project.mkdir()
+
+    @classmethod
+    def configure(cls, build, source, *options):
+        return subprocess.run([CMAKE, "-G", "Ninja", "-S", source, "-B", build, "-DHASHNOISE_CONFORMANCE=OFF", *cls.options,
+                               *options], capture_output=True, text=True, check=False)
+
+    def built(self):
+        library = self.build / "src/grid/libhashnoise-grid.a"
+        library.write_text("a library")  # it is only copied
+        self.addCleanup(library.unlink)
 
     def installed(self, name, *options):
         prefix = self.scratch / name
@@ -110,17 +117,18 @@ class WithoutPrograms(unittest.TestCase):
 
 class Options(WithoutPrograms):
     def test_tests_without_what_they_need_are_refused(self):
-        done = self.configure(SOURCE, "-DHASHNOISE_TESTS=ON")
+        done = self.configure(self.scratch / "build", SOURCE, "-DHASHNOISE_TESTS=ON")
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("HASHNOISE_TESTS is ON, and HASHNOISE_CONFORMANCE, which the tests need, is OFF.",
                       " ".join(done.stderr.split()))
 
     def test_who_lacks_a_package_leaves_out_what_needs_it_by_one_option(self):
-        done = self.configure(SOURCE, "-DHASHNOISE_CONFORMANCE=ON", "-DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON")
+        build = self.scratch / "build"
+        done = self.configure(build, SOURCE, "-DHASHNOISE_CONFORMANCE=ON", "-DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON")
         self.assertNotEqual(done.returncode, 0)
         self.assertIn("CLI11", done.stderr)
         self.assertIn("-DHASHNOISE_CONFORMANCE=OFF builds the library without them", done.stdout)
-        done = self.configure(SOURCE, "-DHASHNOISE_CONFORMANCE=OFF")
+        done = self.configure(build, SOURCE)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertNotIn("hn-conform", done.stdout)
 
@@ -143,8 +151,9 @@ class Headers(WithoutPrograms):
                                            ("share-apart", apart / "share", "include", False)):
             with self.subTest(name):
                 prefix = self.scratch / name
-                done = self.configure(SOURCE, f"-DCMAKE_INSTALL_PREFIX={prefix}", f"-DCMAKE_INSTALL_DATADIR={data}",
-                                      f"-DCMAKE_INSTALL_INCLUDEDIR={include}")
+                self.build = self.scratch / "build"
+                done = self.configure(self.build, SOURCE, f"-DCMAKE_INSTALL_PREFIX={prefix}",
+                                      f"-DCMAKE_INSTALL_DATADIR={data}", f"-DCMAKE_INSTALL_INCLUDEDIR={include}")
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.installed(name)
                 if moves:
@@ -162,7 +171,7 @@ class Headers(WithoutPrograms):
             (source / name).parent.mkdir(parents=True, exist_ok=True)
             (source / name).symlink_to(pathlib.Path(SOURCE, name))
         self.build = self.scratch / "build-of-source"
-        done = self.configure(source, "-DHASHNOISE_CONFORMANCE=OFF", *self.options)
+        done = self.configure(self.build, source)
         self.assertEqual(done.returncode, 0, done.stderr)
         for folder, has in (("build/vectors", False), ("vectors", True)):
             with self.subTest(folder):
@@ -190,6 +199,7 @@ class PartsOfABuild(WithoutPrograms):
         version = re.search(r'PACKAGE_VERSION "(\d+)\.(\d+)', version_file.read_text())
         major, minor = int(version[1]), int(version[2])
         later = version_file.read_text().replace(f'"{major}.{minor}.', f'"{major}.{minor + 1}.')
+        self.addCleanup(version_file.write_text, version_file.read_text())
         version_file.write_text(later)
         self.installed("later")
         for wanted, status in ((f"{major}.{minor}", 0), (f"{major}.{minor + 2}", 1), (f"{major + 1}.0", 1)):
@@ -213,7 +223,7 @@ class PartsOfABuild(WithoutPrograms):
                 self.assertNotIn("has hashnoise;", said)  # no half of it
 
     def test_the_library_where_it_was_built(self):
-        (self.build / "src/grid/libhashnoise-grid.a").write_text("a library")  # it is only copied
+        self.built()
         files, said = self.installed("grid-built")
         self.assertLess({"include/hashnoise/field.hpp", "lib/libhashnoise-grid.a"}, files)
         self.assertNotIn("not built", said)
@@ -231,7 +241,7 @@ class PartsOfABuild(WithoutPrograms):
         self.assertIn("-pthread", pkg_config(folders, "--static", "--libs", "hashnoise-grid").split())
 
     def test_a_component(self):
-        (self.build / "src/grid/libhashnoise-grid.a").write_text("a library")
+        self.built()
         self.assertNotIn("lib/libhashnoise-grid.a", self.installed("headers", "--component", "headers")[0])
         files, _ = self.installed("grid", "--component", "grid")
         self.assertIn("lib/libhashnoise-grid.a", files)

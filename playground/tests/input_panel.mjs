@@ -106,18 +106,17 @@ test("axe finds nothing", async () => {
   await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "dark" }]);
   assert.deepEqual(await foundByAxe(page), []);
   await page.emulateMediaFeatures([]);
+  // A button without a name, and letters as light as what is faint in the dark, which have too little contrast.
   const name = await page.$eval("#up-2", (button) => {
     button.textContent = button.title = "";
     const { ariaLabel } = button;
     button.ariaLabel = null;
+    document.documentElement.style.setProperty("--ink", "#999");
     return ariaLabel;
   });
-  const [found, ...more] = await foundByAxe(page);
-  assert.ok(/^button-name: /.test(found) && more.length === 0, found);
+  const found = (await foundByAxe(page)).map((one) => one.split(":")[0]);
+  assert.deepEqual(found.toSorted(), ["button-name", "color-contrast"]);
   await page.$eval("#up-2", (button, label) => Object.assign(button, { ariaLabel: label, textContent: "↑" }), name);
-  // Letters as light as what is faint in the dark have too little contrast.
-  await page.evaluate(() => document.documentElement.style.setProperty("--ink", "#999"));
-  assert.match((await foundByAxe(page)).join(), /color-contrast/);
   await page.evaluate(() => document.documentElement.style.removeProperty("--ink"));
   await paper.evaluate((tag) => tag.remove());
 });

@@ -115,7 +115,7 @@ export async function inFolder(work) {
 export const compiled = (code, main) =>
   inFolder(async (folder) => {
     await writeFile(join(folder, "main.cpp"), `${code}\n${main}`);
-    const flags = ["-std=c++20", "-O0", "-ffp-contract=off", "-I", join(kRoot, "include")];
+    const flags = ["-std=c++20", "-O0", "-Dalways_inline=unused", "-ffp-contract=off", "-I", join(kRoot, "include")];
     await run("g++", [...flags, join(folder, "main.cpp"), "-o", join(folder, "main")]);
     return (await run(join(folder, "main"), { maxBuffer: 1 << 26 })).stdout;
   });

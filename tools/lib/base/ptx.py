@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 
 TYPES = {"pred": "int", "b16": "uint16_t", "b32": "uint32_t", "b64": "uint64_t", "u16": "uint16_t", "u32": "uint32_t",
-         "u64": "uint64_t", "s16": "int16_t", "s32": "int32_t", "s64": "int64_t", "f32": "float"}
+         "u64": "uint64_t", "u128": "unsigned __int128", "s16": "int16_t", "s32": "int32_t", "s64": "int64_t", "f32": "float"}
 FLAGS = ("-ffp-contract=off", "-fwrapv", "-fno-strict-aliasing", "-w")  # as PTX computes
 PRELUDE = """
 #include <math.h>
@@ -31,6 +31,11 @@ static uint32_t prmt(uint32_t a, uint32_t b, uint32_t which) {
   }
   return d;
 }
+static uint32_t brev(uint32_t a) {
+  uint32_t d = 0;
+  for (int i = 0; i < 32; ++i) d |= (a >> i & 1) << (31 - i);
+  return d;
+}
 static float min_f32(float a, float b) { return a == b && signbit(a) ? a : fminf(a, b); }
 static float max_f32(float a, float b) { return a == b && signbit(a) ? b : fmaxf(a, b); }
 """
@@ -39,15 +44,15 @@ UNSIGNED_PLUS = {"add": "{0} + {1}", "sub": "{0} - {1}", "mul": "{0} * {1}", "ma
 OPERATIONS = {
     **UNSIGNED_PLUS, "fma": "fmaf({0}, {1}, {2})", "div": "{0} / {1}", "rem": "{0} % {1}", "rcp": "1.0f / {0}",
     "sqrt": "sqrtf({0})", "and": "{0} & {1}", "or": "{0} | {1}", "xor": "{0} ^ {1}", "not": "~{0}", "mov": "{0}",
-    "cvta": "{0}", "shl": "{1} > 31 ? 0 : {0} << {1}", "prmt": "prmt({0}, {1}, {2})",
+    "cvta": "{0}", "prmt": "prmt({0}, {1}, {2})", "brev": "brev({0})",
+    "shl": "{1} >= {bits} ? 0 : {0} << {1}", "shr": "{0} >> ({1} >= {bits} ? {bits} - 1 : {1}) >> ({1} >= {bits})",
+    "shf": "{2} % 32 ? {1} << {2} % 32 | {0} >> (32 - {2} % 32) : {1}",
     "min": "{0} < {1} ? {0} : {1}", "max": "{0} > {1} ? {0} : {1}", "abs": "{0} < 0 ? -(uint32_t){0} : {0}",
-    "min.f32": "min_f32({0}, {1})", "max.f32": "max_f32({0}, {1})", "abs.f32": "fabsf({0})", "not.pred": "!{0}",
-    "shr.u32": "{1} > 31 ? 0 : {0} >> {1}", "shr.s32": "{0} >> ({1} > 31 ? 31 : {1})", "shr.u64": "{0} >> {1}"}
+    "min.f32": "min_f32({0}, {1})", "max.f32": "max_f32({0}, {1})", "abs.f32": "fabsf({0})", "not.pred": "!{0}"}
 COMPARED = {"eq": "{0} == {1}", "ne": "{0} != {1}", "lt": "{0} < {1}", "le": "{0} <= {1}", "gt": "{0} > {1}",
             "ge": "{0} >= {1}", "neu": "{0} != {1}", "ltu": "!({0} >= {1})", "leu": "!({0} > {1})",
             "gtu": "!({0} <= {1})", "geu": "!({0} < {1})"}
-CONVERTED = {"rzi.s32.f32": "rzi_s32({0})", "rzi.u32.f32": "rzi_u32({0})", "rzi.f32.f32": "truncf({0})",
-             "rmi.f32.f32": "floorf({0})", "rn.f32.s32": "{0}", "rn.f32.u32": "{0}", "u16.u32": "{0}", "u32.u64": "{0}"}
+CONVERTED = {"rzi.s32": "rzi_s32({0})", "rzi.u32": "rzi_u32({0})", "rzi.f32": "truncf({0})", "rmi.f32": "floorf({0})"}
 
 
 def _operand(text: str, of: str) -> str:
@@ -76,21 +81,24 @@ def _statement(operation: str, operands: list[str]) -> str:
     to, *operands = operands
     given = [_operand(operand, of) for operand in operands]
     if name == "setp":
-        expression, of = COMPARED[kinds[0]].format(*given), "pred"
+        is_ordered = (kinds[0], of) == ("ne", "f32")  # a NaN is not
+        expression, of = ("{0} < {1} || {0} > {1}" if is_ordered else COMPARED[kinds[0]]).format(*given), "pred"
     elif name == "selp":
         expression = "{2} ? {0} : {1}".format(*given[:2], _operand(operands[2], "pred"))
     elif name == "cvt":
-        expression, of = CONVERTED[".".join(kinds)].format(*given), kinds[-2]
-    elif kinds[0] == "wide":
-        expression, of = f"(uint64_t){given[0]} * {given[1]}", "b64"
+        of = kinds[-2]
+        rounded = kinds[0] if kinds[0] in ("rzi", "rmi") else ""
+        expression = CONVERTED[f"{rounded}.{of}"].format(*given) if rounded else given[0]
+    elif kinds[0] in ("wide", "hi"):
+        bits, wide = int(of[1:]), TYPES[f"{of[0]}{2 * int(of[1:])}"]
+        expression = f"({wide}){given[0]} * {given[1]}" + (f" >> {bits}" if kinds[0] == "hi" else "")
     else:
         if name in UNSIGNED_PLUS:
             given = [_operand(operand, of.replace("s", "u")) for operand in operands]
-        if name.startswith("sh"):
+        if name in ("shl", "shr"):
             given[1] = _operand(operands[1], "u32")
-        expression = OPERATIONS.get(f"{name}.{of}", OPERATIONS.get(name, "")).format(*given)
-        if not expression:
-            raise KeyError(operation)
+        text = OPERATIONS[f"{name}.{of}" if f"{name}.{of}" in OPERATIONS else name]
+        expression = text.format(*given, bits=of[1:])
     if to.startswith("%f") and of != "f32":
         expression = f"to_float({expression})"
     elif of == "f32" and not to.startswith("%f"):
@@ -105,7 +113,7 @@ def to_c(ptx: str) -> str:
         line = line.strip()
         if entry := re.fullmatch(r"(?:\.visible )?\.entry (\w+)\(", line):
             lines.append(f"void {entry[1]}(")
-        elif parameter := re.fullmatch(r"\.param \.u64 (?:\.ptr \S+ \.align \d+ )?(\w+)(,?)", line):
+        elif parameter := re.fullmatch(r"\.param \.u64 (?:\.ptr (?:\.global )?\.align \d+ )?(\w+)(,?)", line):
             lines.append(f"const void* {parameter[1]}{parameter[2]}")
         elif registers := re.fullmatch(r"\.reg \.(\w+)\s+%(\w+)<(\d+)>;", line):
             lines.append(f"{TYPES[registers[1]]} " + ", ".join(f"{registers[2]}{i}" for i in range(int(registers[3]))) + ";")

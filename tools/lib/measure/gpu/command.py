@@ -52,21 +52,17 @@ class BadUsage(Exception):
 
 
 class Progress:
-    """A line every ten seconds, or every HN_PROGRESS_SECONDS."""
+    """A line for each hundred shaders."""
 
     def __init__(self, total: int):
-        self.total, self.done, self.lock = total, 0, threading.Lock()
-        self.stopped = False
-        self.tick = float(os.environ.get("HN_PROGRESS_SECONDS", 10))
-        self.next = time.monotonic() + self.tick
+        self.total, self.done, self.lock, self.stopped = total, 0, threading.Lock(), False
 
     def step(self) -> None:
         if self.stopped:
             raise KeyboardInterrupt  # in the thread that waits for a compiler, which then ends that
         with self.lock:
             self.done += 1
-            if time.monotonic() >= self.next:
-                self.next += self.tick
+            if self.done % 100 == 0:
                 self.say(f"{self.done} of {self.total} shaders")
 
     def say(self, text: str) -> None:

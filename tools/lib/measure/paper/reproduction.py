@@ -31,9 +31,9 @@ LOW, HIGH, BINS = -1.5, 1.5, 96
 FEWEST = 20  # in a bin of two histograms together: chi-square is an approximation for many
 HASHES = (("Perlin/FNV1", "Perlin/PartialFNV1"), ("Perlin/Jenkins", "Perlin/PartialJenkins"))
 MISSING = "It could not be measured."
-INTRODUCTION = """What "Implementing Noise with Hash functions for Graphics Processing Units" (Valdenegro-Toro and
-Pincheira) shows, computed and measured again on this driver, beside the numbers that the paper prints. Each hash has three
-forms. As published is the listing as printed: its arithmetic is of int, with shifts that extend the sign, it takes the sin
+INTRODUCTION = """This page computes and measures again, on this driver, the results of "Implementing Noise with Hash
+functions for Graphics Processing Units" (Valdenegro-Toro and Pincheira), beside the numbers that the paper prints. Each
+hash has three forms. As published is the listing as printed: its arithmetic is of int, with shifts that extend the sign, it takes the sin
 of whatever integer comes, which GLSL lets every driver evaluate as it likes, and the mask of the highest byte in its FNV1,
 -2130706432, takes 2 of the 8 bits that -16777216 would. Around it is Perlin's noise of 2002 with the period of 2^20 cells
 that the paper describes. As intended is the library with HN_GRADIENT_SINE and a period of 1048576 cells. Ours is the
@@ -42,7 +42,8 @@ TABLE = """A triangle over the whole picture (the paper: a textured quad) is dra
 pixel, over {cells} x {cells} cells. Times are medians of interleaved rounds. A ratio is to Perlin/Float in the same rounds,
 after the time of an empty shader is taken off both, with half the distance between its quartiles; the paper's ratios are
 quotients of its times. Instructions are those of the whole fragment shader: SPIR-V after spirv-opt -O. The paper's were of
-NVIDIA's Cg compiler, its times of a GeForce 8400M GS."""
+NVIDIA's Cg compiler, its times of a GeForce 8400M GS. The paper concludes that only Perlin/PartialFNV1 and
+Perlin/PartialJenkins are close enough to Perlin/Float, and Perlin/Integer is its slowest."""
 FIGURE = """Noise over {0} x {0} cells, from -1 (black) to 1 (white); turbulence and clouds of 6 octaves over {1} x {1}
 cells, turbulence from 0 to 1/2, since most of it is below, and clouds from 0 to 1. The paper gives no formula for the latter
 two: they are hn_turbulence and hn_clouds over the noise in question. The rows are {2}."""
@@ -86,33 +87,14 @@ def cells(row: Row, sources: Sequence[str]) -> list[str]:
     return found
 
 
-def claims(rows: Sequence[Row]) -> list[tuple[str, str]]:
-    """The paper's conclusions from its table, beside what this run found."""
-    def ratios(algorithm: str, form: str) -> str:
-        return ", ".join(f"{row['dimensions']}D {float(row['ratio_800x600']):.2f} (paper "
-                         f"{printed_ratio(algorithm, row['dimensions'], '800x600'):.2f})" for row in rows
-                         if (row["algorithm"], row["form"]) == (algorithm, form) and row["ratio_800x600"] != "failed")
-
-    def differences(dimensions: str) -> str:
-        return ", ".join(
-            f"{row['algorithm']} {int(row['spirv']) - int(printed(row['algorithm'], dimensions)['instructions']):+d}"
-            for row in rows if (row["form"], row["dimensions"]) == ("as published", dimensions) and row["spirv"].isdigit())
-
-    return [*((f"{partial} is close to Perlin/Float: the ratio at 800x600, as published, and of ours",
-               f"{ratios(partial, 'as published')}; {ratios(partial, 'ours')}") for _, partial in HASHES),
-            ("Perlin/Integer is the slowest of all: its ratio", ratios("Perlin/Integer", "tables in textures")),
-            *((f"instructions of the listings in {n}D, less those of the paper", differences(n)) for n in "23")]
-
-
 def table(of: Record, out: Path) -> list[Section]:
     heads = list(of.rows[0])
     sources = heads[4:heads.index("ms_800x600")]
     shown = [f"{what}{size}" for size in SIZES for what in ("ms at ", "paper, ", "ratio at ", "paper, ")]
-    return [*(Section(f"Instructions and render times in {n}D", TABLE.format(**of.facts),
-                      ("algorithm", "form", *sources, "paper", *shown),
-                      [(row["algorithm"], row["form"], *cells(row, sources)) for row in of.rows if row["dimensions"] == n],
-                      "table dense") for n in "23"),
-            Section("What the paper concludes", "", ("conclusion", "here"), claims(of.rows))]
+    return [Section(f"Instructions and render times in {n}D", TABLE.format(**of.facts),
+                    ("algorithm", "form", *sources, "paper", *shown),
+                    [(row["algorithm"], row["form"], *cells(row, sources)) for row in of.rows if row["dimensions"] == n],
+                    "table dense") for n in "23"]
 
 
 # --- The figure -------------------------------------------------------------------------------------------------------

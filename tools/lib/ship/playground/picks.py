@@ -167,7 +167,9 @@ def shells() -> dict[str, list[str]]:
     found = {language: [LANGUAGES[language].opening, ""] for language in SHADING}
     for language in CPU:
         if language != "osl":  # whose shader the page writes
-            before, after = SYNTAXES[language](False).file([], ["pattern"], ["\0math.\n"]).split("\0math.\n")
+            syntax = SYNTAXES[language]()
+            syntax.is_fixed = True
+            before, after = syntax.file([], ["pattern"], ["\0math.\n"]).split("\0math.\n")
             found[language] = [before.lstrip("\n").rstrip(" \t"), after]
     opening, nodes = tsl.NODES.read_text(encoding="ascii").split("\n\n", 1)
     imports = opening.splitlines()[-1].replace(" glslFn", " glsl, glslFn").replace(" wgslFn", " wgsl, wgslFn")

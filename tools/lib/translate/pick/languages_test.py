@@ -31,6 +31,7 @@ from translate.pick.runners import (
     ARRAYS,
     RUNNERS,
     Case,
+    CRunner,
     JavaRunner,
     NotInstalled,
     NotRun,
@@ -88,7 +89,7 @@ def functions(of: Module, arithmetic: str) -> dict[str, Function]:
 
 
 def drawn(of: Module, arithmetic: str) -> dict[str, Function]:
-    """The functions with points: all with integers, for the text of all of them."""
+    """Functions that have points: all with integers, for the text of all of them."""
     return of.forms if arithmetic == "fixed" else functions(of, arithmetic)
 
 
@@ -192,6 +193,23 @@ class Language(unittest.TestCase):
                 self.assertIn(old, right)
                 with self.assertRaises(NotRun):
                     self.lint(right.replace(old, new))
+
+    def test_gcc_vectorizes_a_loop_with_the_options_of_the_text(self) -> None:
+        if type(self.runner) is not CRunner:
+            return
+        of = module("fast")
+        for name, call in (("hn_perlin2", "x[i], y[i], 7u"), ("hn_simplex3", "x[i], y[i], x[i], 7u"),
+                           ("hn_value_cubic2", "x[i], y[i], 7u")):
+            shown = self.text("fast", of, name)
+            options = re.search(r"-O3 [\w= -]+", shown)[0].split()
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                written_to(Path(folder), {
+                    "loop.c": f"{shown}void loop(const float *restrict x, const float *restrict y, float *restrict out, "
+                              f"int n) {{ for (int i = 0; i < n; i++) out[i] = {name}({call}); }}\n"})
+                for more, is_found in (("-ftree-vectorize", True), ("-fno-tree-vectorize", False)):
+                    ran(Path(folder), "gcc", "-std=c99", *options, more, f"-fopt-info-vec=found{more}", "-c", "loop.c")
+                    found = (Path(folder) / f"found{more}").read_text(encoding="ascii")
+                    self.assertEqual("loop vectorized" in found, is_found, found)
 
     def test_a_text_that_is_not_compiled_is_told(self) -> None:
         if not isinstance(self.runner, OslRunner):

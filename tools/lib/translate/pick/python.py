@@ -187,6 +187,11 @@ class Body(Scalars):
     def _piece(self, node: Node) -> Piece:
         if node not in self.called and isinstance(node, Operation) and node.kind in ("binary", "unary", "builtin"):
             pieces = [self._piece(argument) for argument in self._arguments(node)]
+            fusible = [self.language.is_fusible(one) for one in node.arguments]
+            if node.type == "float" and node.name in ("+", "-") and any(fusible):
+                helped = [self.language.builtin("_rounded", "float", [piece]) if one else piece
+                          for one, piece in zip(fusible, pieces)]
+                return self.language.binary(node.name, "float", *helped)
             if node.name in OF_NUMBERS and self.language.now.may_be_python(node):
                 return self.language.builtin(OF_NUMBERS[node.name], node.type, pieces)
             if node.name in ("&&", "||") and self.language.now.is_sure(node):
@@ -224,6 +229,7 @@ class Function:
                 self.values.setdefault(statement.variable, []).extend(operands(statement))
         self.sure = {one for one in self.values if not one.is_parameter and one.type in ("int", "bool")}
         self._known: dict[Node, bool] = {}
+        self._scaled: dict[Node, bool] = {}
         while dropped := {one for one in self.sure if not all(map(self.is_sure, self.values[one]))
                           or one in self._set_below(evaluated.block)}:
             self.sure -= dropped
@@ -260,6 +266,13 @@ class Function:
                 of_parts = any if node.type not in SIZES or SIZES[node.type] > 1 else all  # a vector has both
                 self._known[node] = of_parts(map(self.may_be_python, node.arguments))
         return self._known[node]
+
+    def is_of_lacunarity(self, node: Node) -> bool:
+        if isinstance(node, Variable):
+            return node.name.rpartition(".")[2] == "lacunarity"
+        if node not in self._scaled:
+            self._scaled[node] = isinstance(node, Operation) and any(map(self.is_of_lacunarity, node.arguments))
+        return self._scaled[node]
 
     def _with_structs(self, evaluated: Evaluated) -> list[Statement]:
         """Without setting the fields of parameters: they are returned, behind the results."""
@@ -403,6 +416,12 @@ def _to_uint(xp, x):
 def _floor(xp, x):
     return float(x // 1) if isinstance(x, float) else xp.floor(x)
 ''',
+        "_rounded": '''\
+def _rounded(xp, x):
+    """A product that no compiler fuses with a sum."""
+    fuses = xp.__name__ == "jax.numpy" or xp.__name__ == "torch" and xp.compiler.is_compiling()
+    return xp.where(x == x, x, x + x) if fuses else x
+''',
         "_bits": '''\
 def _bits(xp, x):
     return struct.unpack("i", struct.pack("f", x))[0] if isinstance(x, float) else x.view(xp.int32)
@@ -470,6 +489,12 @@ def _quotient_word(xp, a, b):
                             parts = argument.arguments if getattr(argument, "kind", "") == "construct" else [argument]
                             may[id(called)] |= {taken.at.text} if any(map(caller.may_be_python, parts)) else set()
                             sure[id(called)] -= set() if caller.is_sure(argument) else {taken.at.text}
+
+    def is_fusible(self, node: Node) -> bool:
+        """Whether it is a product that compilers must not fuse with a sum: if floats are precise, and of positions in the
+        next octave, whose fractions would differ the more the larger they are."""
+        return isinstance(node, Operation) and node.name == "*" and node.type == "float" and (
+            self.precise or self.now.is_of_lacunarity(node))
 
     def block(self, evaluated: Evaluated) -> list[Statement]:
         self.now = self.functions[id(evaluated)]
@@ -566,7 +591,7 @@ def _quotient_word(xp, a, b):
             return self._helped(f"_{name}", arguments)
         if name in ("uintBitsToFloat", "floatBitsToUint"):
             return Piece(f"{arguments[0].within(UNARY)}.view(xp.{'float32' if type_ == 'float' else 'int32'})")
-        return self._helped(name, arguments) if name in ("_goes_on", "_floor", "_bits") else self.call(name, arguments)
+        return self._helped(name, arguments) if name in ("_goes_on", "_floor", "_bits", "_rounded") else self.call(name, arguments)
 
     def _helped(self, name: str, arguments: Sequence[Piece]) -> Piece:
         if name in self.helpers:
