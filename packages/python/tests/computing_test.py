@@ -87,6 +87,7 @@ class Programs(unittest.TestCase):
     def setUp(self) -> None:
         self.enterContext(contextlib.chdir(self.enterContext(tempfile.TemporaryDirectory())))
         self.enterContext(mock.patch.dict(os.environ, TORCH_EXTENSIONS_DIR=os.getcwd(), WARP_CACHE_PATH=os.getcwd()))
+        self.enterContext(mock.patch.object(sys, "path", [os.getcwd(), *sys.path]))
         for line in (HEADER, ARRAYS):
             command, name = line.split(" --out ")
             Path(name).write_text(printed(command), encoding="ascii")
