@@ -5,10 +5,13 @@ from __future__ import annotations
 import contextlib
 import functools
 import io
+import sys
 import tempfile
 import unittest
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
+
+SKIPPED = 77  # the status of a test that ctest takes as skipped
 
 
 class Case(unittest.TestCase):
@@ -34,3 +37,13 @@ def called(main: Callable[[Sequence[str]], int], *arguments: object) -> tuple[in
         except SystemExit as end:
             status = end.code
     return status, printed.getvalue()
+
+
+@contextlib.contextmanager
+def skipped_without(*absent: type[Exception]) -> Iterator[None]:
+    """Ends a program of tests as skipped where something that it needs is not here."""
+    try:
+        yield
+    except absent as reason:
+        print(f"skipped: {reason}")
+        sys.exit(SKIPPED)

@@ -6,12 +6,16 @@ import contextlib
 import io
 import posixpath
 import re
+import shutil
+import sys
 import tempfile
 import unittest
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
+from base.testing import SKIPPED
 from ship import command
+from translate.hlsl.compilers import missing as missing_compilers
 
 
 def made(case: type[unittest.TestCase], name: str, *options: str) -> tuple[Path, Path]:
@@ -33,3 +37,16 @@ def lost_links(pages: Mapping[str, str], names: Iterable[str]) -> list[str]:
             if "://" not in link and posixpath.normpath(posixpath.join(posixpath.dirname(path), link)) not in there:
                 found.append(f"{path}: {link}")
     return found
+
+
+def run_with_compilers(test: str, needed: Mapping[str, str]) -> None:
+    """Runs a class of tests of HLSL as a program: skipped without programs, which Debian's packages have, and with
+    glslang alone without Microsoft's compilers."""
+    if absent := [package for program, package in needed.items() if not shutil.which(program)]:
+        print(f"skipped: Debian's packages {', '.join(absent)} are missing")
+        sys.exit(SKIPPED)
+    done = unittest.main(defaultTest=test, exit=False, verbosity=2).result
+    if done.wasSuccessful() and missing_compilers():
+        print(f"skipped, but for glslang: {missing_compilers()}")
+        sys.exit(SKIPPED)
+    sys.exit(not done.wasSuccessful())

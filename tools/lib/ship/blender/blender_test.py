@@ -21,6 +21,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+from base.testing import skipped_without
 from base.tree import TOOLS, version
 from ship import command
 from ship.blender import files
@@ -29,7 +30,6 @@ from ship.packing_support import made
 from translate.pick.osl_runner import PACKAGE
 from translate.wgsl.device import installed
 
-SKIPPED = 77
 SIDE = 12  # pixels
 OFFSET = (100.25, -70.5, 3.75)  # of positions, from the numbers of pixels
 
@@ -450,10 +450,7 @@ class AddOn(unittest.TestCase):
 
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as user:
-        try:
+        with skipped_without(NoBlender):
             AddOn.environment = Path(sys.argv.pop(1))
             found(AddOn.environment, Path(user))
-        except NoBlender as reason:
-            print(f"skipped: {reason}")
-            sys.exit(SKIPPED)
         unittest.main(defaultTest="AddOn", verbosity=2)

@@ -22,12 +22,12 @@ from pathlib import Path
 from base import glslang
 from base.javascript.environment import OFFLINE
 from base.renderer import NoRenderer, Renderer
+from base.testing import SKIPPED, skipped_without
 from base.tree import ROOT, TOOLS, version
 from ship import command
 from ship.isf import files
 from translate.pick.command import Choice
 
-SKIPPED = 77
 PARSER = "interactive-shader-format@2.9.0"
 SIDE = 64
 TYPES = {"float": "float", "long": "int", "color": "vec4"}
@@ -190,11 +190,8 @@ def fetched(folder: Path) -> int:
 
 if __name__ == "__main__":
     Looks.folder = Path(sys.argv.pop(1)).resolve()
-    try:
+    with skipped_without(NoRenderer):
         Renderer(SIDE)
-    except NoRenderer as reason:
-        print(f"skipped: {reason}")
-        sys.exit(SKIPPED)
     if not shutil.which("glslangValidator"):
         print("skipped: Debian's package glslang-tools is missing")
         sys.exit(SKIPPED)

@@ -11,15 +11,13 @@ from __future__ import annotations
 
 import re
 import shutil
-import sys
 import unittest
 import xml.etree.ElementTree as xml
 
+from base.testing import skipped_without
 from ship.materialx import files
 from ship.materialx.generated import LANGUAGES, MISSING, RUN, Generated, Job, materialx, needed, vectors
 from ship.packing_support import made
-
-SKIPPED = 77
 
 
 class Text(unittest.TestCase):
@@ -148,9 +146,6 @@ class Library(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    try:
+    with skipped_without(*MISSING):
         needed()
-    except MISSING as reason:
-        print(f"skipped: {reason}")
-        sys.exit(SKIPPED)
     unittest.main(defaultTest="Library", verbosity=2)

@@ -12,11 +12,11 @@ import os
 import re
 import shutil
 import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
+from base.testing import skipped_without
 from base.thorough import THOROUGH, in_thorough_runs
 from base.tree import ROOT, version
 from base.versions import folders, path_of
@@ -24,7 +24,6 @@ from ship.packing import put
 from ship.rust.files import ALL, NEEDED, package
 from translate.pick.runners import NotInstalled
 
-SKIPPED = 77
 SOME = (*NEEDED, "random")
 
 
@@ -131,9 +130,6 @@ def load_tests(loader: unittest.TestLoader, *_: object) -> unittest.TestSuite:
 
 
 if __name__ == "__main__":
-    try:
+    with skipped_without(NotInstalled):
         check()
-    except NotInstalled as reason:
-        print(f"skipped: {reason}")
-        sys.exit(SKIPPED)
     unittest.main(verbosity=2)

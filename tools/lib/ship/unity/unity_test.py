@@ -11,21 +11,18 @@ from __future__ import annotations
 
 import json
 import re
-import shutil
 import struct
 import subprocess
-import sys
 import unittest
 from pathlib import Path
 
 from base.tree import TOOLS, version
 from proof.vectors.files import vectors_folder
-from ship.packing_support import made
+from ship.packing_support import made, run_with_compilers
 from ship.unity import files
 from translate.hlsl.compilers import missing as missing_compilers
 from translate.hlsl.compilers import refusals
 
-SKIPPED = 77
 NEEDED = {"mcs": "mono-mcs", "mono": "mono-runtime", "glslangValidator": "glslang-tools"}
 # As much of Unity as the sample needs, to compile it.
 ENGINE = """
@@ -239,11 +236,4 @@ class Normal {{
 
 
 if __name__ == "__main__":
-    if missing := [package for program, package in NEEDED.items() if not shutil.which(program)]:
-        print(f"skipped: Debian's packages {', '.join(missing)} are missing")
-        sys.exit(SKIPPED)
-    done = unittest.main(defaultTest="Package", exit=False, verbosity=2).result
-    if done.wasSuccessful() and missing_compilers():
-        print(f"skipped, but for glslang: {missing_compilers()}")
-        sys.exit(SKIPPED)
-    sys.exit(not done.wasSuccessful())
+    run_with_compilers("Package", NEEDED)

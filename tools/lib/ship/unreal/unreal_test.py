@@ -11,20 +11,17 @@ from __future__ import annotations
 
 import json
 import re
-import shutil
 import subprocess
-import sys
 import unittest
 from pathlib import Path
 
 from base.tree import TOOLS, version
 from ship.hlsl_nodes import NODES, PORTS, forms, ports
-from ship.packing_support import made
+from ship.packing_support import made, run_with_compilers
 from ship.unreal import files
 from translate.hlsl.compilers import missing as missing_compilers
 from translate.hlsl.compilers import refusals
 
-SKIPPED = 77
 NEEDED = {"glslangValidator": "glslang-tools", "clang++": "clang", "mcs": "mono-mcs"}
 # As much of Unreal as the module needs, to compile it: a header each, and what builds it.
 ENGINE = {
@@ -173,11 +170,4 @@ class Plugin(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if missing := [package for program, package in NEEDED.items() if not shutil.which(program)]:
-        print(f"skipped: Debian's packages {', '.join(missing)} are missing")
-        sys.exit(SKIPPED)
-    done = unittest.main(defaultTest="Plugin", exit=False, verbosity=2).result
-    if done.wasSuccessful() and missing_compilers():
-        print(f"skipped, but for glslang: {missing_compilers()}")
-        sys.exit(SKIPPED)
-    sys.exit(not done.wasSuccessful())
+    run_with_compilers("Plugin", NEEDED)

@@ -20,6 +20,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from base.golden_values import ids
+from base.testing import skipped_without
 from base.thorough import THOROUGH, in_thorough_runs
 from base.tree import ROOT, TOOLS
 from base.versions import take_newest
@@ -28,7 +29,6 @@ from ship.wesl.files import PACKAGE, imported, package
 from translate.wgsl.device import Absent, Device
 from translate.wgsl.golden import differing, shaders_over
 
-SKIPPED = 77
 SAMPLE = ("noise2d.perlin_cell_period", "fbm.clouds3", "hash.unorm")
 TESTS = PACKAGE / "tests"
 
@@ -164,11 +164,8 @@ class Linked(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    try:
+    with skipped_without(Absent):
         Linked.device = Device()
         Linked.linker = Linker(sys.argv[1], Path(sys.argv[2]))
-    except Absent as reason:
-        print(f"skipped: {reason}")
-        sys.exit(SKIPPED)
     del sys.argv[1:3]
     unittest.main(verbosity=2)

@@ -20,13 +20,13 @@ import unittest
 from pathlib import Path
 
 from base.debian import Missing, program
+from base.testing import skipped_without
 from base.tree import GLSL, ROOT, TOOLS
 from translate.hlsl.compilers import Compiled, Fxc, compile_by_dxc, dxc, refusal
 from translate.pick import command
 from translate.pick.program import Program, chosen, read
 from translate.pick.shading import LANGUAGES
 
-SKIPPED = 77
 PAGE = (ROOT / "docs" / "guide" / "languages.md").read_text(encoding="utf-8")
 CODE = re.findall(r"^```hlsl\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
 COMPUTE, = (text for text in CODE if "numthreads" in text)
@@ -232,10 +232,7 @@ class FxcOnly(Hlsl):
 if __name__ == "__main__":
     which, Hlsl.conform = sys.argv[1:3]
     case = {"dxc": Dxc, "fxc": FxcOnly}[which]
-    try:
+    with skipped_without(Missing):
         case.compiler = {"dxc": ByDxc, "fxc": ByFxc}[which]()
-    except Missing as reason:
-        print(f"skipped: {reason}")
-        sys.exit(SKIPPED)
     del sys.argv[1:3]
     unittest.main(defaultTest=case.__name__)

@@ -33,6 +33,7 @@ from translate.pick.runners import (
     Case,
     CRunner,
     JavaRunner,
+    JaxRunner,
     NotInstalled,
     NotRun,
     OpenClRunner,
@@ -53,6 +54,27 @@ ALL_RUNNERS = {**RUNNERS, "osl": OslRunner, "opencl": OpenClRunner, **ARRAYS}
 # Changes of the one text in C that some compiler refuses.
 REFUSED = (("static __host__ __device__ inline", "static inline"), ("#if defined(__OPENCL_VERSION__) ||", "#if 0 &&"),
            ("uint32_t seed)", "uint32_t or)"), ("{\n  hn_vec2 made = {x, y};\n  return made;", "{\n  return (hn_vec2){x, y};"))
+# Functions with slopes of their own, which JAX finds as well.
+SLOPES = ("perlin", "cellular", "value", "simplex", "fbm") if THOROUGH else ("perlin", "cellular")
+# By how much a sum differs below jit from what it is without, for less than 1000 cells, and slopes from the library's, at
+# positions where one in two is whole.
+JIT = """import sys
+import jax
+import numpy
+import fused
+import noise
+drawn = numpy.random.default_rng(7).uniform(-1000, 1000, (3, 100_000)).astype("f4")
+known = noise.fbm3(*drawn, 6, 2.0, 0.5, 7)
+for text in noise, fused:
+    print(abs(known - jax.jit(text.fbm3, static_argnums=3)(*drawn, 6, 2.0, 0.5, 7)).max())
+x, y = numpy.where(numpy.arange(100_000) % 2, drawn[:2] / 100, numpy.round(drawn[:2] / 100))
+for name in sys.argv[1:]:
+    settings = (6, 2.0, 0.5, 7) if name == "fbm" else (7,)
+    value = lambda x, y: jax.tree.leaves(getattr(noise, f"{name}2")(x, y, *settings))[0]
+    found = jax.jit(jax.vmap(jax.grad(value, (0, 1))))(x, y)
+    for one, other in zip(found, getattr(noise, f"{name}_d2")(x, y, *settings)[1:]):
+        print(abs(one - other).max())
+"""
 TOGETHER = ("hn_perlin2", "hn_value3_place", "hn_tile3")  # in one text
 PAGE = (ROOT / "docs" / "guide" / "same-bits.md").read_text(encoding="utf-8")
 # A program that prints the height of the page, and the commands that build and run it.
@@ -193,6 +215,21 @@ class Language(unittest.TestCase):
                 self.assertIn(old, right)
                 with self.assertRaises(NotRun):
                     self.lint(right.replace(old, new))
+
+    def test_below_jit_floats_and_slopes_are_within_their_bounds(self) -> None:
+        """And floats of a text in which XLA fuses positions are not."""
+        if type(self.runner) is not JaxRunner:
+            return
+        of = module("fast")
+        shown = self.text("fast", of, *(f"hn_{name}{d}2" for name in SLOPES for d in ("", "_d")), "hn_fbm3")
+        fused = shown.replace("return xp.where(x == x, x, x + x) if fuses else x", "return x")
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            written_to(folder, {"noise.py": shown, "fused.py": fused, "jit.py": JIT})
+            values, of_fused, *slopes = map(float, ran(folder, *self.runner.python(), "jit.py", *SLOPES).split())
+        self.assertLess(values, 3e-7)
+        self.assertGreater(of_fused, 1e-4)
+        self.assertLess(max(slopes), 3e-6)  # no NaN is
 
     def test_gcc_vectorizes_a_loop_with_the_options_of_the_text(self) -> None:
         if type(self.runner) is not CRunner:

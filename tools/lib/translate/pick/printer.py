@@ -420,16 +420,20 @@ class Writer(Expressions):
             uses[node] = len(places)
         known = {node for node in values_of(self.block) if isinstance(node, Operation)}
         for node in sorted(known, key=lambda one: -one.number):  # its user has a higher number
-            place = _common(at[node])
+            place = self._place(node, _common(at[node]))
             self._places[node] = place
             repeats = uses[node]
-            if repeats > 1 and not _is_cheap(node):
+            if (repeats > 1 or place not in at[node]) and not _is_cheap(node):
                 self.named.add(node)
                 repeats = 1
             for argument in node.arguments:
                 if isinstance(argument, Operation):
                     uses[argument] += repeats
                     at.setdefault(argument, []).append(place)
+
+    def _place(self, node: Operation, place: Place) -> Place:
+        """Where a value is computed that is used there."""
+        return place
 
     def _visit(self, block: list[Statement], around: Place, at: dict[Operation, list[Place]]) -> None:
         number = self._numbers[id(block)]

@@ -1,7 +1,7 @@
 """Python over arrays: one text for NumPy, PyTorch, JAX, CuPy and what else follows the array API.
 
-A word is an int32, whose sums and products wrap around; where its size counts, its sign is turned over. Both branches of
-what depends on arrays are computed, and then it is chosen. Python's own numbers, such as octaves, choose by themselves.
+A word is an int32, whose sums and products wrap around; where its size counts, its sign is turned over. Both branches are
+computed where arrays decide, and then it is chosen. Numbers of Python, such as octaves, decide themselves.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from translate.names import wgsl_name
 from translate.parsing.lines import WIDTH
 from translate.parsing.tokens import Unknown
 from translate.pick.evaluate import Module, replaced
-from translate.pick.printer import UNARY
+from translate.pick.printer import UNARY, Place
 from translate.pick.program import Evaluated, Program
 from translate.pick.scalars import Facts, Part, Piece, Scalars, Syntax, Taken, bare, fields_of, pascal, record_of
 from translate.pick.statements import Declare, If, Loop, Return, Set, Statement, inner, operands, walk
@@ -167,6 +167,23 @@ class Body(Scalars):
             lines += [f"def {branches[-1]}() {{", *made, f"    return {', '.join(names)},", "}"]
         condition = self._text(statement.condition)
         return [*lines, f"{', '.join(names)}, = _chosen(xp, {condition}, {', '.join(branches)})"]
+
+    def _place(self, node: Operation, place: Place) -> Place:
+        """Before the loops that change nothing of what it is made of: an interpreter computes it once then."""
+        if not hasattr(self, "_loops"):
+            self._loops = {self._numbers[id(one.body)]: changed for one in walk(self.block) if isinstance(one, Loop)
+                           for changed in [{other.variable for other in walk(one.body) if isinstance(other, (Declare, Set))}]}
+            self._read: dict[Node, set[Variable]] = {}
+        while place and place[-1][0] in self._loops and not self._variables(node) & self._loops[place[-1][0]]:
+            place = place[:-1]
+        return place
+
+    def _variables(self, node: Node) -> set[Variable]:
+        if isinstance(node, Constant):
+            return set()
+        if node not in self._read:
+            self._read[node] = {node} if isinstance(node, Variable) else set().union(*map(self._variables, node.arguments))
+        return self._read[node]
 
     def _new_function(self, name: str) -> str:
         found = next(one for one in (name, *(f"{name}{i}" for i in range(2, 100))) if one not in self.taken)
@@ -545,8 +562,8 @@ def _quotient_word(xp, a, b):
         if type_ in ("int", "uint") and sign in ("/", "%"):
             quotient = self._helped("_quotient" if type_ == "int" else "_quotient_word", [left, right])
             return quotient if sign == "/" else self.infix("-", left, self.infix("*", quotient, right))
-        if sign == "+" and LITERAL.fullmatch(right.text) and SIGN < int(right.text) < 0:
-            return self.infix("-", left, Piece(right.text[1:]))
+        if sign in ("+", "-") and LITERAL.fullmatch(right.text) and SIGN < int(right.text) < 0:
+            return self.infix("+-"[sign == "+"], left, Piece(right.text[1:]))
         return self.infix(sign, left, right)
 
     def _right(self, left: Piece, right: Piece) -> Piece:

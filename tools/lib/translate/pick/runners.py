@@ -677,4 +677,4 @@ RUNNERS: dict[str, type[Runner]] = {language: of for language, of in {
     "go": GoRunner}.items() if of.syntax}  # else it was deleted
 # Namespaces of arrays.
 ARRAYS: dict[str, type[Runner]] = {} if PythonRunner.syntax is None else {
-    "python": PythonRunner, "jax": JaxRunner, "torch": TorchRunner, "torch.compile": CompiledTorchRunner}
+    "python": PythonRunner, "torch": TorchRunner, "jax": JaxRunner, "torch.compile": CompiledTorchRunner}

@@ -145,7 +145,7 @@ def _is_read(variable: Variable, read: set[Node]) -> bool:
 
 
 def _read_beside(loop: Loop, whole: Sequence[Statement]) -> set[Node]:
-    """The names that statements read beyond the loop."""
+    """The values that statements read which are not in the loop."""
     inside = {id(one) for one in walk([loop])}
     return reachable(value for one in walk(whole) if id(one) not in inside for value in operands(one))
 

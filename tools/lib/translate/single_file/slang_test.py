@@ -14,8 +14,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from base.testing import skipped_without
 from base.tree import ROOT
-from translate.pick.languages_test import POINTS, SKIPPED, difference, functions, module, words
+from translate.pick.languages_test import POINTS, difference, functions, module, words
 from translate.pick.runners import NotRun, ran
 from translate.pick.shading_runners import Case, SlangRunner
 from translate.pick.slang import TARGETS
@@ -97,9 +98,6 @@ class Module(unittest.TestCase):
 
 if __name__ == "__main__":
     Module.points = Path(sys.argv.pop(1))
-    try:
+    with skipped_without(Absent):
         Module.runner = Imported()
-    except Absent as reason:
-        print(f"skipped: {reason}")
-        sys.exit(SKIPPED)
     unittest.main()

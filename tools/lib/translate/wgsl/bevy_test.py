@@ -17,12 +17,12 @@ import unittest
 from collections.abc import Collection
 from pathlib import Path
 
+from base.testing import skipped_without
 from base.tree import ROOT, TOOLS
 from base.versions import take_newest
 from translate.wgsl.device import Absent, Device
 from translate.wgsl.golden import differing, shaders_over
 
-SKIPPED = 77
 COMPOSER = Path(__file__).resolve().parent / "composer"
 EXAMPLE = ROOT / "examples" / "bevy"
 SAMPLE = ("noise1d.perlin", "noise2d.perlin", "noise2d.perlin_cell_period", "noise3d.value_cell",
@@ -136,10 +136,7 @@ class Bevy(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    try:
+    with skipped_without(Absent):
         Bevy.composer = build(Path(sys.argv.pop(1)))
         Bevy.device = Device()
-    except Absent as reason:
-        print(f"skipped: {reason}")
-        sys.exit(SKIPPED)
     unittest.main()

@@ -18,6 +18,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from base.golden_values import ids
+from base.testing import skipped_without
 from base.thorough import THOROUGH
 from base.tree import GLSL, ROOT, TOOLS
 from catalog.tables.functions import read_functions
@@ -27,7 +28,6 @@ from translate.wgsl.evaluation import evaluations
 from translate.wgsl.golden import Page, differing
 from translate.wgsl.module import Module
 
-SKIPPED = 77
 # Files that users include: those that have the others in them.
 WHOLES = [path.name for path in sorted(GLSL.glob("*.glsl")) if "Made by tools/make" in path.read_text()]
 
@@ -116,10 +116,7 @@ class Wgpu(unittest.TestCase):
 
 if __name__ == "__main__":
     Wgpu.program = sys.argv.pop(1)
-    try:
+    with skipped_without(Absent):
         Wgpu.device = Device()
-    except Absent as reason:
-        print(f"skipped: {reason}")
-        sys.exit(SKIPPED)
     print(f"on {Wgpu.device}")
     unittest.main()
