@@ -52,7 +52,7 @@ add_test(NAME python.types CONFIGURATIONS Thorough
 set_tests_properties(python.types PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)
 # docs/guide/gpu-computing.md: what runs kernels of OpenCL and CUDA on a CPU, and in a thorough run PyTorch and the others,
 # which have gigabytes.
-add_test(NAME python.computing COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with computing.txt
+add_test(NAME python.computing COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with jax.txt
                                        ${package_environment} computing_test.Programs)
 add_test(NAME python.computing_thorough CONFIGURATIONS Thorough
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with computing_thorough.txt

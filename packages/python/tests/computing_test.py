@@ -25,9 +25,9 @@ from documents_test import FENCE
 from base import cuda
 
 TEXT = (golden.ROOT / "docs" / "guide" / "gpu-computing.md").read_text(encoding="utf-8")
-QUICK = ("cupy", "pyopencl")
-THOROUGH = (*QUICK, "load_inline", "numba", "taichi", "warp")
-HEADER, HOUDINI = re.findall(r"(?m)^    (tools/pick .*)$", TEXT)
+QUICK = ("cupy", "jax", "pyopencl")
+THOROUGH = (*QUICK, "load_inline", "numba", "torch", "warp")
+HEADER, ARRAYS, HOUDINI = re.findall(r"(?m)^    (tools/pick .*)$", TEXT)
 
 
 def setUpModule() -> None:
@@ -87,10 +87,13 @@ class Programs(unittest.TestCase):
     def setUp(self) -> None:
         self.enterContext(contextlib.chdir(self.enterContext(tempfile.TemporaryDirectory())))
         self.enterContext(mock.patch.dict(os.environ, TORCH_EXTENSIONS_DIR=os.getcwd(), WARP_CACHE_PATH=os.getcwd()))
-        Path("hashnoise.h").write_text(printed(HEADER.removesuffix(" --out hashnoise.h")), encoding="ascii")
+        self.enterContext(mock.patch.object(sys, "path", [os.getcwd(), *sys.path]))
+        for line in (HEADER, ARRAYS):
+            command, name = line.split(" --out ")
+            Path(name).write_text(printed(command), encoding="ascii")
 
     def run_program(self, code: str) -> None:
-        Path("program.py").write_text(code, encoding="ascii")  # Warp and Taichi read it
+        Path("program.py").write_text(code, encoding="ascii")  # Warp reads it
         runpy.run_path("program.py")
 
     def test_they_run(self) -> None:
@@ -126,5 +129,5 @@ class Thorough(Programs):
 
     def test_nvrtc_compiles_the_kernel_for_cupy(self) -> None:
         kernel, = re.findall(r'(?s)"""\n(.*?)"""', program("cupy"))
-        text = printed(HEADER.removesuffix(" --out hashnoise.h")) + kernel
+        text = Path("hashnoise.h").read_text(encoding="ascii") + kernel
         self.assertEqual((nvrtc(text), nvrtc(text.replace("hn_fbm2(x", "hn_fmb2(x"))), (0, 6))

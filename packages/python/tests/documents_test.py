@@ -75,7 +75,7 @@ class Page(unittest.TestCase):
         self.assertGreaterEqual(len(blocks), 3)
         self.assertEqual(len(blocks), PAGE.read_text(encoding="utf-8").count("```python"))
         here = [block for block in blocks if not ELSEWHERE.search(block)]
-        self.assertEqual(len(blocks) - len(here), 4)
+        self.assertEqual(len(blocks) - len(here), 3)
         names = [run(block) for block in here]
         self.assertEqual(names[0]["image"].shape, (1024, 1024))
         self.assertEqual([names[1][name].shape for name in ("heights", "value", "dz")], [(1000,)] * 3)

@@ -57,7 +57,6 @@ def tables() -> list[tuple[str, str, str]]:
             (SUMS, "tools/make pages: typical values of sums in 1D and 4D",
              numbers.typical_table(typical, numbers.PLAIN_SUMS, (1, 4))),
             (SUMS, "tools/make pages: footprint", numbers.footprint_quote(numbers.footprint())),
-            (LANGUAGES, "tools/make pages: picks", files.picks_table()),
             (LANGUAGES, "tools/make pages: files", files.files_table()),
             (ENGINES, "tools/make pages: nodes", files.nodes_table()),
             *of_packages(), *of_measuring("tables")]

@@ -5,13 +5,9 @@ from __future__ import annotations
 import functools
 import re
 
-from base.tree import GLSL
 from catalog import popular
 from catalog.tables import glsl
 from catalog.tables.markdown import table
-from translate.pick.command import ARITHMETICS, Choice, read_library
-from translate.pick.program import Program, chosen
-from translate.pick.shading import LANGUAGES
 from translate.single_file.files import text
 
 DIMENSIONS = re.compile(r"(\d)d\.glsl$")
@@ -47,20 +43,3 @@ def nodes_table() -> str:
     for name, of in sizes.items():
         rows.setdefault(tuple(", ".join(cell) for cell in of.values()), []).append(name)
     return table(("", *GRAPHS.values()), [[", ".join(names), *cells] for cells, names in rows.items()])
-
-
-# The functions whose size the page states, and their files.
-PICKED = {"hn_perlin2": "perlin2d.glsl", "hn_perlin3": "perlin3d.glsl", "hn_simplex2": "simplex2d.glsl",
-          "hn_simplex3": "simplex3d.glsl", "hn_cellular2": "cellular2d.glsl", "hn_fbm2": "fbm2d.glsl"}
-
-
-@functools.cache
-def picks_table() -> str:
-    """tools/pick's texts of functions, without the comment, beside the files that they are in."""
-    modules = [read_library(GLSL, Choice(arithmetic=arithmetic)) for arithmetic in ARITHMETICS[:2]]
-    rows = []
-    for name, file in PICKED.items():
-        programs = [Program(module, chosen(module, [name])) for module in modules]
-        texts = [*(program.text(LANGUAGES["glsl"]) for program in programs), programs[0].text(LANGUAGES["wgsl"])]
-        rows.append([f"`{name}`", *(f"{len(shown):,} bytes" for shown in texts), size(file)])
-    return table(("", "`HN_FAST`", "`HN_FIXED`", "`HN_FAST` in WGSL", "the file, by `tools/pick whole --strip`"), rows)

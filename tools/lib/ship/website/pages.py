@@ -47,7 +47,7 @@ WORDS = {
                                    "Warps": ("domain warp", "domain warping", "domain distortion"),
                                    "Gullies": ("erosion",)},
     "docs/guide/cellular.md": {"Cellular noise: distances, cells and borders": ("Worley", "Worley noise", "Voronoi", "cells")},
-    "docs/guide/gpu-computing.md": {"Noise on GPUs: CUDA, OpenCL, PyTorch": ("CUDA", "NVIDIA", "GPU", "HIP", "ROCm", "tensors")},
+    "docs/guide/gpu-computing.md": {"Noise on GPUs: CUDA, OpenCL, PyTorch, JAX": ("CUDA", "NVIDIA", "GPU", "HIP", "ROCm", "tensors")},
     "docs/guide/same-bits.md": {"The same bits on server and client": ("deterministic", "determinism", "multiplayer"),
                                 "A server": ("server", "Go", "golang", "Rust", "Java", "C#")},
 }
