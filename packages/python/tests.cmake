@@ -26,7 +26,7 @@ add_test(NAME python.libraries COMMAND Python3::Interpreter -B ${package_tests}/
 add_test(NAME python.torch CONFIGURATIONS Thorough
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with torch.txt
                  ${package_environment} libraries_test.Torch)
-set_tests_properties(python.libraries python.torch PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)
+set_tests_properties(python.libraries python.torch PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77 COST 30)
 # Workers that are killed, and what takes long to install: distributed, xarray with pandas, and Zarr.
 add_test(NAME python.dask_cluster CONFIGURATIONS Thorough
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with dask_cluster.txt
@@ -57,7 +57,8 @@ add_test(NAME python.computing COMMAND Python3::Interpreter -B ${package_tests}/
 add_test(NAME python.computing_thorough CONFIGURATIONS Thorough
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with computing_thorough.txt
                  ${package_environment} computing_test.Thorough)
-set_tests_properties(python.computing python.computing_thorough PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)
+set_tests_properties(python.computing python.computing_thorough PROPERTIES FIXTURES_REQUIRED python_wheel
+                     SKIP_RETURN_CODE 77 COST 30)
 foreach(subject arrays documents golden odd options source)
   add_test(NAME python.${subject} COMMAND Python3::Interpreter -B ${package_tests}/environment.py run ${package_environment} ${subject}_test)
   set_tests_properties(python.${subject} PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)

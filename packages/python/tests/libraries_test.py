@@ -177,6 +177,8 @@ class Jax(Library, unittest.TestCase):
                           (("perlin", 2), ("simplex", 3)), 400)
         fixed = jax.grad(lambda x: hashnoise.arrays.perlin(x, 0.25, arithmetic="fixed"))
         self.assertEqual(fixed(0.375), 0)
+        x = self.made(0.375)
+        self.assertEqual(jax.grad(lambda phase: hashnoise.arrays.perlin(x, 0.25, phase=phase))(0.3), 0)
 
     def test_page(self):
         fitted = self.of_page("jax")

@@ -11,9 +11,9 @@ jax.jit, jax.vmap and differentiation. For NumPy's arrays the functions of hashn
 
 Names, options and values are those of hashnoise, and help(hashnoise) explains them. These differ:
 
-    arithmetic    "fast" or "fixed". "fast" can be differentiated, by positions and by settings. "fixed" has the bits of
-                  HN_FIXED in every library, and no derivatives: its result requires no gradient in torch, and jax.grad
-                  returns 0
+    arithmetic    "fast" or "fixed". "fast" can be differentiated, by positions and by settings, but not phasor, and
+                  nothing by a phase or a wave: angles are whole numbers. "fixed" has the bits of HN_FIXED in every
+                  library, and no derivatives: its result requires no gradient in torch, and jax.grad returns 0
     settings      phase, jitter, gain, strength, amplitude, lacunarity, footprint, wave and seed are numbers, or arrays
                   that broadcast against the coordinates. Their ranges are checked if they are numbers
     out, threads, instruction_set   there are none

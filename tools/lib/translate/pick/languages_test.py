@@ -55,7 +55,7 @@ ALL_RUNNERS = {**RUNNERS, "osl": OslRunner, "opencl": OpenClRunner, **ARRAYS}
 REFUSED = (("static __host__ __device__ inline", "static inline"), ("#if defined(__OPENCL_VERSION__) ||", "#if 0 &&"),
            ("uint32_t seed)", "uint32_t or)"), ("{\n  hn_vec2 made = {x, y};\n  return made;", "{\n  return (hn_vec2){x, y};"))
 # Functions with slopes of their own, which JAX finds as well.
-SLOPES = ("perlin", "cellular", "value", "simplex", "fbm") if THOROUGH else ("perlin", "cellular")
+SLOPES = ("perlin2", "cellular2", "perlin4", *(("value2", "simplex2", "simplex4", "fbm2") if THOROUGH else ()))
 # By how much a sum differs below jit from what it is without, for less than 1000 cells, and slopes from the library's, at
 # positions where one in two is whole.
 JIT = """import sys
@@ -63,16 +63,16 @@ import jax
 import numpy
 import fused
 import noise
-drawn = numpy.random.default_rng(7).uniform(-1000, 1000, (3, 100_000)).astype("f4")
-known = noise.fbm3(*drawn, 6, 2.0, 0.5, 7)
+drawn = numpy.random.default_rng(7).uniform(-1000, 1000, (4, 100_000)).astype("f4")
+known = noise.fbm3(*drawn[:3], 6, 2.0, 0.5, 7)
 for text in noise, fused:
-    print(abs(known - jax.jit(text.fbm3, static_argnums=3)(*drawn, 6, 2.0, 0.5, 7)).max())
-x, y = numpy.where(numpy.arange(100_000) % 2, drawn[:2] / 100, numpy.round(drawn[:2] / 100))
+    print(abs(known - jax.jit(text.fbm3, static_argnums=3)(*drawn[:3], 6, 2.0, 0.5, 7)).max())
+near = numpy.where(numpy.arange(100_000) % 2, drawn / 100, numpy.round(drawn / 100))
 for name in sys.argv[1:]:
-    settings = (6, 2.0, 0.5, 7) if name == "fbm" else (7,)
-    value = lambda x, y: jax.tree.leaves(getattr(noise, f"{name}2")(x, y, *settings))[0]
-    found = jax.jit(jax.vmap(jax.grad(value, (0, 1))))(x, y)
-    for one, other in zip(found, getattr(noise, f"{name}_d2")(x, y, *settings)[1:]):
+    axes, settings = int(name[-1]), (6, 2.0, 0.5, 7) if name == "fbm2" else (7,)
+    value = lambda *p: jax.tree.leaves(getattr(noise, name)(*p, *settings))[0]
+    found = jax.jit(jax.vmap(jax.grad(value, tuple(range(axes)))))(*near[:axes])
+    for one, other in zip(found, getattr(noise, f"{name[:-1]}_d{axes}")(*near[:axes], *settings)[1:]):
         print(abs(one - other).max())
 """
 TOGETHER = ("hn_perlin2", "hn_value3_place", "hn_tile3")  # in one text
@@ -220,8 +220,8 @@ class Language(unittest.TestCase):
         """And floats of a text in which XLA fuses positions are not."""
         if type(self.runner) is not JaxRunner:
             return
-        of = module("fast")
-        shown = self.text("fast", of, *(f"hn_{name}{d}2" for name in SLOPES for d in ("", "_d")), "hn_fbm3")
+        of = module("fast", self.runner.syntax)
+        shown = self.text("fast", of, *(f"hn_{name[:-1]}{d}{name[-1]}" for name in SLOPES for d in ("", "_d")), "hn_fbm3")
         fused = shown.replace("return xp.where(x == x, x, x + x) if fuses else x", "return x")
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)

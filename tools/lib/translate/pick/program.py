@@ -55,8 +55,9 @@ def _read_once(library: Path, settings: tuple[tuple[str, str], ...], splits: boo
 
 
 def _read(library: Path, settings: dict[str, str], splits: bool, own: Sequence[Function], below: str) -> Module:
-    # Where floats are precise, all are: the printer writes it.
-    preprocessor = Preprocessor(library, {**settings, "precise": ""})
+    # Where floats are precise, all are: the printer writes it. A language's version may be below those that have them.
+    is_precise = settings.get("HN_ARITHMETIC") == "HN_PRECISE"
+    preprocessor = Preprocessor(library, {**settings, "precise": "", **({"__VERSION__": "400"} if is_precise else {})})
     preprocessor.read(f'#include "hashnoise.glsl"\n{below}', "the library")
     tree = definitions(preprocessor.items)
     for name in (function.name for function in own):

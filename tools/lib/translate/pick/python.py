@@ -353,6 +353,7 @@ class Function:
 
 class Python(Syntax):
     word = "whole number of 32 bits"
+    library = {"__VERSION__": "130"}  # without bits of floats, through which no derivative passes
     indent = 4
     end = ""
     condition = "{}"
@@ -512,10 +513,10 @@ def _quotient_word(xp, a, b):
                             sure[id(called)] -= set() if caller.is_sure(argument) else {taken.at.text}
 
     def is_fusible(self, node: Node) -> bool:
-        """Whether it is a product that compilers must not fuse with a sum: if floats are precise, and of positions in the
-        next octave, whose fractions would differ the more the larger they are."""
-        return isinstance(node, Operation) and node.name == "*" and node.type == "float" and (
-            self.precise or self.now.is_of_lacunarity(node))
+        """Whether it is a product that compilers must not fuse with a sum: that of positions in the next octave, whose
+        fractions would differ the more the larger they are."""
+        return (isinstance(node, Operation) and node.name == "*" and node.type == "float"
+                and self.now.is_of_lacunarity(node))
 
     def block(self, evaluated: Evaluated) -> list[Statement]:
         self.now = self.functions[id(evaluated)]

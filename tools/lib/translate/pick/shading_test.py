@@ -55,7 +55,7 @@ class Header(unittest.TestCase):
             cases.append(Case(of, functions(of, arithmetic)[name], shown, passed, len(back)))
             expected.append(back)
         found = self.runner.run(cases, POINTS)
-        return [difference(case.function, back, got) for case, back, got in zip(cases, expected, found, strict=True)]
+        return [difference(case.function, back, got, POINTS) for case, back, got in zip(cases, expected, found, strict=True)]
 
     def test_the_bits_are_those_of_the_library_and_a_fault_of_the_printer_is_noticed(self) -> None:
         """At once, since a language may take seconds to compile anything."""
