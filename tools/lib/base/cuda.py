@@ -1,14 +1,8 @@
-"""NVIDIA's compilers of CUDA, of packages of PyPI, 490 MB in build/cuda/. They need no GPU and no driver.
-
-    python3 -B -m base.cuda    prints the path of nvcc
-
-Exit status: 0 done, 77 it cannot be had here.
-"""
+"""NVIDIA's compilers of CUDA, of packages of PyPI, 490 MB in build/cuda/. They need no GPU and no driver."""
 
 from __future__ import annotations
 
 import fcntl
-import sys
 from pathlib import Path
 
 from base.debian import SKIPPED, Missing
@@ -30,16 +24,3 @@ def toolkit() -> Path:
         raise RuntimeError("NVIDIA's compilers cannot be installed")
     found, = FOLDER.glob("lib/python*/site-packages/nvidia/cu[0-9]*")
     return found
-
-
-def main() -> int:
-    try:
-        print(toolkit() / "bin" / "nvcc")
-    except Missing as why:
-        print(f"skipped: {why}", file=sys.stderr)
-        return SKIPPED
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
