@@ -163,9 +163,11 @@ def main(rounds):
     for noise, package, make in ((noise, *one) for noise, some in CALLS.items() for one in some.items()):
         try:
             run, points = make(importlib.import_module(MODULES.get(package, package)))
-        except ImportError:
+        except ModuleNotFoundError as missing:
             if package == OURS:
                 sys.exit(f"{sys.executable} has no package {OURS}")
+            if missing.name != MODULES.get(package, package).partition(".")[0]:
+                raise  # a package that is here needs another
             continue
         run()  # compilations and imports are not measured
         calls.append(([noise, package, importlib.metadata.version(

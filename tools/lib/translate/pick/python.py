@@ -220,7 +220,7 @@ class Body(Scalars):
         return super()._piece(node)
 
 
-OF_NUMBERS = {"floor": "_floor", "trunc": "_trunc", "floatBitsToUint": "_bits"}  # for what may be a number of Python
+OF_NUMBERS = {"floor": "_floor", "trunc": "_trunc", "floatBitsToUint": "_bits", "uintBitsToFloat": "_of_bits"}  # for what may be a number of Python
 PYTHON = {"&&": "and", "||": "or"}
 
 
@@ -280,7 +280,9 @@ class Function:
                 self._known[node] = node.name.partition(".")[0] in self.may if node.is_parameter else (
                     known is None or all(map(self.may_be_python, known)))
             else:
-                of_parts = any if node.type not in SIZES or SIZES[node.type] > 1 else all  # a vector has both
+                # A vector has both, and of a loop without a turn there is what was before it.
+                of_parts = any if node.type not in SIZES or SIZES[node.type] > 1 or (
+                    node.kind == "call" and node.type == "float") else all
                 self._known[node] = of_parts(map(self.may_be_python, node.arguments))
         return self._known[node]
 
@@ -439,6 +441,10 @@ def _rounded(xp, x):
     """A product that no compiler fuses with a sum."""
     fuses = xp.__name__ == "jax.numpy" or xp.__name__ == "torch" and xp.compiler.is_compiling()
     return xp.where(x == x, x, x + x) if fuses else x
+''',
+        "_of_bits": '''\
+def _of_bits(xp, x):
+    return (xp.asarray(x, dtype=xp.int32) if isinstance(x, int) else x).view(xp.float32)
 ''',
         "_bits": '''\
 def _bits(xp, x):
@@ -613,7 +619,8 @@ def _quotient_word(xp, a, b):
             return self._helped(f"_{name}", arguments)
         if name in ("uintBitsToFloat", "floatBitsToUint"):
             return Piece(f"{arguments[0].within(UNARY)}.view(xp.{'float32' if type_ == 'float' else 'int32'})")
-        return self._helped(name, arguments) if name in ("_goes_on", "_floor", "_trunc", "_bits", "_rounded") else self.call(name, arguments)
+        return self._helped(name, arguments) if name in (
+            "_goes_on", "_floor", "_trunc", "_bits", "_of_bits", "_rounded") else self.call(name, arguments)
 
     def _helped(self, name: str, arguments: Sequence[Piece]) -> Piece:
         if name in self.helpers:

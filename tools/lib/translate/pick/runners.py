@@ -662,8 +662,7 @@ class JaxRunner(PythonRunner):
         return [ROOT / "build" / f"python-{self.package}" / "bin" / "python"]
 
 
-class TorchRunner(JaxRunner):
-    arithmetics = ("fixed", "fast", "precise")
+class TorchRunner(JaxRunner):  # its roots of floats are a bit off
     namespace = "torch"
     most = 3
 
@@ -671,7 +670,6 @@ class TorchRunner(JaxRunner):
 class CompiledTorchRunner(JaxRunner):
     """torch.compile takes up to minutes for a function."""
     whole = False
-    arithmetics = ("fixed",)
     only = ("hn_perlin2", "hn_simplex2", "hn_value3_place", "hn_cellular2", "hn_fbm2", "hn_tile2")
     namespace = "torch.compile"
 
