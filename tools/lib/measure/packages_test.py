@@ -63,8 +63,10 @@ class Commands(Case):
 
         def load(name: str) -> object:
             if name not in modules:
-                raise ImportError(name)
+                raise ModuleNotFoundError(name, name=lacks)
             return modules[name]
+
+        lacks = "absent"
 
         make = {"Perlin 2D": dict.fromkeys((packages.OURS, "theirs", "absent"), lambda module: (module.run, 1))}
         with mock.patch.object(calls, "CALLS", make), mock.patch.object(calls.importlib, "import_module", load), \
@@ -72,5 +74,7 @@ class Commands(Case):
                 mock.patch.object(calls.time, "perf_counter", lambda: next(clock)), \
                 contextlib.redirect_stdout(io.StringIO()) as output:
             calls.main(3)
+            lacks = "numpy"  # which a package that is here needs
+            self.assertRaises(ModuleNotFoundError, calls.main, 3)
         self.assertEqual(output.getvalue().splitlines(), ["Perlin 2D,hashnoise,1.2,1e+09,1e+09,1e+09",
                                                           "Perlin 2D,theirs,1.2,4e+09,4e+09,4e+09"])
