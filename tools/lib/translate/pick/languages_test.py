@@ -229,7 +229,7 @@ class Language(unittest.TestCase):
             values, of_fused, *slopes = map(float, ran(folder, *self.runner.python(), "jit.py", *SLOPES).split())
         self.assertLess(values, 3e-7)
         self.assertGreater(of_fused, 1e-4)
-        self.assertLess(max(slopes), 3e-6)  # no NaN is
+        self.assertLess(max(slopes), 4e-6)  # no NaN is
 
     def test_gcc_vectorizes_a_loop_with_the_options_of_the_text(self) -> None:
         if type(self.runner) is not CRunner:
