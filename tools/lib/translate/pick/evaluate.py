@@ -537,7 +537,7 @@ def _behind(condition: Node, body: Sequence[Statement], new: dict[Node, Node]) -
     if made & values_of(body) == set():
         return shown
     return replaced(condition, {value: operation("copy", "", variable.type, (variable,))
-                                 for value, variable in new.items()})
+                                for value, variable in new.items()})
 
 
 def replaced(node: Node, new: dict[Node, Node]) -> Node:

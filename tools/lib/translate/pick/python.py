@@ -571,7 +571,7 @@ def _quotient_word(xp, a, b):
                 found := MASKED.fullmatch(left.text)):
             return Piece(f"{found[1]} & {int(found[2]) & int(right.text)}", STRENGTH["&"], "&")
         if type_ in ("int", "uint") and sign in ("/", "%"):
-            quotient = self._helped("_quotient" if type_ == "int" else "_quotient_word", [left, right])
+            quotient = self.call("_quotient" if type_ == "int" else "_quotient_word", [left, right])
             return quotient if sign == "/" else self.infix("-", left, self.infix("*", quotient, right))
         if sign in ("+", "-") and LITERAL.fullmatch(right.text) and SIGN < int(right.text) < 0:
             return self.infix("+-"[sign == "+"], left, Piece(right.text[1:]))
@@ -580,7 +580,7 @@ def _quotient_word(xp, a, b):
     def _right(self, left: Piece, right: Piece) -> Piece:
         """A word that is shifted to the right: without the copies of its sign."""
         if not right.text.isdigit():
-            return self.call(self.helper("_right"), [left, right])
+            return self.call("_right", [left, right])
         mask = Piece(str((1 << (32 - int(right.text))) - 1))
         return self.infix("&", self.infix(">>", left, right), mask)
 
@@ -592,15 +592,15 @@ def _quotient_word(xp, a, b):
 
     def unary(self, sign: str, type_: str, operand: Piece) -> Piece:
         if sign == "!":
-            return self.call(self.helper("_not"), [operand])
+            return self.call("_not", [operand])
         return super().unary(sign, type_, operand)
 
     def choice(self, condition: Piece, yes: Piece, no: Piece, type_: str) -> Piece:
-        return self._helped("_where", [condition, yes, no])
+        return self.call("_where", [condition, yes, no])
 
     def convert(self, to: str, of: str, piece: Piece) -> Piece:
         if of == "float":
-            return self._helped(f"_to_{to}", [piece])
+            return self.call(f"_to_{to}", [piece])
         if of == "bool":
             return self.call("_cast", [piece, Piece(f"xp.{'float32' if to == 'float' else 'int32'}")])
         if to != "float":
@@ -608,30 +608,26 @@ def _quotient_word(xp, a, b):
         masked = MASKED.fullmatch(piece.text)
         if of == "int" or piece.sign == "&" and masked and not int(masked[2]) >> 31:
             return self.call("_cast", [piece, Piece("xp.float32")])
-        return self._helped("_float", [piece])
+        return self.call("_float", [piece])
 
     def builtin(self, name: str, type_: str, arguments: Sequence[Piece]) -> Piece:
         if name in ("min", "max"):
-            return self._helped(f"_{name}{'_word' * (type_ == 'uint')}", arguments)
+            return self.call(f"_{name}{'_word' * (type_ == 'uint')}", arguments)
         if name in ("floor", "trunc"):
             return self.call(f"xp.{name}", arguments)
         if name == "sqrt" or name == "abs" and type_ == "float":
-            return self._helped(f"_{name}", arguments)
+            return self.call(f"_{name}", arguments)
         if name in ("uintBitsToFloat", "floatBitsToUint"):
             return Piece(f"{arguments[0].within(UNARY)}.view(xp.{'float32' if type_ == 'float' else 'int32'})")
-        return self._helped(name, arguments) if name in (
-            "_goes_on", "_floor", "_trunc", "_bits", "_of_bits", "_rounded") else self.call(name, arguments)
-
-    def _helped(self, name: str, arguments: Sequence[Piece]) -> Piece:
-        if name in self.helpers:
-            self.helper(name)
-        return Piece(f"{name}({', '.join(['xp', *(piece.text for piece in arguments)])})")
+        return self.call(name, arguments)
 
     def call(self, name: str, arguments: Sequence[Piece]) -> Piece:
+        """What no user calls takes the namespace first, but for some helpers."""
         if name in self.helpers:
             self.helper(name)
-        is_own = name.startswith("_") and name not in self.helpers and name not in self.reserved
-        return self._helped(name, arguments) if is_own else super().call(name, arguments)
+        known = self.helpers.get(name) or (HEAD if name in self.reserved else f"def {name}(xp")
+        takes_namespace = name.startswith("_") and f"def {name}(xp" in known
+        return super().call(name, [Piece("xp")] * takes_namespace + [*arguments])
 
     # Statements.
 
