@@ -246,6 +246,10 @@ class Function:
                 self.values.setdefault(statement.variable, []).extend(operands(statement))
         self.sure = {one for one in self.values if not one.is_parameter and one.type in ("int", "bool")}
         self._known: dict[Node, bool] = {}
+        self.possible = {*self.values}  # the variables that may be numbers of Python
+        while dropped := {one for one in self.possible if not all(map(self.may_be_python, self.values[one]))}:
+            self.possible -= dropped
+            self._known.clear()
         self._scaled: dict[Node, bool] = {}
         while dropped := {one for one in self.sure if not all(map(self.is_sure, self.values[one]))
                           or one in self._set_below(evaluated.block)}:
@@ -273,17 +277,14 @@ class Function:
     def may_be_python(self, node: Node) -> bool:
         if isinstance(node, Constant):
             return True
+        if isinstance(node, Variable):
+            return node.name.partition(".")[0] in self.may if node.is_parameter else (
+                node in self.possible or node not in self.values)
         if node not in self._known:
-            self._known[node] = True  # as long as nothing else is known
-            if isinstance(node, Variable):
-                known = self.values.get(node)
-                self._known[node] = node.name.partition(".")[0] in self.may if node.is_parameter else (
-                    known is None or all(map(self.may_be_python, known)))
-            else:
-                # A vector has both, and of a loop without a turn there is what was before it.
-                of_parts = any if node.type not in SIZES or SIZES[node.type] > 1 or (
-                    node.kind == "call" and node.type == "float") else all
-                self._known[node] = of_parts(map(self.may_be_python, node.arguments))
+            # A vector has both, and of a loop without a turn there is what was before it.
+            of_parts = any if node.type not in SIZES or SIZES[node.type] > 1 or (
+                node.kind == "call" and node.type == "float") else all
+            self._known[node] = of_parts(map(self.may_be_python, node.arguments))
         return self._known[node]
 
     def is_of_lacunarity(self, node: Node) -> bool:
