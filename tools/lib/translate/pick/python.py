@@ -623,7 +623,7 @@ def _quotient_word(xp, a, b):
         return self.call(name, arguments)
 
     def call(self, name: str, arguments: Sequence[Piece]) -> Piece:
-        """What no user calls takes the namespace first, but for some helpers."""
+        """A function that no user calls takes the namespace first, but for some helpers."""
         if name in self.helpers:
             self.helper(name)
         known = self.helpers.get(name) or (HEAD if name in self.reserved else f"def {name}(xp")
