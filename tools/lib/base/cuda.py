@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import fcntl
 from pathlib import Path
 
@@ -24,3 +25,23 @@ def toolkit() -> Path:
         raise RuntimeError("NVIDIA's compilers cannot be installed")
     found, = FOLDER.glob("lib/python*/site-packages/nvidia/cu[0-9]*")
     return found
+
+
+class Refused(Exception):
+    """NVRTC's messages, warnings among them."""
+
+
+def nvrtc(code: str, *options: str) -> str:
+    """The PTX that NVIDIA's compiler for run time makes of a text, without headers."""
+    library = ctypes.CDLL(str(next((toolkit() / "lib").glob("libnvrtc.so.*"))))
+    program, size = ctypes.c_void_p(), ctypes.c_size_t()
+    library.nvrtcCreateProgram(ctypes.byref(program), code.encode(), b"text.cu", 0, None, None)
+    status = library.nvrtcCompileProgram(program, len(options), (ctypes.c_char_p * len(options))(
+        *(one.encode() for one in options)))
+    for of in ("ProgramLog", "PTX"):
+        library[f"nvrtcGet{of}Size"](program, ctypes.byref(size))
+        shown = ctypes.create_string_buffer(size.value)
+        library[f"nvrtcGet{of}"](program, shown)
+        if status or of == "ProgramLog" and shown.value.strip():
+            raise Refused(shown.value.decode())
+    return shown.value.decode()

@@ -11,7 +11,7 @@ import unittest
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
-SKIPPED = 77  # the status of a test that ctest takes as skipped
+from base.debian import SKIPPED
 
 
 class Case(unittest.TestCase):

@@ -8,18 +8,17 @@ Exit status: 0 all is right, 1 not, 77 a compiler or a driver is not installed.
 
 from __future__ import annotations
 
-import ctypes
 import functools
 import re
 import shutil
-import sys
 import tempfile
 import unittest
 from collections.abc import Sequence
 from pathlib import Path
 
-from base.cuda import toolkit
-from base.debian import SKIPPED, Missing
+from base import cuda
+from base.debian import Missing
+from base.testing import skipped_without
 from translate.pick import command
 from translate.pick.languages_test import module
 from translate.pick.runners import NotInstalled, NotRun, OpenClRunner, ran, written_to
@@ -72,11 +71,6 @@ def source(arithmetic: str, names: Sequence[str] = PICKED) -> str:
     return text(arithmetic, names) + RUNNER.kernels([RUNNER.call(of, of.forms[name], 8) for name in names])
 
 
-def needs(*programs: str) -> None:
-    if missing := [one for one in programs if not shutil.which(one)]:
-        raise NotInstalled(f"there is no {' and no '.join(missing)}")
-
-
 class Kernels(unittest.TestCase):
     def setUp(self) -> None:
         scratch = tempfile.TemporaryDirectory()
@@ -84,7 +78,7 @@ class Kernels(unittest.TestCase):
         self.folder = Path(scratch.name)
 
     def of_nvidia(self, name: str, *arguments: str) -> str:
-        return ran(self.folder, toolkit() / "bin" / name, *arguments)
+        return ran(self.folder, cuda.toolkit() / "bin" / name, *arguments)
 
     def architectures(self) -> list[str]:
         known = re.findall(r"compute_(\d+)", self.of_nvidia("nvcc", "--list-gpu-arch"))
@@ -115,35 +109,19 @@ class Kernels(unittest.TestCase):
         self.assert_fused(r"\bfma\.", shown[0], shown[1])
         self.assert_fused(r"\bfma\.", shown[0], shown[2])
 
-    def by_nvrtc(self, code: str, *options: str) -> str:
-        """PTX; raises NotRun if there are messages."""
-        nvrtc = ctypes.CDLL(str(next((toolkit() / "lib").glob("libnvrtc.so.*"))))
-        program, size = ctypes.c_void_p(), ctypes.c_size_t()
-        nvrtc.nvrtcCreateProgram(ctypes.byref(program), code.encode(), b"text.cu", 0, None, None)
-        status = nvrtc.nvrtcCompileProgram(program, len(options), (ctypes.c_char_p * len(options))(
-            *(one.encode() for one in options)))
-        for of in ("ProgramLog", "PTX"):
-            nvrtc[f"nvrtcGet{of}Size"](program, ctypes.byref(size))
-            shown = ctypes.create_string_buffer(size.value)
-            nvrtc[f"nvrtcGet{of}"](program, shown)
-            if status or of == "ProgramLog" and shown.value.strip():
-                raise NotRun(shown.value.decode())
-        return shown.value.decode()
-
     def test_nvrtc(self) -> None:
         architectures = self.architectures()
         for one in (architectures[0], max(architectures, key=int)):
-            made = {arithmetic: self.by_nvrtc(AS_CUDA + source(arithmetic), f"--gpu-architecture=compute_{one}")
+            made = {arithmetic: cuda.nvrtc(AS_CUDA + source(arithmetic), f"--gpu-architecture=compute_{one}")
                     for arithmetic in ARITHMETICS}
             self.assert_fused(r"\bfma\.", made["precise"], made["fast"])
             for ptx in made.values():
                 written_to(self.folder, {"text.ptx": ptx})
                 self.of_nvidia("ptxas", f"-arch=sm_{one}", "text.ptx")
-        with self.assertRaisesRegex(NotRun, "math.h"):
-            self.by_nvrtc(source("fast").replace("defined(__CUDACC_RTC__)", "0"))
+        with self.assertRaisesRegex(cuda.Refused, "math.h"):
+            cuda.nvrtc(source("fast").replace("defined(__CUDACC_RTC__)", "0"))
 
     def test_hipcc(self) -> None:
-        needs("hipcc")
         for chip, *options in (("gfx90a",), ("gfx1100", "-nogpulib")):  # Debian 12 has no library for the second
             made = {}
             for arithmetic in ARITHMETICS:
@@ -165,7 +143,6 @@ class Kernels(unittest.TestCase):
 
     def test_ocloc(self) -> None:
         """Debian 12's knows Arc as acm-g10."""
-        needs("ocloc")
         for arithmetic in ARITHMETICS:
             written_to(self.folder, {"text.cl": source(arithmetic)})
             shown = ran(self.folder, "ocloc", "compile", "-file", "text.cl", "-device", "acm-g10")
@@ -195,7 +172,6 @@ class Kernels(unittest.TestCase):
         return {line.split()[0]: int(line.split()[1]) for line in lines}
 
     def test_ten_million_points_by_opencl_and_by_gcc(self) -> None:
-        RUNNER.check()
         for arithmetic, *options in (("fixed",), ("precise",), ("fixed", "-cl-fast-relaxed-math"),
                                      ("precise", "-cl-mad-enable")):
             with self.subTest(arithmetic, options=options):
@@ -204,8 +180,9 @@ class Kernels(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    try:
-        unittest.main(verbosity=2)
-    except (Missing, NotInstalled) as reason:
-        print(f"skipped: {reason}")
-        sys.exit(SKIPPED)
+    with skipped_without(Missing, NotInstalled):
+        cuda.toolkit()
+        RUNNER.check()
+        if missing := [one for one in ("hipcc", "ocloc") if not shutil.which(one)]:
+            raise NotInstalled(f"there is no {' and no '.join(missing)}")
+    unittest.main(verbosity=2)

@@ -18,6 +18,7 @@ import unittest
 from collections.abc import Sequence
 from pathlib import Path
 
+from base.testing import skipped_without
 from base.thorough import THOROUGH
 from base.tree import GLSL, ROOT
 from base.twin import compile_program
@@ -44,7 +45,6 @@ from translate.pick.runners import (
 from translate.pick.scalars import Piece, Syntax, text
 
 POINTS = 200
-SKIPPED = 77
 # Functions with most of the constructs that languages write differently: vectors that are returned or set, structs,
 # loops (one ends when it may). Each arithmetic has two of them or three.
 SPECIAL = ("hn_next2", "hn_fbm2", "hn_cellular2_nearest", "hn_cell_border2_nearest", "hn_tile2", "hn_fbm_d2",
@@ -364,9 +364,6 @@ if __name__ == "__main__":
         write_points(where)
         sys.exit(0)
     Language.runner, Language.folder = ALL_RUNNERS[what](), where
-    try:
+    with skipped_without(NotInstalled):
         Language.runner.check()
-    except NotInstalled as reason:
-        print(f"skipped: {reason}")
-        sys.exit(SKIPPED)
     unittest.main(verbosity=2)

@@ -15,11 +15,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from unittest import mock
 
+from base.testing import skipped_without
 from base.thorough import THOROUGH
 from base.tree import GLSL
 from translate.pick import command, printer
 from translate.pick.evaluate import Module
-from translate.pick.languages_test import POINTS, SKIPPED, difference, functions, words
+from translate.pick.languages_test import POINTS, difference, functions, words
 from translate.pick.languages_test import module as split_module
 from translate.pick.program import Program, chosen, read
 from translate.pick.shading import LANGUAGES
@@ -55,7 +56,8 @@ class Header(unittest.TestCase):
             cases.append(Case(of, functions(of, arithmetic)[name], shown, passed, len(back)))
             expected.append(back)
         found = self.runner.run(cases, POINTS)
-        return [difference(case.function, back, got, POINTS) for case, back, got in zip(cases, expected, found, strict=True)]
+        return [difference(case.function, back, got, POINTS)
+                for case, back, got in zip(cases, expected, found, strict=True)]
 
     def test_the_bits_are_those_of_the_library_and_a_fault_of_the_printer_is_noticed(self) -> None:
         """At once, since a language may take seconds to compile anything."""
@@ -133,7 +135,7 @@ if __name__ == "__main__":
     Bounds.program, Header.folder = sys.argv[1], Path(sys.argv[2]).resolve()
     languages = sys.argv[3:]
     suite = unittest.TestSuite()
-    try:
+    with skipped_without(Absent):
         for language in languages:
             runner = RUNNERS[language]()
             of_language = type(f"Header_{language}", (Header,), {"language": "hlsl" if language == "dxc" else language,
@@ -142,7 +144,4 @@ if __name__ == "__main__":
             if language == "wgsl":
                 Bounds.runner = Wgsl.runner = runner
                 suite.addTests(map(unittest.defaultTestLoader.loadTestsFromTestCase, (Bounds, Wgsl)))
-    except Absent as reason:
-        print(f"skipped: {reason}")
-        sys.exit(SKIPPED)
     sys.exit(not unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful())
