@@ -29,6 +29,12 @@ void for_each_instruction(std::span<const std::uint32_t> words, Visit visit) {
 
 std::string text_of(std::span<const std::uint32_t> operands) { return reinterpret_cast<const char*>(operands.data()); }
 
+std::vector<std::uint32_t> words_of(std::string_view bytes) {
+  std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
+  std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
+  return words;
+}
+
 bool rounds(spv::Op operation) {
   return operation == spv::OpFAdd || operation == spv::OpFSub || operation == spv::OpFMul ||
          operation == spv::OpVectorTimesScalar || operation == spv::OpDot || operation == spv::OpFDiv;
@@ -44,6 +50,15 @@ Result<void> validate_spirv(std::span<const std::uint32_t> words) {
   });
   if (!tools.Validate(words.data(), words.size())) return fail("spirv-val rejects the SPIR-V", log);
   return {};
+}
+
+std::optional<std::string> spirv_text(std::string_view bytes) {
+  std::string text;
+  const bool done = spvtools::SpirvTools(SPV_ENV_UNIVERSAL_1_6)
+                        .Disassemble(words_of(bytes), &text,
+                                     SPV_BINARY_TO_TEXT_OPTION_NO_HEADER | SPV_BINARY_TO_TEXT_OPTION_INDENT |
+                                         SPV_BINARY_TO_TEXT_OPTION_FRIENDLY_NAMES);
+  return done ? std::optional(text) : std::nullopt;
 }
 
 std::int64_t count_spirv(std::span<const std::uint32_t> words) {
@@ -93,9 +108,7 @@ std::vector<std::string> contractible(std::span<const std::uint32_t> words) {
 
 Result<std::vector<std::uint32_t>> read_spirv(const std::filesystem::path& path) {
   HN_TRY(const std::string bytes, read_file(path));
-  std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
-  std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
-  return words;
+  return words_of(bytes);
 }
 
 std::vector<std::uint32_t> without_repeated_decorations(std::span<const std::uint32_t> words) {

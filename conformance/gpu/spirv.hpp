@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.hpp"
@@ -16,6 +18,9 @@ Result<std::vector<std::uint32_t>> read_spirv(const std::filesystem::path& path)
 
 // SPIRV-Tools' verdict, by the rules of Vulkan 1.0.
 Result<void> validate_spirv(std::span<const std::uint32_t> words);
+
+// The disassembly of a module; nothing if these bytes are none.
+std::optional<std::string> spirv_text(std::string_view bytes);
 
 // The instructions between OpFunction and OpFunctionEnd, without OpFunctionParameter and OpLabel, which do nothing.
 std::int64_t count_spirv(std::span<const std::uint32_t> words);

@@ -208,7 +208,12 @@ Result<Choice> known(std::string_view spec) {
   }
   if (parts.size() > 3) return fail(fmt::format("{} names more than two forms", in_quotes(spec)));
   const std::string program = program_of(*translator, std::string(equals == spec.npos ? "" : spec.substr(equals + 1)));
-  Choice choice{{.name = std::string(translator->name), .command = {program}, .takes = {}, .gives = {}, .version = {}},
+  Choice choice{{.name = std::string(translator->name),
+                 .command = {program},
+                 .takes = {},
+                 .gives = {},
+                 .version = {},
+                 .spec = {}},
                 translator->conversions,
                 translator->least_for_hlsl};
   for (std::size_t i = 1; i < parts.size(); ++i) {
@@ -240,7 +245,8 @@ Result<Choice> command(const std::string& text, const WayOptions& options, std::
                  .command = {"/bin/sh", "-c", text},
                  .takes = takes,
                  .gives = gives,
-                 .version = {}},
+                 .version = {},
+                 .spec = {}},
                 {{takes, gives, ""}}};
 }
 
@@ -250,6 +256,7 @@ Result<std::vector<Choice>> choices_of(const WayOptions& options) {
   for (const std::string& spec : options.through) {
     const bool is_command = spec.find_first_of(" \t") != spec.npos;
     HN_TRY(auto choice, is_command ? command(spec, options, commands++) : known(spec));
+    choice.step.spec = spec;
     choices.push_back(std::move(choice));
   }
   if (options.takes.size() == commands && options.gives.size() == commands) return choices;
@@ -368,8 +375,8 @@ std::vector<KnownTranslator> known_translators() {
                                                       name_of(conversion.gives));
       takes = conversion.takes;
     }
-    known.push_back(
-        {std::string(translator.name), std::move(text), version_of(translator, program_of(translator, ""))});
+    const std::string program = program_of(translator, "");
+    known.push_back({std::string(translator.name), std::move(text), program, version_of(translator, program)});
   }
   return known;
 }

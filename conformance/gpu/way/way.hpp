@@ -43,6 +43,7 @@ struct Step {
   Form takes;
   Form gives;
   std::string version;  // as the program prints it; empty if it prints none
+  std::string spec;     // as in the options
 
   std::string text() const;  // "spirv-opt 2023.1"
 };
@@ -63,7 +64,8 @@ Result<Way> find_way(const WayOptions& options, std::span<const Form> driver_tak
 // A translator that can be named, whether it is here or not.
 struct KnownTranslator {
   std::string name;
-  std::string forms;  // "spirv to glsl-es, gl, hlsl, msl"
+  std::string forms;    // "spirv to glsl-es, gl, hlsl, msl"
+  std::string program;  // that would run
   Result<std::string> version;
 };
 std::vector<KnownTranslator> known_translators();
