@@ -63,8 +63,9 @@ struct DriverChoice {
   std::vector<std::string> names;
   std::set<std::string> named;  // not by a glob, so they must be here
   std::vector<std::string> problems;
-  std::map<std::string, Way> ways = {};  // to each of the names, with --through
-  std::vector<Run> absent = {};          // drivers to which there is no way
+  WayOptions way = {};
+  std::map<std::string, Way> ways = {};  // that it gives, to each of the names
+  std::vector<Run> absent = {};          // drivers to which it gives none
 };
 
 // Names, globs, and "all"; each driver once.
@@ -73,7 +74,9 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, int 
   const auto add = [&](const std::string& name) {
     if (std::find(choice.names.begin(), choice.names.end(), name) == choice.names.end()) choice.names.push_back(name);
   };
-  for (const std::string& name : wanted) {
+  for (std::string name : wanted) {
+    if (name == "vulkan") name += ":0";
+    if (name.ends_with("-es")) name.insert(name.size() - 2, "gl");
     if (find_driver(name)) {
       add(name);
       choice.named.insert(name);
@@ -99,6 +102,7 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, int 
 // Finds the ways to the drivers. A driver to which there is none is an error if it was named, and else absent.
 Result<void> find_ways(const WayOptions& options, DriverChoice& choice) {
   if (options.through.empty() && options.takes.empty() && options.gives.empty()) return {};
+  choice.way = options;
   std::map<std::vector<Form>, Result<Way>> by_forms;  // finding one asks its programs for their versions
   for (const std::string& name : choice.names) {
     const std::vector<Form> takes = find_driver(name)->takes();
@@ -150,9 +154,9 @@ std::optional<DealtDriver> describe_for_deal(const std::string& name, const WayO
 using Profiles = std::set<std::string, std::less<>>;
 
 // The profiles in which a driver may run shaders: those that the way to it takes, or those of its platform.
-Profiles profiles_for(const Driver& driver, const std::map<std::string, Way>& ways) {
+Profiles profiles_for(const Driver& driver, const DriverChoice& choice) {
   Profiles names;
-  if (const auto way = ways.find(driver.name); way != ways.end()) {
+  if (const auto way = choice.ways.find(driver.name); way != choice.ways.end()) {
     for (const std::string& name : way->second.sources()) names.insert(name);
     return names;
   }
@@ -204,19 +208,19 @@ void deal_among(std::vector<DriverPlan>& plans, const std::vector<std::string>& 
 
 // The drivers of a platform, or behind ways of the same sources, deal their cases among themselves.
 std::vector<DriverPlan> deal_plans(const DriverChoice& choice, const std::vector<std::string>& names,
-                                   const std::vector<Case>& cases, bool thorough, const WayOptions& way, int stop_fd) {
+                                   const std::vector<Case>& cases, bool thorough, int stop_fd) {
   std::vector<DriverPlan> plans;
   std::map<Profiles, std::vector<std::string>> by_profiles;
-  for (const std::string& name : names) by_profiles[profiles_for(*find_driver(name), choice.ways)].push_back(name);
+  for (const std::string& name : names) by_profiles[profiles_for(*find_driver(name), choice)].push_back(name);
   for (const auto& [profiles, some] : by_profiles)
-    deal_among(plans, some, cases_for(profiles, thorough, false, cases), way, stop_fd);
+    deal_among(plans, some, cases_for(profiles, thorough, false, cases), choice.way, stop_fd);
   return plans;
 }
 
 // Plans the work of every driver: the cases that need one; and of glslang, which runs unless there are ways, the
 // others.
 std::vector<DriverPlan> plan_drivers(const DriverChoice& choice, std::vector<Case> cases, const Shard& shard,
-                                     bool dealt, bool thorough, const WayOptions& way, int stop_fd) {
+                                     bool dealt, bool thorough, int stop_fd) {
   std::vector<std::string> names = choice.names;
   std::erase(names, std::string(kReferenceCompiler));
   const auto of_drivers =
@@ -225,11 +229,11 @@ std::vector<DriverPlan> plan_drivers(const DriverChoice& choice, std::vector<Cas
   cases.erase(of_drivers, cases.end());
   std::vector<DriverPlan> plans;
   if (dealt) {
-    plans = deal_plans(choice, names, for_drivers, thorough, way, stop_fd);
+    plans = deal_plans(choice, names, for_drivers, thorough, stop_fd);
   } else {
     for (const std::string& name : names) {
       const Driver driver = *find_driver(name);
-      const Profiles profiles = profiles_for(driver, choice.ways);
+      const Profiles profiles = profiles_for(driver, choice);
       const bool es_alone = driver.es_alone() && choice.ways.empty();
       plans.push_back(plan_of(name, cases_for(profiles, thorough, es_alone, for_drivers), shard));
     }
@@ -352,16 +356,16 @@ Result<RunPlan> make_plan(const RunSelection& selection, const RunExecution& exe
   if (selection.deal && !selection.shard.empty()) {
     return fail("--deal and --shard cannot be combined: each machine would deal to its own drivers");
   }
-  RunPlan plan{.drivers = plan_drivers(choice, inputs.chosen.cases, shard, selection.deal, inputs.chosen.thorough,
-                                       execution.suite.way, stop_fd),
-               .suite = execution.suite,
-               .ways = choice.ways,
-               .shard = selection.shard,
-               .jobs = execution.jobs,
-               .limit = std::chrono::milliseconds(static_cast<std::int64_t>(execution.timeout * 1000.0)),
-               .expectations = inputs.expectations,
-               .fail_fast = execution.fail_fast,
-               .stop_fd = stop_fd};
+  RunPlan plan{
+      .drivers = plan_drivers(choice, inputs.chosen.cases, shard, selection.deal, inputs.chosen.thorough, stop_fd),
+      .suite = execution.suite,
+      .ways = choice.ways,
+      .shard = selection.shard,
+      .jobs = execution.jobs,
+      .limit = std::chrono::milliseconds(static_cast<std::int64_t>(execution.timeout * 1000.0)),
+      .expectations = inputs.expectations,
+      .fail_fast = execution.fail_fast,
+      .stop_fd = stop_fd};
   plan.suite.thorough = selection.thorough;
   if (plan.drivers.empty()) {
     const auto first = choice.ways.begin();

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -94,6 +95,20 @@ std::string quoted(const std::vector<std::string>& words) {
   return command_line(words.front(), static_cast<int>(arguments.size()), arguments.data());
 }
 
+// The command of a step, with the names of its files, as one who has what is kept can call it.
+std::string command_of(const Step& step, const FaultyStep& fault) {
+  std::string text = step.spec.find("{in}") == std::string::npos ? quoted(step.command) : step.spec;
+  const std::string input = std::filesystem::path(fault.input).filename();
+  const std::string output = fmt::format("out{}", ending_of(step.gives));
+  for (const auto& [place, name] :
+       {std::pair("'{in}'", input), {"{in}", input}, {"'{out}'", output}, {"{out}", output}}) {
+    const std::string_view from = place;
+    for (auto at = text.find(from); at != text.npos; at = text.find(from, at + name.size()))
+      text.replace(at, from.size(), name);
+  }
+  return text;
+}
+
 // The command that runs a case again: steps as a run takes them, with the program that it found.
 std::string rerun_of(const Run& run, const CaseResult& result) {
   std::vector<std::string> words = {"hn-conform", "run", "--driver", run.driver};
@@ -117,7 +132,7 @@ std::string report_of_step(const Run& run, const CaseResult& result, const Step&
   const FaultyStep& fault = *result.outcome.step;
   return fmt::format(
       "{} {}.\n\ncommand   {}\nrun on    {}\n{}\nTo see it: {}, of {}.\n\nThe shader that it got, {}:\n\n{}\n",
-      step.text(), fault_of_step(result.outcome), quoted(step.command), renderer_of(run.info), findings_of(result),
+      step.text(), fault_of_step(result.outcome), command_of(step, fault), renderer_of(run.info), findings_of(result),
       rerun_of(run, result), library_text(run.library), fault.input, shortened(fault.text, kMostOfInput));
 }
 
@@ -146,7 +161,7 @@ Json page_case(const Run& run, const CaseResult& result, PageBudget& shown) {
   if (faulty) {
     step = {{"text", clean_text(fmt::format("Step {} of the way, {},", outcome.step->number, faulty->text()))},
             {"fault", fault_of_step(outcome)},
-            {"command", clean_text(quoted(faulty->command))},
+            {"command", clean_text(command_of(*faulty, *outcome.step))},
             {"input", clean_text(outcome.step->input)}};
   }
   Json evidence = false;

@@ -86,7 +86,8 @@ Json page_driver(const Run& run) {
   counts.push_back({{"text", std::to_string(excused)}, {"label", "excused"}, {"class", excused == 0 ? "faint" : ""}});
   const std::size_t unexpected = unexpected_in(run);
   const bool nothing = unexpected == 0 && run.is_complete() && !run.as_expected();
-  return {{"driver", clean_text(run.name())},
+  return {{"driver", run.driver},
+          {"way", run.way.empty() ? Json(false) : Json({{"text", clean_text(run.way.text())}})},
           {"verdict", unexpected != 0    ? fmt::format("{} not as expected", unexpected)
                       : run.not_run != 0 ? fmt::format("{} not run", run.not_run)
                       : run.missing != 0 ? fmt::format("{} missing", run.missing)

@@ -93,12 +93,14 @@ TEST(Page, HasOneTextForTheMakersOfATranslator) {
   EXPECT_FALSE(has(page, "Crashes, timeouts and errors")) << "each is a failure of the step";
   for (const char* part :
        {"<h3>osmesa through spirv-opt 2023.1: r, 4.5</h3>", "Copy a report for the makers of spirv-opt",
-        "<strong>Step 1 of the way, spirv-opt 2023.1,</strong> makes a right shader wrong: <code>/usr/bin/spirv-opt -O",
+        "<strong>Step 1 of the way, spirv-opt 2023.1,</strong> makes a right shader wrong: <code>/usr/bin/spirv-opt -O "
+        "1-spirv-opt.spv -o out.spv</code>",
+        "<td class=\"wide\">through <strong>spirv-opt 2023.1</strong><br>on r<br>",
         "<a href=\"ways/bugs.abs/1-spirv-opt.spv\">", "Copy a report for the vendor",
         "spirv-opt 2023.1 refuses a valid shader, or writes an invalid one.", "spirv-opt 2023.1 crashes.",
         R"(<pre class="code">spirv-opt 2023.1 makes a right shader wrong.
 
-command   /usr/bin/spirv-opt -O &apos;{in}&apos; -o &apos;{out}&apos;
+command   /usr/bin/spirv-opt -O 1-spirv-opt.spv -o out.spv
 run on    r, 4.5, GLSL 4.50 (v)
 rule      )",
         R"(
