@@ -1,8 +1,10 @@
 // The process that runs the cases of one driver.
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -12,9 +14,11 @@
 #include "cases/evidence.hpp"
 #include "cli/command.hpp"
 #include "gpu/vulkan/device.hpp"
+#include "gpu/way/evaluator.hpp"
 #include "run/job.hpp"
 #include "run/results.hpp"
 #include "web/browser.hpp"
+#include "web/wgsl.hpp"
 
 namespace hn {
 namespace {
@@ -84,6 +88,26 @@ int describe_in_browser(const Browser& browser) {
   return EXIT_SUCCESS;
 }
 
+Result<std::string> wgsl_of(const SourceSet& sources, const Evaluation& evaluation) {
+  const auto pieces = wgsl_shader(sources, evaluation);
+  if (!pieces) return fail(pieces.error().message);
+  return fmt::format("{}", fmt::join(*pieces, ""));
+}
+
+// The evaluator, behind the way to its driver. An error: this one, unlike others of its kind, takes no such shader.
+Result<std::unique_ptr<Evaluator>> through_way(const Job& job, const Driver& driver,
+                                               std::unique_ptr<Evaluator> evaluator,
+                                               const ReferenceCompiler& reference) {
+  HN_TRY(auto way, find_way(job.suite.way, driver.takes()));
+  const Form last = way.steps.back().gives;
+  if (std::ranges::count(evaluator->takes(), last) == 0) {
+    return fail(fmt::format("{}, {} takes no {}, which comes out of {}", evaluator->info().renderer,
+                            evaluator->info().gl_version, name_of(last), way.text()));
+  }
+  return evaluator_through(std::move(way), std::move(evaluator), reference, wgsl_of,
+                           {std::chrono::milliseconds(job.step_limit), job.kept});
+}
+
 int run_on_driver(const Job& job, const Driver& driver) {
   const auto sources = suite_sources(job.suite);
   if (!sources) {
@@ -106,6 +130,11 @@ int run_on_driver(const Job& job, const Driver& driver) {
     return EXIT_SUCCESS;
   }
   auto evaluator = create_evaluator(driver, reference);
+  if (!evaluator) {
+    report({{"absent", evaluator.error().text()}});
+    return EXIT_SUCCESS;
+  }
+  if (!job.suite.way.through.empty()) evaluator = through_way(job, driver, std::move(*evaluator), reference);
   if (!evaluator) {
     report({{"absent", evaluator.error().text()}});
     return EXIT_SUCCESS;

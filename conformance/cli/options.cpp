@@ -90,6 +90,17 @@ void add_expect(CLI::App& command, std::string& directory) {
       ->capture_default_str();
 }
 
+void add_way(CLI::App& command, WayOptions& way) {
+  const auto add = [&](const char* name, std::vector<std::string>& values, const char* type, const char* help) {
+    command.add_option(name, values, help)->type_name(type)->allow_extra_args(false);
+  };
+  add("--through", way.through, "TRANSLATOR",
+      "A translator between the suite's shaders and the driver: NAME[:FORM][=PROGRAM], or a command with {in} and "
+      "{out}; may be repeated, in the order of the steps");
+  add("--takes", way.takes, "FORM", "The form that a command takes, such as spirv; one for each command");
+  add("--gives", way.gives, "FORM", "The form that a command gives, such as glsl-es; one for each command");
+}
+
 void add_run(CLI::App& app, RunCommand& run, const std::string& faults) {
   CLI::App& command =
       *app.add_subcommand("run", "Run the cases on drivers and write results.json, junit.xml and index.html");
@@ -114,6 +125,7 @@ void add_run(CLI::App& app, RunCommand& run, const std::string& faults) {
                   "65,536; --timeout is then for each million")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{1}, kMostPoints));
+  add_way(command, run.execution.suite.way);
   add_glsl(command, run.execution.suite.glsl);
   add_golden(command, run.execution.suite.golden);
   add_expect(command, run.execution.expect);

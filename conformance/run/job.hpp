@@ -45,8 +45,10 @@ struct Job {
   SuiteOptions suite;
   std::vector<std::string> ids;            // of cases, in the order in which they are to be run
   std::vector<std::string> examined = {};  // of cases that have had their evidence made, or tried
+  std::string kept = {};                   // the folder for what the steps of a way get wrong
+  std::int64_t step_limit = 30000;         // milliseconds for a step
 };
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, task, driver, suite, ids, examined)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, task, driver, suite, ids, examined, kept, step_limit)
 
 // Digests of the text of the library and of the golden files. Results with different digests do not belong together.
 std::string suite_digest(const SuiteOptions& options, const SourceSet& sources);
