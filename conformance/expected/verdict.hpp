@@ -38,6 +38,16 @@ struct Mismatch {
   std::string expected;
 };
 
+// The step of a way (gpu/way/) at which a case goes wrong: the first after which a value is wrong, or the one that
+// refuses the shader, crashes or hangs.
+struct FaultyStep {
+  std::size_t number = 0;  // from 1
+  std::string input;       // the file that it got, in the folder of the results: "ways/CASE-ID/1-spirv-opt.spirv"
+  std::string text = {};   // of that file, or the disassembly of its SPIR-V
+
+  bool operator==(const FaultyStep&) const = default;
+};
+
 struct Outcome {
   Status status = Status::pass;
   std::uint64_t samples = 0;           // values compared
@@ -50,6 +60,7 @@ struct Outcome {
   // CRC-32 of the words that came out for the rows of a golden file, where every bit counts: each driver that is right
   // has the same.
   std::optional<std::uint32_t> checksum = {};
+  std::optional<FaultyStep> step = {};
 };
 
 // "123 of 192 values are wrong; the largest difference is 0.389, and 3.51e-06 is allowed": of compared values. Units in

@@ -2,9 +2,13 @@
 // that look at values do not know which.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +18,7 @@
 #include "gpu/context_info.hpp"
 #include "gpu/driver/driver.hpp"
 #include "gpu/reference_compiler.hpp"
+#include "gpu/way/way.hpp"
 #include "library/profile.hpp"
 #include "library/shaders.hpp"
 #include "library/source.hpp"
@@ -37,6 +42,13 @@ class Evaluable {
   Uniforms uniforms;
 };
 
+// A step that did not do its work for the shader that was built last.
+struct FailedStep {
+  enum class How { refused, gave_invalid, crashed, hung } how;
+  std::size_t number;           // of the way's steps, from 1
+  std::filesystem::path input;  // empty if it was not kept
+};
+
 class Evaluator {
  public:
   virtual ~Evaluator() = default;
@@ -51,6 +63,23 @@ class Evaluator {
   virtual bool is_lost() const = 0;
   // For work in OpenGL alone; null elsewhere.
   virtual const Context* context() const = 0;
+
+  // The forms that load() takes, the best first.
+  virtual std::vector<Form> takes() const { return {}; }
+  // Builds a compute shader of others: over buffers of results (binding 0), points (1) and uniforms (2), as those of
+  // the suite's own for Vulkan. The result must not outlive this.
+  virtual Result<std::unique_ptr<Evaluable>> load(const Code& code) {
+    return fail(fmt::format("this driver takes no {} of others", name_of(code.form)));
+  }
+
+  // Of one whose shaders go a way (gpu/way/evaluator.hpp); the others have none.
+  virtual const Way* way() const { return nullptr; }
+  // Takes only the first steps from now on, and completes them by the suite's own compilers, or with no step by the
+  // driver's own language. False if the driver cannot run what then comes out.
+  virtual bool use_steps(std::size_t) { return true; }
+  // Names what is built next, for the files that are kept; keep: those of every step, though none is at fault.
+  virtual void start(std::string_view, bool) {}
+  virtual std::optional<FailedStep> failed_step() const { return {}; }
 };
 
 // On a context that lives longer, or on one of its own.

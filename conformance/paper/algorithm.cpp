@@ -27,16 +27,16 @@ bool is_table(const Algorithm& algorithm) { return algorithm.name == "float" || 
 std::string prelude(const Entry& entry) {
   const std::string_view macro = entry.algorithm->macro;
   switch (entry.form) {
-    case Form::published:
+    case AlgorithmForm::published:
       return fmt::format("#define PAPER_HASH PAPER_{}\n#include \"published.glsl\"\n", macro);
-    case Form::table:
+    case AlgorithmForm::table:
       return fmt::format("#define TABLE_ARITHMETIC {}\n#include \"tables.glsl\"\n", macro);
-    case Form::intended:
+    case AlgorithmForm::intended:
       return fmt::format(
           "#define HN_HASH HN_HASH_{}\n#define HN_GRADIENT HN_GRADIENT_SINE\n"
           "#include \"noise2d.glsl\"\n#include \"noise3d.glsl\"\n",
           macro);
-    case Form::ours:
+    case AlgorithmForm::ours:
       break;
   }
   return fmt::format("#define HN_HASH HN_HASH_{}\n#include \"noise2d.glsl\"\n#include \"noise3d.glsl\"\n", macro);
@@ -45,21 +45,21 @@ std::string prelude(const Entry& entry) {
 // The noise at a position. The table noises and the listings have no seed, and periods of their own.
 std::string noise_at(std::string_view position, const Entry& entry, int dimensions, std::uint32_t period,
                      std::string_view seed) {
-  if (entry.form == Form::published) return fmt::format("paper_perlin({})", position);
-  if (entry.form == Form::table) return fmt::format("table_perlin({})", position);
-  const std::uint32_t cells = entry.form == Form::intended ? kPaperPeriod : period;
+  if (entry.form == AlgorithmForm::published) return fmt::format("paper_perlin({})", position);
+  if (entry.form == AlgorithmForm::table) return fmt::format("table_perlin({})", position);
+  const std::uint32_t cells = entry.form == AlgorithmForm::intended ? kPaperPeriod : period;
   if (cells == 0) return fmt::format("hn_perlin({})", position);
   return fmt::format("hn_perlin(hn_tile({}, ivec{}({})), {})", position, dimensions, cells, seed);
 }
 
 }  // namespace
 
-std::string_view name_of(Form form) {
+std::string_view name_of(AlgorithmForm form) {
   constexpr std::array<std::string_view, 4> kNames = {"published", "intended", "ours", "table"};
   return kNames[static_cast<std::size_t>(form)];
 }
 
-std::string_view title_of(Form form) {
+std::string_view title_of(AlgorithmForm form) {
   constexpr std::array<std::string_view, 4> kTitles = {"as published", "as intended", "ours", "tables in textures"};
   return kTitles[static_cast<std::size_t>(form)];
 }
@@ -76,11 +76,11 @@ std::vector<Entry> all_entries() {
   std::vector<Entry> entries;
   for (const Algorithm& algorithm : kAlgorithms) {
     if (is_table(algorithm)) {
-      entries.push_back({&algorithm, Form::table});
+      entries.push_back({&algorithm, AlgorithmForm::table});
     } else if (!algorithm.printed) {
-      entries.push_back({&algorithm, Form::ours});
+      entries.push_back({&algorithm, AlgorithmForm::ours});
     } else {
-      for (const Form form : {Form::published, Form::intended, Form::ours}) entries.push_back({&algorithm, form});
+      for (const AlgorithmForm form : {AlgorithmForm::published, AlgorithmForm::intended, AlgorithmForm::ours}) entries.push_back({&algorithm, form});
     }
   }
   return entries;
@@ -100,7 +100,7 @@ Subject subject_of(const Entry& entry, int dimensions, Picture picture, std::uin
   text += fmt::format("#include \"fbm{}d.glsl\"\n", dimensions);
   std::string expression = fmt::format("hn_{}(p, 6, 2.0, 0.5)", name_of(picture));
   // Without a seed the octaves are all of the same field.
-  if (entry.form != Form::ours || period != 0) {
+  if (entry.form != AlgorithmForm::ours || period != 0) {
     const bool is_clouds = picture == Picture::clouds;
     text += fmt::format(
         "float paper_sum(hn_octaves{} o) {{\n  do {}(o, {}); while (hn_next(o));\n  return {}(o);\n}}\n", dimensions,

@@ -11,15 +11,15 @@
 
 namespace hn {
 
-enum class Form {
+enum class AlgorithmForm {
   published,  // the listing as printed: published.glsl
   intended,   // the library with HN_GRADIENT_SINE and the paper's period
   ours,       // the library's own gradient, with the same hash
   table,      // no hash: Perlin/Float and Perlin/Integer
 };
-std::string_view name_of(Form form);
+std::string_view name_of(AlgorithmForm form);
 // A title for readers: "as published".
-std::string_view title_of(Form form);
+std::string_view title_of(AlgorithmForm form);
 
 struct Algorithm {
   std::string_view name;   // in ids
@@ -34,7 +34,7 @@ const Algorithm& algorithm_named(std::string_view name);  // it must exist
 
 struct Entry {
   const Algorithm* algorithm;
-  Form form;
+  AlgorithmForm form;
 
   std::string id() const;  // "fnv1.published"
 };

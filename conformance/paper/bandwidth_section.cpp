@@ -76,13 +76,13 @@ struct Curve {
 };
 
 std::vector<Curve> curves_of(int dimensions) {
-  const auto entry = [](std::string_view name, Form form) { return Entry{&algorithm_named(name), form}; };
+  const auto entry = [](std::string_view name, AlgorithmForm form) { return Entry{&algorithm_named(name), form}; };
   std::vector<Curve> curves;
   curves.push_back({"fetches alone", empty_subject(dimensions), {}, {}});
-  curves.push_back({"Perlin/Float", subject_of(entry("float", Form::table), dimensions), {}, {}});
-  curves.push_back({"Perlin/Integer", subject_of(entry("integer", Form::table), dimensions), {}, {}});
-  curves.push_back({"PartialFNV1, ours", subject_of(entry("partial_fnv1", Form::ours), dimensions), {}, {}});
-  curves.push_back({"hashnoise's default", subject_of(entry("lattice", Form::ours), dimensions), {}, {}});
+  curves.push_back({"Perlin/Float", subject_of(entry("float", AlgorithmForm::table), dimensions), {}, {}});
+  curves.push_back({"Perlin/Integer", subject_of(entry("integer", AlgorithmForm::table), dimensions), {}, {}});
+  curves.push_back({"PartialFNV1, ours", subject_of(entry("partial_fnv1", AlgorithmForm::ours), dimensions), {}, {}});
+  curves.push_back({"hashnoise's default", subject_of(entry("lattice", AlgorithmForm::ours), dimensions), {}, {}});
   return curves;
 }
 

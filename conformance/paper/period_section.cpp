@@ -23,7 +23,7 @@ struct Claim {
 };
 
 void add_claim(std::vector<Claim>& claims, const Entry& entry, std::uint32_t period) {
-  const bool chosen = entry.form == Form::ours;  // the others have their periods built in
+  const bool chosen = entry.form == AlgorithmForm::ours;  // the others have their periods built in
   for (const int dimensions : {2, 3}) {
     claims.push_back({std::string(entry.algorithm->title),
                       fmt::format("{}{}", title_of(entry.form), chosen ? fmt::format(", period {}", period) : ""),
@@ -34,9 +34,9 @@ void add_claim(std::vector<Claim>& claims, const Entry& entry, std::uint32_t per
 std::vector<Claim> all_claims() {
   std::vector<Claim> claims;
   for (const Entry& entry : all_entries()) {
-    add_claim(claims, entry, entry.form == Form::table ? kTablePeriod : kPaperPeriod);
+    add_claim(claims, entry, entry.form == AlgorithmForm::table ? kTablePeriod : kPaperPeriod);
   }
-  const Entry ours{&algorithm_named("lattice"), Form::ours};
+  const Entry ours{&algorithm_named("lattice"), AlgorithmForm::ours};
   add_claim(claims, ours, 48);
   add_claim(claims, ours, 999983);  // a prime: nothing divides it
   return claims;

@@ -208,7 +208,7 @@ class PublishedNoise : public Published {
  protected:
   std::vector<float> noise(const Listing& listing, int dimensions, const std::vector<Position>& positions) {
     for (const Entry& entry : all_entries()) {
-      if (entry.form != Form::published || entry.algorithm->macro != listing.macro) continue;
+      if (entry.form != AlgorithmForm::published || entry.algorithm->macro != listing.macro) continue;
       const auto values = laboratory_->values(subject_of(entry, dimensions), positions);
       EXPECT_TRUE(values) << values.error().text();
       return values.value_or(std::vector<float>{});

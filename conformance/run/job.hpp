@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "gpu/way/way.hpp"
 #include "library/profile.hpp"
 #include "library/source.hpp"
 
@@ -31,8 +32,9 @@ struct SuiteOptions {
   std::uint64_t seed = 1;
   std::uint64_t points = 0;  // of each comparison with the twin; 0 for the case's own number
   bool thorough = false;     // so many as --thorough has
+  WayOptions way = {};       // of shaders to the driver
 };
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SuiteOptions, glsl, golden, inject, seed, points, thorough)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SuiteOptions, glsl, golden, inject, seed, points, thorough, way)
 
 // The library that these options select. An error if the folder or the fault does not exist.
 Result<SourceSet> suite_sources(const SuiteOptions& options);

@@ -189,6 +189,9 @@ Json to_json(const CaseResult& result) {
   if (result.processor_seconds > 0.0) json["processor_seconds"] = result.processor_seconds;
   if (outcome.allowed) json["allowed"] = *outcome.allowed;
   if (outcome.checksum) json["checksum"] = fmt::format("{:08x}", *outcome.checksum);
+  if (outcome.step) {
+    json["step"] = {{"number", outcome.step->number}, {"input", outcome.step->input}, {"text", outcome.step->text}};
+  }
   if (!result.excuse.empty()) json["excuse"] = result.excuse;
   if (!outcome.examples.empty()) json["examples"] = examples_json(outcome.examples);
   if (result.evidence) json["evidence"] = to_json(*result.evidence);
@@ -212,6 +215,10 @@ CaseResult case_result_from(const nlohmann::json& json) {
   if (json.contains("processor_seconds")) result.processor_seconds = number_at(json, "processor_seconds");
   if (json.contains("allowed")) result.outcome.allowed = number_at(json, "allowed");
   if (json.contains("checksum")) result.outcome.checksum = checksum_from(text_at(json, "checksum"));
+  if (json.contains("step")) {
+    const nlohmann::json& step = json.at("step");
+    result.outcome.step = {whole_number_at(step, "number"), text_at(step, "input"), text_at(step, "text")};
+  }
   if (json.contains("excuse")) result.excuse = text_at(json, "excuse");
   if (json.contains("examples")) {
     for (const nlohmann::json& example : list_at(json, "examples"))

@@ -97,6 +97,7 @@ TEST(Json, IsReadAgain) {
   CaseResult bad = result("a.b", Status::timeout);
   bad.excuse = "known";
   bad.outcome.examples = {{3, {1, 2}, "x=1", "0x00000001", "0x00000002"}};
+  bad.outcome.step = {2, "ways/a.b/2-naga.wgsl", "fn main() {}"};
   bad.evidence = {
       .shader = "void main() {}", .got = "QQ==", .reference = "", .difference = "", .factor = 2.5, .note = "n"};
   hn::Run run = run_of({bad, result("c.d", Status::pass)});
@@ -120,6 +121,7 @@ TEST(Json, IsReadAgain) {
   EXPECT_EQ(again->at(0).golden, run.golden);
   EXPECT_EQ(again->at(0).info.system, run.info.system);
   EXPECT_EQ(again->at(0).info.browser, run.info.browser);
+  EXPECT_EQ(again->at(0).cases[0].outcome.step, bad.outcome.step);
   EXPECT_EQ(again->at(0).cases[1].outcome.checksum, run.cases[1].outcome.checksum);
   EXPECT_NE(text.find("\"checksum\": \"000012ab\""), std::string::npos) << text;
 }
@@ -176,6 +178,7 @@ TEST(Json, WhatIsWrongIsSaidInWordsOfTheFile) {
   CaseResult wrong = result("a.b", Status::fail);
   wrong.outcome.examples = {{7, {1, 2}, "x=1", "2", "3"}};
   wrong.evidence = Evidence{"s", "g", "r", "d", 2.0, "n"};
+  wrong.outcome.step = {1, "i", "t"};
   const hn::Run run = run_of({wrong});
   const std::string text = results_text({run});
   const auto good = nlohmann::json::parse(text).flatten();
