@@ -12,17 +12,17 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from base.debian import Missing
 from base.tree import ROOT
-from translate.hlsl.compilers import compile_by_dxc, dxc
+from translate.hlsl.compilers import compiled
 from translate.library_file import ARITHMETICS
 from translate.parsing.syntax import Function
+from translate.pick import slang
 from translate.pick.calling import Form
 from translate.pick.comparison import OTHER_KNOBS
 from translate.pick.evaluate import Module
 from translate.pick.runners import NotRun, ran
 from translate.pick.shading import LANGUAGES
-from translate.pick.slang import Slang
+from translate.tools import DXC, SLANG
 from translate.wgsl.device import Absent, Device
 from translate.wgsl.wgpu_program import GROUP
 
@@ -137,16 +137,13 @@ class HlslRunner(WgslRunner):
 class DxcRunner(HlslRunner):
     def __init__(self) -> None:
         super().__init__()
-        try:
-            dxc()
-        except Missing as why:
-            raise Absent(str(why)) from why
+        DXC.path()
 
     def compiled(self, text: str) -> str | bytes:
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "shader.hlsl"
             file.write_text(text, encoding="ascii")
-            made, = compile_by_dxc([file], "cs_6_0", "main", "-spirv", "-fspv-target-env=vulkan1.1")
+            made, = compiled(DXC, [file], "cs_6_0", "main", "-spirv", "-fspv-target-env=vulkan1.1")
         if not made.code:
             raise NotRun(made.messages)
         return made.code
@@ -155,10 +152,10 @@ class DxcRunner(HlslRunner):
 class SlangRunner(HlslRunner):
     def __init__(self) -> None:
         super().__init__()
-        self.slang = Slang()
+        SLANG.path()
 
     def compiled(self, text: str) -> str | bytes:
-        return self.slang.compiled(text).decode()
+        return slang.compiled(text).decode()
 
 
 class MetalRunner(Runner):

@@ -4,23 +4,18 @@ from __future__ import annotations
 
 import importlib
 import os
-import subprocess
 import sys
-import tempfile
 from collections.abc import Sequence
-from pathlib import Path
 from types import ModuleType
 
-from base.tree import ROOT
+from base.debian import Missing
+from base.pypi import installed
 from translate.wgsl import wgpu_program
 
 WGPU = "wgpu==0.32.0"
 INPUT_WORDS = 16
 OUTPUT_WORDS = 4
-
-
-class Absent(Exception):
-    """Why there is no wgpu here."""
+Absent = Missing  # why there is no wgpu here
 
 
 def find_wgpu() -> ModuleType:
@@ -36,30 +31,6 @@ def find_wgpu() -> ModuleType:
         return importlib.import_module("wgpu")
     except ImportError as error:
         raise Absent(f"{WGPU} cannot be imported from {folder}: {error}") from error
-
-
-def installed(package: str, *options: str) -> Path:
-    """Where a package of PyPI is, in the folder of builds: it is installed if it is not there."""
-    folder = ROOT / "build" / package.replace("==", "-")
-    if folder.exists():
-        return folder
-    folder.parent.mkdir(exist_ok=True)
-    with tempfile.TemporaryDirectory(dir=folder.parent) as place:  # the folder's own files are whole
-        whole = Path(place) / "whole"
-        command = [sys.executable, "-m", "pip", "install", "--quiet", "--no-input", *options, "--target", str(whole),
-                   package]
-        try:
-            done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
-        except (OSError, subprocess.TimeoutExpired) as error:
-            raise Absent(f"{package} cannot be installed: {error}") from error
-        if done.returncode != 0:
-            raise Absent(f"{package} cannot be installed: {done.stderr.strip()[-300:]}")
-        try:
-            whole.rename(folder)
-        except OSError:
-            if not folder.exists():  # another test was faster
-                raise
-    return folder
 
 
 class Device(wgpu_program.Device):
