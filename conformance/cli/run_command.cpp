@@ -56,13 +56,8 @@ Devices find_devices(int stop_fd) {
   return devices;
 }
 
-struct DriverChoice {
-  std::vector<std::string> names;
-  std::set<std::string> named;  // not by a glob, so they must be here
-  std::vector<std::string> problems;
-};
+}  // namespace
 
-// Names, globs, and "all"; each driver once.
 Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, int stop_fd) {
   DriverChoice choice;
   const auto add = [&](const std::string& name) {
@@ -90,6 +85,8 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, int 
   }
   return choice;
 }
+
+namespace {
 
 // How many cases a driver gets where a compiler of CPUs gets four, as a case costs there, at first: softpipe interprets
 // shaders, and zink has each compiled once more behind its own compiler.

@@ -76,8 +76,10 @@ std::string report_of(const Run& run, const CaseResult& result, bool with_shader
   }
   if (outcome.samples != 0) text += fmt::format("\n{}.\n", measure_of(outcome));
   if (outcome.examples.empty()) text += fmt::format("{}\n", shortened(outcome.message, kMostOfMessage));
-  return text + fmt::format("\nTo see it: hn-conform run --driver {} --filter {}, of {}.\n", run.driver, result.id,
-                            library_text(run.library));
+  const bool is_given = result.id.starts_with("check.") && !run.commands.empty();
+  const std::string command =
+      is_given ? *run.commands.begin() : fmt::format("hn-conform run --driver {} --filter {}", run.driver, result.id);
+  return text + fmt::format("\nTo see it: {}, of {}.\n", command, library_text(run.library));
 }
 
 std::size_t bytes_of(const Evidence& evidence) {
