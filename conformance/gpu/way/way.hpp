@@ -42,11 +42,15 @@ struct Step {
   std::vector<std::string> command;  // with {in} and {out} for the files
   Form takes;
   Form gives;
-  std::string version;  // as the program prints it; empty if it prints none
-  std::string spec;     // as in the options
+  std::string version;               // as the program prints it; empty if it prints none
+  std::string spec;                  // as in the options
+  bool repeats_decorations = false;  // in its SPIR-V, where valid SPIR-V has each once
 
   std::string text() const;  // "spirv-opt 2023.1"
 };
+
+// How a step ends that does not do its work. Or what it gives may be right, but cannot be completed for the driver.
+enum class StepEnd { refused, gave_invalid, crashed, hung, not_completed };
 
 struct Way {
   std::vector<Step> steps;
