@@ -137,6 +137,21 @@ void set_environment(const std::vector<std::array<std::string, 2>>& environment)
 
 }  // namespace
 
+std::vector<Form> Driver::takes() const {
+  if (browser || is_reference_compiler()) return {};
+  switch (platform) {
+    case Platform::opengl:
+      return {es_alone() ? Form::glsl_es : Form::gl};
+    case Platform::vulkan:
+      return {Form::spirv, Form::hlsl};
+    case Platform::metal:
+      return {Form::msl};
+    case Platform::webgpu:
+      return {Form::wgsl, Form::spirv};
+  }
+  return {};
+}
+
 CreatedContext create_context(const Driver& driver) {
   set_environment(driver.environment);
   return driver.create();

@@ -50,6 +50,15 @@ Result<void> validate_spirv(std::span<const std::uint32_t> words) {
   return {};
 }
 
+std::optional<std::string> spirv_text(std::string_view bytes) {
+  std::string text;
+  const bool done = spvtools::SpirvTools(SPV_ENV_UNIVERSAL_1_6)
+                        .Disassemble(spirv_of(bytes), &text,
+                                     SPV_BINARY_TO_TEXT_OPTION_NO_HEADER | SPV_BINARY_TO_TEXT_OPTION_INDENT |
+                                         SPV_BINARY_TO_TEXT_OPTION_FRIENDLY_NAMES);
+  return done ? std::optional(text) : std::nullopt;
+}
+
 std::int64_t count_spirv(std::span<const std::uint32_t> words) {
   std::int64_t count = 0;
   bool inside = false;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +17,9 @@ std::vector<std::uint32_t> spirv_of(std::string_view bytes);
 
 // SPIRV-Tools' verdict, by the rules of the oldest Vulkan that has its version.
 Result<void> validate_spirv(std::span<const std::uint32_t> words);
+
+// The disassembly of a module; nothing if these bytes are none.
+std::optional<std::string> spirv_text(std::string_view bytes);
 
 // The instructions between OpFunction and OpFunctionEnd, without OpFunctionParameter and OpLabel, which do nothing.
 std::int64_t count_spirv(std::span<const std::uint32_t> words);

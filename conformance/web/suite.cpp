@@ -197,14 +197,9 @@ class SuiteWriter {
       inputs.insert(inputs.end(), point.inputs.begin(), point.inputs.end());
       expected.insert(expected.end(), point.expected.begin(), point.expected.end());
     }
-    return Json{{"check", "bug"},
-                {"program", evaluated},
-                {"columns", columns_of(bug.function)},
-                {"inputs", data(inputs)},
-                {"expected", data(expected)},
-                {"allowed", bug.allowed},
-                {"defined", bug.defined},
-                {"note", fmt::format("{}. Reported in: {}", bug.specification, bug.reference)}};
+    return Json{{"check", "bug"},         {"program", evaluated},       {"columns", columns_of(bug.function)},
+                {"inputs", data(inputs)}, {"expected", data(expected)}, {"allowed", bug.allowed},
+                {"defined", bug.defined}, {"note", bug.note()}};
   }
 
   // The words that the function's columns use.
