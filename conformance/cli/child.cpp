@@ -10,6 +10,7 @@
 
 #include "base/file.hpp"
 #include "base/process.hpp"
+#include "base/text.hpp"
 #include "base/worker.hpp"
 #include "cases/evidence.hpp"
 #include "cli/command.hpp"
@@ -53,7 +54,7 @@ void run_driver_cases(const Suite& suite, std::unique_ptr<Evaluator> evaluator, 
     const bool lost = session.evaluator->is_lost();
     if (lost) {
       const char* const what = session.evaluator->context() ? "the context was lost" : "the device was lost";
-      result.outcome = outcome_with(Status::crash, {what, {}});
+      result.outcome = outcome_with(Status::crash, {what, result.outcome.message});
     }
     const bool has_values = test.evaluation() != nullptr || test.is<BugKind>();
     const bool examined = result.outcome.status == Status::fail && has_values && budget.take(test.name);
@@ -65,6 +66,29 @@ void run_driver_cases(const Suite& suite, std::unique_ptr<Evaluator> evaluator, 
     report_evidence(session, test, result.outcome);
     end_if(session.evaluator->is_lost());
   }
+}
+
+// In the first of the given function's profiles that the driver has.
+int report_values(const Suite& suite, std::unique_ptr<Evaluator> evaluator, const Driver& driver) {
+  Session session(suite, std::move(evaluator), driver.most_points);
+  const Bug& function = all_bugs().back();
+  std::string why;
+  for (const std::string_view profile : split(function.profiles, ' ')) {
+    const auto outputs = outputs_of(session, function, profile_named(profile));
+    if (!outputs) {
+      why += fmt::format("{}{}: {}", why.empty() ? "" : "; ", profile, outputs.error().message);
+      continue;
+    }
+    nlohmann::ordered_json values = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < outputs->size(); i += kOutputWords) {
+      const auto* const words = &(*outputs)[i];
+      values.push_back(std::vector(words, words + function.function.outputs.size()));
+    }
+    report({{"values", std::move(values)}, {"profile", profile}, {"info", to_json(session.info())}});
+    return EXIT_SUCCESS;
+  }
+  report({{"error", why}});
+  return EXIT_SUCCESS;
 }
 
 // A browser that ends has crashed in the case that ran, as this process does.
@@ -114,6 +138,7 @@ int run_on_driver(const Job& job, const Driver& driver) {
     report({{"error", sources.error().text()}});
     return EXIT_FAILURE;
   }
+  if (!job.suite.given.id.empty()) give(job.suite.given);
   if (driver.browser && job.task == Task::describe) return describe_in_browser(*driver.browser);
   if (driver.browser && job.task == Task::cases) return run_browser_cases(job, *driver.browser, *sources);
   const ReferenceCompiler reference;
@@ -139,6 +164,7 @@ int run_on_driver(const Job& job, const Driver& driver) {
     report({{"absent", evaluator.error().text()}});
     return EXIT_SUCCESS;
   }
+  if (job.task == Task::values) return report_values(suite, std::move(*evaluator), driver);
   run_driver_cases(suite, std::move(*evaluator), driver, *cases, *examined);
   return EXIT_SUCCESS;
 }

@@ -59,17 +59,34 @@ Devices find_devices(int stop_fd) {
   return devices;
 }
 
-struct DriverChoice {
-  std::vector<std::string> names;
-  std::set<std::string> named;  // not by a glob, so they must be here
-  std::vector<std::string> problems;
-  WayOptions way = {};
-  std::map<std::string, Way> ways = {};  // that it gives, to each of the names
-  std::vector<Run> absent = {};          // drivers to which it gives none
-};
+// Finds the ways to the drivers. A driver to which there is none is an error if it was named, and else absent.
+Result<void> find_ways(const WayOptions& options, DriverChoice& choice) {
+  if (options.through.empty() && options.takes.empty() && options.gives.empty()) return {};
+  choice.way = options;
+  std::map<std::vector<Form>, Result<Way>> by_forms;  // finding one asks its programs for their versions
+  for (const std::string& name : choice.names) {
+    const std::vector<Form> takes = find_driver(name)->takes();
+    if (takes.empty() && !choice.named.contains(name)) continue;
+    auto way = takes.empty() ? fail("it takes no shader from a translator; Vulkan, OpenGL and metal-stand-in do")
+                             : by_forms.try_emplace(takes, find_way(options, takes)).first->second;
+    if (way) {
+      choice.ways.emplace(name, *way);
+    } else if (choice.named.contains(name)) {
+      return fail(fmt::format("--through, to the driver {}: {}", name, way.error().text()));
+    } else {
+      Run& run = choice.absent.emplace_back();
+      run.driver = name;
+      run.absent = way.error().text();
+    }
+  }
+  std::erase_if(choice.names, [&](const std::string& name) { return !choice.ways.contains(name); });
+  if (choice.names.empty() && !choice.absent.empty()) return fail(choice.absent.front().absent);
+  return {};
+}
 
-// Names, globs, and "all"; each driver once.
-Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, int stop_fd) {
+}  // namespace
+
+Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, const WayOptions& way, int stop_fd) {
   DriverChoice choice;
   const auto add = [&](const std::string& name) {
     if (std::find(choice.names.begin(), choice.names.end(), name) == choice.names.end()) choice.names.push_back(name);
@@ -96,33 +113,11 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, int 
       return fail(
           fmt::format("there is no driver \"{}\"; there are: {}, and all", name, driver_names(DriverKind::any)));
   }
+  HN_DO(find_ways(way, choice));
   return choice;
 }
 
-// Finds the ways to the drivers. A driver to which there is none is an error if it was named, and else absent.
-Result<void> find_ways(const WayOptions& options, DriverChoice& choice) {
-  if (options.through.empty() && options.takes.empty() && options.gives.empty()) return {};
-  choice.way = options;
-  std::map<std::vector<Form>, Result<Way>> by_forms;  // finding one asks its programs for their versions
-  for (const std::string& name : choice.names) {
-    const std::vector<Form> takes = find_driver(name)->takes();
-    if (takes.empty() && !choice.named.contains(name)) continue;
-    auto way = takes.empty() ? fail("it takes no shader from a translator; Vulkan, OpenGL and metal-stand-in do")
-                             : by_forms.try_emplace(takes, find_way(options, takes)).first->second;
-    if (way) {
-      choice.ways.emplace(name, *way);
-    } else if (choice.named.contains(name)) {
-      return fail(fmt::format("--through, to the driver {}: {}", name, way.error().text()));
-    } else {
-      Run& run = choice.absent.emplace_back();
-      run.driver = name;
-      run.absent = way.error().text();
-    }
-  }
-  std::erase_if(choice.names, [&](const std::string& name) { return !choice.ways.contains(name); });
-  if (choice.names.empty() && !choice.absent.empty()) return fail(choice.absent.front().absent);
-  return {};
-}
+namespace {
 
 // How many cases a driver gets where a compiler of CPUs gets four, as a case costs there, at first: softpipe interprets
 // shaders, and zink has each compiled once more behind its own compiler.
@@ -477,9 +472,8 @@ int run(const RunCommand& command, Interruption& interruption) {
   if (!inputs) return usage_error(inputs.error().text());
   interruption.note_the_first();
   const int stop_fd = interruption.fd();
-  auto choice = choose_drivers(selection.drivers, stop_fd);
+  const auto choice = choose_drivers(selection.drivers, execution.suite.way, stop_fd);
   if (!choice) return usage_error(choice.error().text());
-  if (const auto found = find_ways(execution.suite.way, *choice); !found) return usage_error(found.error().text());
   const auto plan = make_plan(selection, execution, *choice, *inputs, stop_fd);
   if (interruption.signal() != 0) return ended_before_results(interruption);
   if (!plan) return usage_error(plan.error().text());

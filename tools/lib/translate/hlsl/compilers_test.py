@@ -22,10 +22,11 @@ from pathlib import Path
 from base.debian import Missing, program
 from base.testing import skipped_without
 from base.tree import GLSL, ROOT, TOOLS
-from translate.hlsl.compilers import Compiled, Fxc, compile_by_dxc, dxc, refusal
+from translate.hlsl.compilers import Compiled, compiled, refusal
 from translate.pick import command
 from translate.pick.program import Program, chosen, read
 from translate.pick.shading import LANGUAGES
+from translate.tools import DXC, FXC
 
 PAGE = (ROOT / "docs" / "guide" / "languages.md").read_text(encoding="utf-8")
 CODE = re.findall(r"^```hlsl\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
@@ -81,7 +82,7 @@ class ByDxc(Compiler):
     filter = "*.hlsl60.*"
 
     def __init__(self) -> None:
-        self.program = dxc()
+        self.program = DXC.path()
 
     def compile(self, texts: dict[str, str], stage: str) -> dict[str, Compiled]:
         found = {}
@@ -90,14 +91,14 @@ class ByDxc(Compiler):
                 file = Path(folder) / f"{name}.hlsl"
                 file.write_text(text, encoding="ascii")
                 profile = {"pixel": "ps_6_0", "compute": "cs_6_0"}[stage]
-                made, = compile_by_dxc([file], profile, "main", "-spirv", "-fspv-target-env=vulkan1.1", "-I",
+                made, = compiled(DXC, [file], profile, "main", "-spirv", "-fspv-target-env=vulkan1.1", "-I",
                                        str(GLSL.parent))
                 if made.code:
                     (Path(folder) / "code").write_bytes(made.code)
                     judged = subprocess.run(["spirv-val", "--target-env", "vulkan1.1", Path(folder) / "code"],
                                             capture_output=True, text=True, check=False)
                     made = made._replace(messages=made.messages + judged.stdout + judged.stderr)
-                    direct, = compile_by_dxc([file], profile, "main", "-I", str(GLSL.parent))  # what Direct3D 12 takes
+                    direct, = compiled(DXC, [file], profile, "main", "-I", str(GLSL.parent))  # what Direct3D 12 takes
                     if not direct.code:
                         made = direct
                 found[name] = made
@@ -111,7 +112,7 @@ class ByFxc(Compiler):
     filter = "*.hlsl50.*"
 
     def __init__(self) -> None:
-        self.fxc = Fxc()
+        FXC.path()
         self.vkd3d = program("vkd3d-compiler")  # what Direct3D 11 takes becomes SPIR-V by it
         self.scratch = tempfile.TemporaryDirectory()
 
@@ -124,7 +125,7 @@ class ByFxc(Compiler):
                 files = [Path(folder) / f"{name}.hlsl" for name in names[i:i + 50]]
                 for name, file in zip(names[i:i + 50], files):
                     file.write_text(texts[name], encoding="ascii")
-                made = self.fxc.compile(files, {"pixel": "ps_5_0", "compute": "cs_5_0"}[stage])
+                made = compiled(FXC, files, {"pixel": "ps_5_0", "compute": "cs_5_0"}[stage])
                 found |= dict(zip(names[i:i + 50], made))
         return found
 
