@@ -1,18 +1,11 @@
-"""Microsoft's compilers of HLSL on Linux, for tests: DXC, and FXC under wine.
-
-    python3 -m translate.hlsl.compilers -x hlsl -b dxbc-tpf -p PROFILE -e ENTRY -o OUTPUT INPUT
-
-is FXC with the options of vkd3d-compiler, for the suite. HN_VKD3D_REAL names a real one, which gets all other options.
-"""
+"""Microsoft's compilers of HLSL on Linux, for tests: DXC, and FXC under wine."""
 
 from __future__ import annotations
 
 import functools
 import itertools
-import os
 import re
 import subprocess
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -77,17 +70,3 @@ def compiled(tool: Tool, files: Sequence[Path], profile: str, entry: str = "main
     return [Compiled(code.read_bytes() if code.exists() else b"",
                      messages.read_bytes().decode(errors="replace").rstrip("\0"))
             for code, messages in written]
-
-
-def main(arguments: Sequence[str]) -> int:
-    if list(arguments[:4]) != ["-x", "hlsl", "-b", "dxbc-tpf"]:
-        os.execvp(os.environ["HN_VKD3D_REAL"], [os.environ["HN_VKD3D_REAL"], *arguments])
-    _, profile, _, entry, _, output, file = arguments[4:]
-    made, = compiled(FXC, [Path(file)], profile, entry)
-    Path(output).write_bytes(made.code)
-    print(made.messages, file=sys.stderr)
-    return not made.code
-
-
-if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))

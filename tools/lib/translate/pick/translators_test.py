@@ -1,4 +1,4 @@
-"""Translators that people have take each text of tools/pick: the oldest and the newest of each.
+"""Translators that people have take each text of tools/pick, and the whole library: the oldest and the newest of each.
 
     python3 -m translate.pick.translators_test [TOOL]...     such as glslang or "glslang 12.0"; by default all
 
@@ -28,13 +28,13 @@ from base.javascript.environment import NODE
 from base.thorough import THOROUGH
 from base.tree import GLSL, ROOT
 from translate.hlsl.compilers import compiled, refusal
-from translate.pick import command, slang
+from translate.pick import command
 from translate.pick.program import Program, chosen, read
-from translate.pick.runners import NotRun
 from translate.pick.shading import LANGUAGES
 from translate.pick.shading_runners import Case, GlslRunner, HlslRunner, WgslRunner
 from translate.tools import BY_NAME, DXC, FXC, SLANG, Tool, own
 from translate.wgsl.device import WGPU
+from translate.whole import library
 
 SKIPPED = 77
 # Before a text, the runner that calls it, and how a file with it is called.
@@ -166,18 +166,10 @@ def tint(version: str) -> Take:
     return at_once(lambda names: [NODE, "node", script, *names])
 
 
-def by_slang(tool: Tool, targets: Sequence[str]) -> Take:
-    def take(files: Sequence[Path]) -> Refused:
-        found = {}
-        for file in files:
-            try:
-                for target in targets:
-                    slang.compiled(file.read_text(encoding="ascii"), target, tool=tool)
-            except NotRun as why:
-                found[file] = str(why)
-        return found
-    tool.path()
-    return take
+def by_slang(tool: Tool, *targets: str) -> Take:
+    program = tool.path()
+    return each(lambda file: [[program, file, "-target", target, "-entry", "main", "-stage", "compute", "-o",
+                               file.with_suffix(".out")] for target in targets])
 
 
 def unbound(file: Path) -> Path:
@@ -226,8 +218,8 @@ TRANSLATORS = (
     Translator(*WGPU.split("=="), OF_NAGA, lambda: wgpu(WGPU.partition("==")[2])),
     Translator("Tint", "webgpu 0.4.0", ("wgsl",), lambda: tint("0.4.0")),
     Translator("Tint", "webgpu 0.6.2", ("wgsl",), lambda: tint("0.6.2")),
-    Translator("Slang", "2024.1.6", ("slang",), lambda: by_slang(BY_NAME["slang-2024.1.6"], ("hlsl",))),
-    Translator("Slang", SLANG.version, ("slang",), lambda: by_slang(SLANG, ("hlsl", "metal", "wgsl"))),
+    Translator("Slang", "2024.1.6", ("slang",), lambda: by_slang(BY_NAME["slang-2024.1.6"], "hlsl")),
+    Translator("Slang", SLANG.version, ("slang",), lambda: by_slang(SLANG, "hlsl", "metal", "wgsl")),
     Translator("DXC", DXC.version, ("hlsl",), by_dxc),
     Translator("DXC", "1.10", ("hlsl",), lambda: by_wine(BY_NAME["dxc-1.10"], "cs_6_0")),  # it has no SPIR-V
     Translator("FXC", FXC.version, ("hlsl",), lambda: by_wine(FXC, "cs_5_0")),
@@ -250,8 +242,11 @@ def texts(languages: Sequence[str], arithmetic: str, first: int, step: int) -> d
                 if (*macros,) not in programs:
                     programs[(*macros,)] = Program(of, chosen(of, [name]))
                 text = programs[(*macros,)].text(LANGUAGES[language], arithmetic == "precise")
-                case = Case(split, split.forms[name], text, b"", 0)
-                found[f"{name}_{arithmetic}", language] = head + text + object.__new__(runner).entry_of(case, 1)
+                behind = object.__new__(runner).entry_of(Case(split, split.forms[name], text, b"", 0), 1)
+                found[f"{name}_{arithmetic}", language] = head + text + behind
+                if name == "hn_perlin2" and language != "slang":  # it is a module there
+                    whole = library(language.removesuffix("-desktop"), arithmetic)
+                    found[f"whole_{arithmetic}", language] = head + whole + behind
     return found
 
 
