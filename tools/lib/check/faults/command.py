@@ -41,9 +41,10 @@ FILTERS = ("bugs*", "hash.*.lattice.*.gl330.golden", "hash.*.any.*.gl330.golden"
            "noise?d.simplex*.lattice.*.gl330.golden", "fbm.fbm3.lattice.*.gl330.golden",
            "hash.lattice2.lattice.*.es300.golden", "hash.unorm.any.*.es300.golden",
            "noise2d.perlin.lattice.*.es300.golden")
+
 HEAD = """# Faults of drivers, and what notices them
 
-`tools/make faults` writes this page. It makes a healthy driver (llvmpipe, by OSMesa) behave as if it had each fault that
+`tools/make faults` writes this table. It makes a healthy driver (llvmpipe, by OSMesa) behave as if it had each fault that
 drivers have had: `hn-conform run --inject NAME` rewrites the code of every shader, but not `glsl/`. Each fault fails the
 run, and the table names the functions whose cases fail. If only cases of `bugs` fail, the library avoids the faulty
 operation on purpose.
@@ -167,6 +168,12 @@ def kept_row(fault: Told, path: Path) -> str:
     return next((line for line in lines if line.startswith(start_of_row(fault))), f"| `{fault.name}` has no row |\n")
 
 
+def by_hand(path: Path) -> str:
+    """What stands below the table: finds in translators, which nothing here makes."""
+    found = re.search(r"\n## .*", path.read_text(encoding="utf-8"), re.DOTALL) if path.exists() else None
+    return found[0] if found else ""
+
+
 HEALTHY = re.compile(r"^On the healthy driver, warnings are given by (.*)\.$", re.MULTILINE)
 
 
@@ -230,7 +237,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 0
     rows = {fault.name: row(fault, verdict, healthy) for fault, verdict in zip(chosen, verdicts)}
     text = table([rows.get(fault.name) or kept[fault.name] for fault in faults],
-                 warnings_of_some_machine(healthy, options.out))
+                 warnings_of_some_machine(healthy, options.out)) + by_hand(options.out)
     return settle(text, options.out, options.check)
 
 

@@ -5,24 +5,31 @@ A script stands in for hn-conform, so that this takes no driver and no time.
 
 from __future__ import annotations
 
-import sys
+import json
 
 from base.testing import Case, called
 from check.faults import command as faults
 
-STAND_IN = '''#!{python}
-import json, pathlib, sys
-if sys.argv[1:] == ["run", "--inject", "list"]:
-    print("one\\n  fault: it is wrong\\n  reported in: a place: 1\\n  injected: this\\n  remark: some")
-    print("two\\n  fault: it too\\n  reported in: nowhere\\n  injected: that")
-    sys.exit()
-fault = sys.argv[sys.argv.index("--inject") + 1] if "--inject" in sys.argv else ""
-status, cases = {{"": {healthy}, "one": {one}, "two": {two}}}[fault]
-out = pathlib.Path(sys.argv[sys.argv.index("--out") + 1])
-results = [dict(id=id, status=status, mismatches=mismatches, message="why") for id, status, mismatches in cases]
-(out / "results.json").write_text(json.dumps(dict(runs=[dict(cases=results)])))
-sys.exit(status)
-'''
+STAND_IN = """#!/bin/sh
+[ "$*" = "run --inject list" ] && exec cat list
+fault=healthy
+while [ $# -gt 0 ]; do
+  case $1 in --inject) fault=$2 ;; --out) out=$2 ;; esac
+  shift
+done
+cp $fault.json "$out/results.json"
+exit "$(cat $fault)"
+"""
+LIST = """one
+  fault: it is wrong
+  reported in: a place: 1
+  injected: this
+  remark: some
+two
+  fault: it too
+  reported in: nowhere
+  injected: that
+"""
 
 PASS = (0, [("hash.word.x", "pass", 0), ("hash.vec2.x", "pass", 0), ("bugs.a.x", "warning", 1)])
 RED = (1, [("hash.word.x", "fail", 3), ("hash.vec2.x", "fail", 1), ("bugs.a.x", "warning", 1), ("bugs.b.x", "warning", 2)])
@@ -35,7 +42,12 @@ class Faults(Case):
         self.table = self.folder / "faults.md"
 
     def call(self, *arguments, healthy=PASS, one=RED, two=RED):
-        program = self.script("hn-conform", STAND_IN.format(python=sys.executable, healthy=healthy, one=one, two=two))
+        program = self.script("hn-conform", STAND_IN.replace("#!/bin/sh", f"#!/bin/sh\ncd {self.folder}"))
+        (self.folder / "list").write_text(LIST)
+        for name, (status, cases) in {"healthy": healthy, "one": one, "two": two}.items():
+            results = [dict(id=id_, status=of, mismatches=wrong, message="why") for id_, of, wrong in cases]
+            (self.folder / f"{name}.json").write_text(json.dumps(dict(runs=[dict(cases=results)])))
+            (self.folder / name).write_text(str(status))
         status, self.shown = called(faults.main, "--program", program, "--out", self.table, *arguments)
         return status
 
@@ -67,9 +79,13 @@ class Faults(Case):
         self.assertEqual(self.call("--check"), 1)
         self.assertFalse(self.table.exists())
         self.call()
+        by_hand = "\n## Found\n\nIt is there.\n"
+        self.table.write_text(self.table.read_text() + by_hand)
         self.assertEqual(self.call("--check"), 0)
         self.table.write_text(self.table.read_text().replace("vec2", "vec3"))
         self.assertEqual(self.call("--check"), 1)
+        self.assertEqual(self.call(), 0)
+        self.assertTrue(self.table.read_text().endswith(f"by **bugs** a.\n{by_hand}"))
 
     def test_the_healthy_driver_may_warn_of_less_but_not_of_more(self):
         more, less = ((0, [*PASS[1], ("bugs.c.x", status, 1)]) for status in ("warning", "pass"))
