@@ -130,7 +130,8 @@ class Run(ProgramTest):
         script = self.folder / "swaps"
         script.write_text("#!/bin/sh\nspirv-dis $1 | sed 's/OpIAdd/OpISub/' | spirv-as --target-env spv1.0 - -o $2\n")
         script.chmod(0o755)
-        way = ("--through", "spirv-opt", "--through", f"{script} {{in}} {{out}}", "--takes", "spirv", "--gives", "spirv")
+        way = ("--through", "spirv-opt", "--through", f"{script} {{in}} {{out}}",
+               "--takes", "spirv", "--gives", "spirv")
         one = ("--filter", "noise2d.perlin.lattice.fixed.compute.vulkan.golden")
         done = self.vulkan(*way, *one)
         self.assertEqual(done.returncode, 1, done.stderr)
