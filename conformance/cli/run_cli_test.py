@@ -126,6 +126,34 @@ class Run(ProgramTest):
         self.assertEqual(cases["hlsl60"]["status"], "unsupported")
         self.assertIn("faults are injected into GLSL", cases["hlsl60"]["message"])
 
+    def test_a_way_names_the_step_that_is_wrong(self):
+        script = self.folder / "swaps"
+        script.write_text("#!/bin/sh\nspirv-dis $1 | sed 's/OpIAdd/OpISub/' | spirv-as --target-env spv1.0 - -o $2\n")
+        script.chmod(0o755)
+        way = ("--through", "spirv-opt", "--through", f"{script} {{in}} {{out}}",
+               "--takes", "spirv", "--gives", "spirv")
+        one = ("--filter", "noise2d.perlin.lattice.fixed.compute.vulkan.golden")
+        done = self.vulkan(*way, *one)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        page = (self.out / "index.html").read_text()
+        for name, run in self.runs().items():
+            self.assertEqual([step["name"] for step in run["way"]], ["spirv-opt", "swaps"], name)
+            self.assertNotIn("golden", run)
+            case, = run["cases"]
+            self.assertEqual((case["status"], case["step"]["number"]), ("fail", 2), case["message"])
+            self.assertIn("wrong after", case["message"].split("\n")[0])
+            self.assertTrue((self.out / case["step"]["input"]).is_file())
+            self.assertIn("OpIAdd", case["step"]["text"])
+            self.assertIn(f"<h3>{name} through spirv-opt ", page)
+        self.assertIn("Copy a report for the makers of swaps", page)
+        self.assertEqual(self.vulkan(*way[:2], *one).returncode, 0)
+        for arguments, message in ((("--through", "spirv-otp"), "spirv-opt"), (way[4:], "are for commands"),
+                                   (("--through", "naga", "--driver", "webgpu"), "driver webgpu: it takes no shader"),
+                                   ((*way[:2], "--filter", CHEAP), "it takes cases of ")):
+            done = self.run_program("--driver", "vulkan:0", *arguments)
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn(message, done.stderr)
+
     # Takes the place of wgpu: any call of it succeeds, and each result is 0.
     WGPU = """import os, sys
 class Any:

@@ -67,7 +67,7 @@ Result<void> find_ways(const WayOptions& options, DriverChoice& choice) {
   for (const std::string& name : choice.names) {
     const std::vector<Form> takes = find_driver(name)->takes();
     if (takes.empty() && !choice.named.contains(name)) continue;
-    auto way = takes.empty() ? fail("it takes no shader from a translator; Vulkan, OpenGL and metal-stand-in do")
+    auto way = takes.empty() ? fail("it takes no shader from a translator; all but browsers and glslang do")
                              : by_forms.try_emplace(takes, find_way(options, takes)).first->second;
     if (way) {
       choice.ways.emplace(name, *way);

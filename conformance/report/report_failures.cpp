@@ -1,5 +1,6 @@
 // The parts of the report that show single cases.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -132,10 +133,17 @@ std::string renderer_of(const ContextInfo& info) {
 // One text for those who make the translator.
 std::string report_of_step(const Run& run, const CaseResult& result, const Step& step) {
   const FaultyStep& fault = *result.outcome.step;
+  const auto& examples = result.outcome.examples;
+  const std::string buffers =
+      examples.empty() ? ""
+                       : fmt::format(
+                             "It writes {} words for each point to the buffer at binding 0, of {} words of the "
+                             "one at binding 1; the first here:\n{:08x}\n\n",
+                             kOutputWords, kInputWords, fmt::join(examples.front().words, " "));
   return fmt::format(
-      "{} {}.\n\ncommand   {}\nrun on    {}\n{}\nTo see it: {}, of {}.\n\nThe shader that it got, {}:\n\n{}\n",
+      "{} {}.\n\ncommand   {}\nrun on    {}\n{}\nTo see it: {}, of {}.\n\nThe shader that it got is {}. {}{}\n",
       step.text(), fault_of_step(result.outcome), command_of(step, fault), renderer_of(run.info), findings_of(result),
-      rerun_of(run, result), library_text(run.library), fault.input, shortened(fault.text, kMostOfInput));
+      rerun_of(run, result), library_text(run.library), fault.input, buffers, shortened(fault.text, kMostOfInput));
 }
 
 // One text for those who write the driver: a shader that stands alone begins with all of it.
