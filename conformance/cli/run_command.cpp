@@ -380,7 +380,7 @@ std::string reason_to_end(const Journal& journal, int signal) {
   return journal.problem().empty() ? "" : journal.problem() + "; ";
 }
 
-// Puts what the faulty steps got into the results, so that their page has it wherever it is made.
+// Puts the inputs of faulty steps into the results, so that their page has it wherever it is made.
 void keep_inputs(Run& run, const std::filesystem::path& out) {
   constexpr std::size_t kMostOfOne = 20'000;
   constexpr std::size_t kMostOfAll = 2'000'000;

@@ -76,7 +76,7 @@ std::string_view fault_of_step(const Outcome& outcome) {
   return outcome.mismatches != 0 ? "makes a right shader wrong" : "refuses a valid shader, or writes an invalid one";
 }
 
-// What the cases showed: rule, place and values.
+// The rule that a case breaks, the place and the values.
 std::string findings_of(const CaseResult& result) {
   const Outcome& outcome = result.outcome;
   const std::string rule = outcome.mismatches == 0 ? "" : rule_of(result.id);
