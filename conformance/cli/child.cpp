@@ -54,7 +54,7 @@ void run_driver_cases(const Suite& suite, std::unique_ptr<Evaluator> evaluator, 
     const bool lost = session.evaluator->is_lost();
     if (lost) {
       const char* const what = session.evaluator->context() ? "the context was lost" : "the device was lost";
-      result.outcome = outcome_with(Status::crash, {what, {}});
+      result.outcome = outcome_with(Status::crash, {what, result.outcome.message});
     }
     const bool has_values = test.evaluation() != nullptr || test.is<BugKind>();
     const bool examined = result.outcome.status == Status::fail && has_values && budget.take(test.name);

@@ -1,8 +1,6 @@
 # Files of noise are read by programs of others: pypng and three.js.
-add_test(NAME python.bake COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with bake.txt
-                                  ${package_environment} bake_test)
-set_tests_properties(python.bake PROPERTIES FIXTURES_REQUIRED "python_wheel;javascript" SKIP_RETURN_CODE 77
-                     ENVIRONMENT HASHNOISE_JAVASCRIPT=${PROJECT_BINARY_DIR}/javascript)
+package_test(bake bake_test WITH bake.txt PROPERTIES FIXTURES_REQUIRED "python_wheel;javascript"
+             ENVIRONMENT HASHNOISE_JAVASCRIPT=${PROJECT_BINARY_DIR}/javascript)
 # The command builds the package for itself.
 add_test(NAME bake.command CONFIGURATIONS Thorough
          COMMAND ${PROJECT_SOURCE_DIR}/tools/bake cellular --size 64x64 -o ${PROJECT_BINARY_DIR}/bake.exr)

@@ -45,7 +45,7 @@ Result<Pipe> make_pipe() {
 }
 
 // In the child, between fork and exec, where only async-signal-safe functions may be called. Returns where it failed.
-void become(const char* program, char* const* arguments, char** environment, const char* output, int reports,
+void become(const char* program, char* const* arguments, char** environment, const char* output, int reports, int input,
             bool is_server, bool own_group, pid_t parent) {
 #ifdef __linux__
   prctl(PR_SET_PDEATHSIG, is_server ? SIGTERM : SIGKILL);
@@ -60,7 +60,7 @@ void become(const char* program, char* const* arguments, char** environment, con
   sigprocmask(SIG_SETMASK, &none, nullptr);  // ours may hold signals back
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);  // a crash is what we look for, its dump is of no use
-  const int in = open("/dev/null", O_RDONLY);
+  const int in = input < 0 ? open("/dev/null", O_RDONLY) : input;
   const int out = open(output, O_WRONLY | O_CREAT | O_APPEND, 0644);
   if (in < 0 || out < 0) return;
   if (dup2(in, STDIN_FILENO) < 0 || dup2(out, STDOUT_FILENO) < 0 || dup2(out, STDERR_FILENO) < 0) return;
@@ -93,7 +93,7 @@ Result<Process> start_process(const ProcessOptions& options) {
   if (pid == 0) {
     become(options.program.c_str(), argument_pointers.data(),
            options.environment ? environment_pointers.data() : nullptr, output.c_str(), reports.write.get(),
-           options.is_server, options.own_group, parent);
+           options.input, options.is_server, options.own_group, parent);
     const int error = errno;
     [[maybe_unused]] const auto written = write(failure.write.get(), &error, sizeof error);
     _exit(EXIT_FAILURE);

@@ -171,6 +171,8 @@ class Jax(Library, unittest.TestCase):
             function = functools.partial(getattr(hashnoise.arrays, name), seed=9, arithmetic="fixed")
             expected = getattr(hashnoise, name)(*coordinates, seed=9, arithmetic="fixed")
             self.assertEqual(jax.jit(jax.vmap(function, out_axes=-1))(*coordinates).tolist(), expected.tolist())
+        far = [self.made(50 * values) for values in places(3)]  # where a position that XLA fuses would be another
+        self.assertLess(abs(jax.jit(hashnoise.arrays.fbm)(*far) - hashnoise.arrays.fbm(*far)).max(), 3e-7)
 
     def test_slopes(self):
         import jax

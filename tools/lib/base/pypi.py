@@ -6,10 +6,13 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import venv
+from collections.abc import Callable
 from pathlib import Path
 
 from base.debian import Missing
+from base.tree import ROOT
 
 SKIPPED = 77
 # pip's messages if it reaches no registry.
@@ -53,13 +56,44 @@ def environment(folder: Path, requirements: Path) -> int:
     return 0
 
 
+def place_of(package: str) -> Path:
+    """Where a package==VERSION of a registry is kept."""
+    return ROOT / "build" / package.replace("==", "-")
+
+
+def kept(folder: Path, fill: Callable[[Path], None]) -> Path:
+    """The folder, which is filled if it is not there. It is whole when it is there."""
+    if not folder.exists():
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=folder.parent) as place:
+            whole = Path(place) / "whole"
+            whole.mkdir()
+            fill(whole)
+            try:
+                whole.rename(folder)
+            except OSError:
+                if not folder.exists():  # another test was faster
+                    raise
+    return folder
+
+
+def installed(package: str, *options: str) -> Path:
+    """The folder of builds in which a package is."""
+    return kept(place_of(package), lambda folder: _pip("install", package, "--no-input", *options, "--target", folder))
+
+
 def downloaded(package: str, folder: Path, *options: str) -> Path:
     """The archive of a package alone, in the folder, which has no other."""
-    done = subprocess.run([sys.executable, "-m", "pip", "--disable-pip-version-check", "download", "--quiet",
-                           "--no-deps", *options, "--dest", folder, package], capture_output=True, text=True, check=False)
-    if done.returncode == 0:
-        found, = folder.glob("*.*")
-        return found
-    if OFFLINE.search(done.stdout + done.stderr):
-        raise Missing(f"PyPI cannot be reached, so there is no {package}")
-    raise RuntimeError(f"{package} cannot be downloaded: {done.stdout}{done.stderr}")
+    _pip("download", package, "--no-deps", *options, "--dest", folder)
+    found, = folder.glob("*.*")
+    return found
+
+
+def _pip(command: str, package: str, *options: str | Path) -> None:
+    words = [sys.executable, "-m", "pip", "--disable-pip-version-check", command, "--quiet", *options, package]
+    try:
+        done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=300)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise Missing(f"pip cannot {command} {package}: {error}") from error
+    if done.returncode != 0:
+        raise Missing(f"pip cannot {command} {package}: {done.stderr.strip()[-300:]}")

@@ -4,6 +4,7 @@ options; in other languages the text stays as it is."""
 from __future__ import annotations
 
 import argparse
+import functools
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -39,6 +40,14 @@ def of_wgsl(names: Sequence[str], settings: Settings, given: argparse.Namespace)
 """
     included = "".join(f'#include "{name}"\n' for name in names)
     return header + Module(given.glsl, included, settings).text(strip=given.strip)
+
+
+@functools.cache
+def library(language: str, arithmetic: str, file: str = "hashnoise.glsl") -> str:
+    """A file with all that it includes, and one arithmetic."""
+    if language == "wgsl":
+        return Module(GLSL, f'#include "{file}"\n', settings_of(arithmetic, "lattice", "octahedral")).text(strip=True)
+    return f"#define HN_ARITHMETIC HN_{arithmetic.upper()}\n{text([file], language, strip=True)}"
 
 
 def main(arguments: Sequence[str]) -> int:

@@ -23,7 +23,7 @@ from measure.compile.texts import Job, jobs
 from measure.gpu import drivers
 from measure.gpu.chips import chip_named
 from measure.gpu.compiling import compile_all
-from translate.hlsl.compilers import DXC, FXC, dxc, fxc
+from translate.tools import DXC, FXC
 
 DESKTOP = "#version 450\n"
 ES = "#version 300 es\nprecision highp float;\nprecision highp int;\n"
@@ -192,11 +192,10 @@ COMPILERS = {
         of_program("spirv-opt")),
     "naga": Compiler("naga, WGSL to SPIR-V", by_command(wgsl, lambda: [program("naga")], "made.spv"),
         of_program("naga")),
-    "dxc": Compiler("DXC", by_command(hlsl, lambda: [dxc(), "-T", "ps_6_0", "-E", "main", "-Fo", "made"]),
-        lambda place: DXC),
-    "fxc": Compiler("FXC", by_command(hlsl, lambda: ["wine", fxc().folder / "fxc.exe", "ps_5_0", "main"],
-                                      variables=lambda: fxc().environment),
-        lambda place: FXC),
+    "dxc": Compiler("DXC", by_command(hlsl, lambda: [DXC.path(), "-T", "ps_6_0", "-E", "main", "-Fo", "made"]),
+        lambda place: DXC.package),
+    "fxc": Compiler("FXC", by_command(hlsl, lambda: [FXC.path(), "-T", "ps_5_0", "-E", "main", "-Fo", "made"]),
+        lambda place: FXC.package),
     "radv": Compiler("RADV, AMD Navi 31", by_driver("navi31"),
         of_drivers),
     "turnip": Compiler("Turnip, Adreno 740", by_driver("adreno740"),

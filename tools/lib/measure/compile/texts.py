@@ -3,18 +3,14 @@ tools/pick prints it, in two arithmetics; and other libraries' noise."""
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
-from base.tree import GLSL
 from measure.gpu.pages import LETTERS
 from measure.peers import CALLS, PEERS
 from translate.pick.command import Choice, picked
-from translate.settings import settings_of
-from translate.single_file.files import text
-from translate.wgsl.module import Module
+from translate.whole import library
 
 
 class Subject(NamedTuple):
@@ -72,21 +68,13 @@ class Job(NamedTuple):
         return FRAMES[language].format(version=version, library=self.library, call=self.call, axes=self.axes)
 
 
-@functools.cache
-def library(file: str, language: str, arithmetic: str) -> str:
-    """The file with all that it includes."""
-    if language == "wgsl":
-        return Module(GLSL, f'#include "{file}"\n', settings_of(arithmetic, "lattice", "octahedral")).text(strip=True)
-    return f"#define HN_ARITHMETIC HN_{arithmetic.upper()}\n{text([file], language, strip=True)}"
-
-
 def ours(language: str) -> Iterator[Job]:
     for subject in SUBJECTS:
         name = subject.form.partition("2")[0].partition("3")[0]
         call = subject.call.replace(name, subject.form) if language == "wgsl" else subject.call
         for arithmetic, suffix in (("fast", ""), ("fixed", FIXED)):
             pick = picked([subject.form], Choice(language=language, arithmetic=arithmetic))
-            texts = (library("hashnoise.glsl", language, arithmetic), library(subject.file, language, arithmetic), pick)
+            texts = (library(language, arithmetic), library(language, arithmetic, subject.file), pick)
             for way, found in zip(WAYS, texts):
                 yield Job(subject.noise, way + suffix, found, call, subject.axes)
 

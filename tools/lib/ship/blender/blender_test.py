@@ -21,6 +21,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+from base.pypi import installed
 from base.testing import skipped_without
 from base.tree import TOOLS, version
 from ship import command
@@ -28,7 +29,6 @@ from ship.blender import files
 from ship.blender.in_blender import Heights, NoBlender, found
 from ship.packing_support import made
 from translate.pick.osl_runner import PACKAGE
-from translate.wgsl.device import installed
 
 SIDE = 12  # pixels
 OFFSET = (100.25, -70.5, 3.75)  # of positions, from the numbers of pixels

@@ -7,8 +7,9 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from base.debian import Missing
+from base.pypi import installed
 from translate.pick.osl_runner import PACKAGE
-from translate.wgsl.device import Absent, installed
 
 
 class NoBlender(Exception):
@@ -27,7 +28,7 @@ def found(environment: Path, user: Path) -> None:
         import bpy  # noqa: F401
         sys.path.append(str(packages[0].parent))
         import hashnoise  # noqa: F401
-    except (Absent, ImportError) as reason:
+    except (Missing, ImportError) as reason:
         raise NoBlender(str(reason)) from reason
 
 

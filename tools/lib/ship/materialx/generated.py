@@ -14,14 +14,16 @@ from pathlib import Path
 from types import ModuleType
 from typing import NamedTuple
 
+from base.debian import Missing
+from base.pypi import installed
 from base.renderer import NoRenderer, Renderer
 from base.tree import ROOT
 from proof.vectors.files import vectors_folder
 from ship.materialx import files
+from translate.pick import slang
 from translate.pick.osl_runner import OslRunner
 from translate.pick.runners import NotInstalled, ran
-from translate.pick.slang import Slang
-from translate.wgsl.device import Absent, installed
+from translate.tools import SLANG
 
 MATERIALX = "materialx==1.39.5"
 # The generators that have shaders to compile, by the module and the class.
@@ -226,8 +228,8 @@ class SlangLanguage(Language):
     def compile(self, made: Generated, folder: Path) -> None:
         """Both stages, though they are called fragmentMain and vertexMain."""
         for stage, text in made.shaders(self.name).items():
-            Slang().compiled(text, "spirv", entry=f"{'fragment' if stage == PIXEL else 'vertex'}Main",
-                             stage="fragment" if stage == PIXEL else "vertex")
+            slang.compiled(text, "spirv", entry=f"{'fragment' if stage == PIXEL else 'vertex'}Main",
+                           stage="fragment" if stage == PIXEL else "vertex")
 
 
 class Osl(Language):
@@ -267,15 +269,15 @@ class Osl(Language):
 LANGUAGES: tuple[type[Language], ...] = (Glsl, Metal, SlangLanguage, Osl)
 # Metal and Slang have the wrappers and the functions that GLSL has, by their names.
 RUN: tuple[type[Language], ...] = (Glsl, Osl)
-MISSING = (Absent, NoRenderer, NotInstalled)
+MISSING = (Missing, NoRenderer, NotInstalled)
 
 
 def needed() -> None:
     """Raises one of MISSING if something is not here."""
     for program, package in (("glslangValidator", "glslang-tools"), ("clang++", "clang")):
         if not shutil.which(program):
-            raise Absent(f"there is no {program}: apt-get install {package}")
+            raise Missing(f"there is no {program}: apt-get install {package}")
     materialx()
     OslRunner().check()
     Renderer(SIDE)
-    Slang()
+    SLANG.path()

@@ -1,4 +1,5 @@
-"""Microsoft's compilers take the HLSL of the library and of files, and their code has the golden values.
+"""Microsoft's compilers take the HLSL of the page, and their code has the golden values. The test pick.translators gives them
+the whole library, and each function.
 
     python3 -m translate.hlsl.compilers_test dxc|fxc HN_CONFORM
 
@@ -7,36 +8,36 @@ Exit status: 0 so it is, 1 it is not, 77 the compiler cannot be had here.
 
 from __future__ import annotations
 
-import functools
 import os
 import re
 import resource
-import shlex
-import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
+from collections.abc import Mapping
 from pathlib import Path
 
 from base.debian import Missing, program
-from base.testing import skipped_without
-from base.tree import GLSL, ROOT, TOOLS
-from translate.hlsl.compilers import Compiled, Fxc, compile_by_dxc, dxc, refusal
+from base.testing import Case, skipped_without
+from base.tree import GLSL, ROOT
+from translate.hlsl.compilers import Compiled, compiled, refusal
 from translate.pick import command
 from translate.pick.program import Program, chosen, read
 from translate.pick.shading import LANGUAGES
+from translate.tools import DXC, FXC, Tool
+from translate.whole import library
 
 PAGE = (ROOT / "docs" / "guide" / "languages.md").read_text(encoding="utf-8")
 CODE = re.findall(r"^```hlsl\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
 COMPUTE, = (text for text in CODE if "numthreads" in text)
-LAVAPIPE = Path("/usr/share/vulkan/icd.d")
-MAIN = """
-float4 main(float2 uv : TEXCOORD0) : SV_Target {
-  float3 n = hn_fbm_d(uv * 8.0, 6, 2.0, 0.5, 7u);
-  float2 c = hn_cellular(hn_tile(uv * 4.0, int2(4, 4)), 7u);
-  return float4(n.x + hn_simplex(float3(uv, c.y), 7u), n.y, c.x, hn_gullies(uv, n.yz, 4, 2.0, 0.5, 0.1, 7u).x);
-}
+INCLUDING = """#include "hashnoise/hashnoise.hlsl"
+float4 main(float2 uv : TEXCOORD0) : SV_Target { return hn_fbm(uv * 8.0, 6, 2.0, 0.5, 7u); }
+"""
+LAVAPIPE = sorted(Path("/usr/share/vulkan/icd.d").glob("lvp_icd*.json"))
+# vkd3d-compiler, in which FXC makes the code of Direct3D 11.
+STAND_IN = """#!/bin/sh
+[ "$4" = dxbc-tpf ] || exec {vkd3d} "$@"
+exec {fxc} -T "$6" -E "$8" -Fo "${{10}}" "${{11}}"
 """
 # FXC takes a whole number times a small one for a whole number, and leaves out the floor of it.
 FLOOR = """
@@ -55,140 +56,54 @@ CALLS = {"hn_unorm(words[id.x])": "hn_unorm", "hn_snorm(words[id.x])": "hn_snorm
          "hn_fraction(int(words[id.x]), 7, 7)": "hn_fraction1"}
 
 
-@functools.cache
-def library(arithmetic: str) -> str:
-    """All of it as one file, as users make it."""
-    with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder) / "all.hlsl"
-        subprocess.run([sys.executable, TOOLS / "pick", "whole", "--language", "hlsl", "--strip", "--out", file],
-                       check=True, capture_output=True)
-        return f"#define HN_ARITHMETIC HN_{arithmetic.upper()}\n{file.read_text(encoding='ascii')}"
-
-
-class Compiler:
-    filter: str  # of the cases of the suite that it compiles
-
-    def compile(self, texts: dict[str, str], stage: str) -> dict[str, Compiled]:
-        """The compilers' results."""
-        raise NotImplementedError
-
-    def values(self) -> dict[str, str]:
-        """The suite's environment, to run this compiler's output."""
-        raise NotImplementedError
-
-
-class ByDxc(Compiler):
-    filter = "*.hlsl60.*"
-
-    def __init__(self) -> None:
-        self.program = dxc()
-
-    def compile(self, texts: dict[str, str], stage: str) -> dict[str, Compiled]:
-        found = {}
-        with tempfile.TemporaryDirectory() as folder:
-            for name, text in texts.items():
-                file = Path(folder) / f"{name}.hlsl"
-                file.write_text(text, encoding="ascii")
-                profile = {"pixel": "ps_6_0", "compute": "cs_6_0"}[stage]
-                made, = compile_by_dxc([file], profile, "main", "-spirv", "-fspv-target-env=vulkan1.1", "-I",
-                                       str(GLSL.parent))
-                if made.code:
-                    (Path(folder) / "code").write_bytes(made.code)
-                    judged = subprocess.run(["spirv-val", "--target-env", "vulkan1.1", Path(folder) / "code"],
-                                            capture_output=True, text=True, check=False)
-                    made = made._replace(messages=made.messages + judged.stdout + judged.stderr)
-                    direct, = compile_by_dxc([file], profile, "main", "-I", str(GLSL.parent))  # what Direct3D 12 takes
-                    if not direct.code:
-                        made = direct
-                found[name] = made
-        return found
-
-    def values(self) -> dict[str, str]:
-        return {"HN_DXC": str(self.program)}
-
-
-class ByFxc(Compiler):
-    filter = "*.hlsl50.*"
-
-    def __init__(self) -> None:
-        self.fxc = Fxc()
-        self.vkd3d = program("vkd3d-compiler")  # what Direct3D 11 takes becomes SPIR-V by it
-        self.scratch = tempfile.TemporaryDirectory()
-
-    def compile(self, texts: dict[str, str], stage: str) -> dict[str, Compiled]:
-        found: dict[str, Compiled] = {}
-        names = list(texts)
-        with tempfile.TemporaryDirectory() as folder:
-            (Path(folder) / "hashnoise").symlink_to(GLSL)
-            for i in range(0, len(names), 50):  # to start it takes a second
-                files = [Path(folder) / f"{name}.hlsl" for name in names[i:i + 50]]
-                for name, file in zip(names[i:i + 50], files):
-                    file.write_text(texts[name], encoding="ascii")
-                made = self.fxc.compile(files, {"pixel": "ps_5_0", "compute": "cs_5_0"}[stage])
-                found |= dict(zip(names[i:i + 50], made))
-        return found
-
-    def values(self) -> dict[str, str]:
-        stand_in = Path(self.scratch.name) / "vkd3d-compiler"
-        command = shlex.join([sys.executable, "-B", "-m", "translate.hlsl.compilers"])
-        stand_in.write_text(f'#!/bin/sh\nPYTHONPATH={shlex.quote(str(TOOLS / "lib"))} exec {command} "$@"\n')
-        stand_in.chmod(0o755)
-        return {"HN_VKD3D_COMPILER": str(stand_in), "HN_VKD3D_REAL": str(self.vkd3d)}
-
-
-class Hlsl(unittest.TestCase):
-    compiler: Compiler
+class Hlsl(Case):
+    tool: Tool
     conform: str
 
-    def refused(self, texts: dict[str, str], stage: str = "pixel") -> dict[str, str]:
-        """Texts that do not compile, or not in silence."""
-        return {name: said for name, made in self.compiler.compile(texts, stage).items() if (said := refusal(made))}
+    def made(self, texts: Mapping[str, str], profile: str) -> dict[str, Compiled]:
+        """The compiler's results of texts with the library beside them."""
+        (self.folder / "hashnoise").unlink(missing_ok=True)
+        (self.folder / "hashnoise").symlink_to(GLSL)
+        files = {name: self.folder / f"{name}.hlsl" for name in texts}
+        for name, file in files.items():
+            file.write_text(texts[name], encoding="ascii")
+        return dict(zip(files, compiled(self.tool, list(files.values()), profile)))
 
-    def test_the_whole_library(self) -> None:
-        texts = {arithmetic: library(arithmetic) + MAIN for arithmetic in command.ARITHMETICS}
-        self.assertEqual(self.refused(texts), {})
-        self.assertEqual([*self.refused({"wrong": texts["fast"].replace("hn_fbm_d(uv", "hn_fbn_d(uv")})], ["wrong"])
-
-    def run_suite(self, glsl: Path, filter_: str) -> tuple[int, str]:
-        drivers = sorted(LAVAPIPE.glob("lvp_icd*.json"))
-        with tempfile.TemporaryDirectory() as out, tempfile.TemporaryDirectory() as no_excuses:  # those are vkd3d's
-            done = subprocess.run(
-                [self.conform, "run", "--driver", "vulkan:0", "--glsl", glsl, "--filter", filter_, "--out", out,
-                 "--expect", no_excuses],
-                env={**os.environ, **self.compiler.values(), "VK_DRIVER_FILES": str(drivers[0])}, capture_output=True,
-                text=True, check=False)
-        return done.returncode, done.stdout + done.stderr
-
-    def test_golden_values_on_lavapipe(self) -> None:
-        status, said = self.run_suite(GLSL, self.compiler.filter)
-        self.assertEqual(status, 0, said[-4000:])
-        passed = re.search(r"(\d+) pass(, \d+ unsupported)?;", said)
-        self.assertTrue(passed and int(passed[1]) >= 90 and not passed[2], said[-1000:])
-        with tempfile.TemporaryDirectory() as folder:
-            copy = Path(folder) / "hashnoise"
-            shutil.copytree(GLSL, copy)
-            for file in copy.rglob("*.glsl"):
-                file.write_text(file.read_text().replace("0x85EBCA77u", "0x85EBCA79u"))
-            status, said = self.run_suite(copy, self.compiler.filter.replace("*.", "noise2d.perlin.*", 1))
-            self.assertEqual(status, 1, said[-1000:])
-            self.assertIn("values are wrong", said)
+    def run_suite(self, profile: str, **variables: str) -> None:
+        (self.folder / "no excuses").mkdir()
+        done = subprocess.run(
+            [self.conform, "run", "--driver", "vulkan:0", "--filter", f"*.{profile}.*", "--out", self.folder / "out",
+             "--expect", self.folder / "no excuses"],  # those are vkd3d's
+            env={**os.environ, **variables, "VK_DRIVER_FILES": str(LAVAPIPE[0])}, capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout[-4000:] + done.stderr)
+        passed = re.search(r"(\d+) pass(, \d+ unsupported)?;", done.stdout)
+        self.assertTrue(passed and int(passed[1]) >= 90 and not passed[2], done.stdout[-1000:])
 
 
 class Dxc(Hlsl):
-    def test_it_includes_the_library(self) -> None:
-        included = f'#include "hashnoise/hashnoise.hlsl"\n{MAIN}'
-        texts = {arithmetic: f"#define HN_ARITHMETIC HN_{arithmetic.upper()}\n{included}"
-                 for arithmetic in command.ARITHMETICS}
-        texts |= {f"page{i}": text for i, text in enumerate(CODE) if "numthreads" not in text}
-        self.assertEqual(self.refused(texts), {})
-        self.assertEqual(self.refused({"page": COMPUTE}, "compute"), {})
+    tool = DXC
+
+    def test_golden_values(self) -> None:
+        self.run_suite("hlsl60", HN_DXC=str(self.tool.path()))
+
+    def test_includes_and_the_code_of_the_page_compile(self) -> None:
+        texts = {arithmetic: f"#define HN_ARITHMETIC HN_{arithmetic.upper()}\n{INCLUDING}" for arithmetic in command.ARITHMETICS}
+        texts |= {f"page{i}": text for i, text in enumerate(CODE) if text != COMPUTE}
+        for name, made in (self.made(texts, "ps_6_0") | self.made({"compute": COMPUTE}, "cs_6_0")).items():
+            with self.subTest(name):
+                self.assertEqual(refusal(made), "")
 
 
-class FxcOnly(Hlsl):
+class Fxc(Hlsl):
+    tool = FXC
+
+    def test_golden_values(self) -> None:
+        stand_in = self.script("vkd3d-compiler", STAND_IN.format(vkd3d=program("vkd3d-compiler"), fxc=self.tool.path()))
+        self.run_suite("hlsl50", HN_VKD3D_COMPILER=str(stand_in))
+
     def test_its_own_includes_are_not_beside_the_file(self) -> None:
         """docs/guide/languages.md has the way that works. If this fails, there is another."""
-        said = self.refused({"including": f'#include "hashnoise/hashnoise.hlsl"\n{MAIN}'})
-        self.assertIn("X1507", said["including"])
+        self.assertIn("X1507", refusal(self.made({"including": INCLUDING}, "ps_5_0")["including"]))
 
     def test_a_loop_that_is_unrolled_is_long(self) -> None:
         """It prints the seconds of a processor that the page has."""
@@ -198,7 +113,7 @@ class FxcOnly(Hlsl):
             for attribute in ("[loop]", "[unroll]"):
                 text = COMPUTE.replace('#include "hashnoise/hashnoise.hlsl"\n', noise).replace("[loop]", attribute)
                 before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-                made = self.compiler.compile({"shader": text}, "compute")["shader"]
+                made = self.made({"shader": text}, "cs_5_0")["shader"]
                 seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
                 print(f"{arithmetic}, {attribute}: {seconds:.1f} s, {len(made.code)} bytes")
                 self.assertEqual(refusal(made), "")
@@ -206,33 +121,31 @@ class FxcOnly(Hlsl):
             self.assertGreater(sizes[1], 4 * sizes[0])
 
     def test_the_floor_of_a_value_is_there(self) -> None:
-        texts = {"plain": library("fast").replace("#define HN_I_FXC", "") + FLOOR.format("hn_unorm(words[id.x])")}
+        texts = {"plain": library("hlsl", "fast").replace("#define HN_I_FXC", "") + FLOOR.format("hn_unorm(words[id.x])")}
         for arithmetic in command.ARITHMETICS:
             whole = read(GLSL, {**command.settings(arithmetic, "lattice"), **LANGUAGES["hlsl"].library})
             for call, name in CALLS.items():
                 made = Program(whole, chosen(whole, [name])).text(LANGUAGES["hlsl"], arithmetic == "precise")
                 texts[f"{name}.{arithmetic}.picked"] = made + FLOOR.format(call)
-                texts[f"{name}.{arithmetic}"] = library(arithmetic) + FLOOR.format(call)
+                texts[f"{name}.{arithmetic}"] = library("hlsl", arithmetic) + FLOOR.format(call)
         without = {f"{name}.without": text.replace("asuint(floor(", "asuint((") for name, text in texts.items()}
-        compiled = self.compiler.compile({**texts, **without}, "compute")
-        rounds = {name: self.rounds(made) for name, made in compiled.items()}
+        rounds = {name: self.rounds(made) for name, made in self.made({**texts, **without}, "cs_5_0").items()}
         self.assertEqual([name for name in texts if rounds[name] <= rounds[f"{name}.without"]], ["plain"])
 
     def rounds(self, made: Compiled) -> int:
         """How often a program rounds down."""
         self.assertTrue(made.code, made.messages)
-        with tempfile.NamedTemporaryFile() as file:
-            file.write(made.code)
-            file.flush()
-            shown = subprocess.run([self.compiler.vkd3d, "-x", "dxbc-tpf", "-b", "d3d-asm", file.name],
-                                   capture_output=True, text=True, check=True).stdout
+        (self.folder / "code").write_bytes(made.code)
+        shown = subprocess.run([program("vkd3d-compiler"), "-x", "dxbc-tpf", "-b", "d3d-asm", self.folder / "code"],
+                               capture_output=True, text=True, check=True).stdout
         return len(re.findall(r"\bround_ni\b", shown))
 
 
 if __name__ == "__main__":
     which, Hlsl.conform = sys.argv[1:3]
-    case = {"dxc": Dxc, "fxc": FxcOnly}[which]
+    case = {"dxc": Dxc, "fxc": Fxc}[which]
     with skipped_without(Missing):
-        case.compiler = {"dxc": ByDxc, "fxc": ByFxc}[which]()
+        case.tool.path()
+        program("vkd3d-compiler")
     del sys.argv[1:3]
     unittest.main(defaultTest=case.__name__)

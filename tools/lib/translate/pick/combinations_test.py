@@ -111,8 +111,9 @@ class Compiler(Protocol):
 
 
 class GlslCompiler:
-    """glslang, behind the versions that the page promises, and a user's precision."""
-    HEADS = {"glsl": ("#version 330\n", "#version 300 es\nprecision mediump float;\nprecision mediump int;\n"),
+    """glslang, behind the versions that the page promises, and a user's precision, which no number may have."""
+    MEDIUMP = "es\nprecision mediump float;\nprecision mediump int;\n"
+    HEADS = {"glsl": ("#version 330\n", f"#version 300 {MEDIUMP}", f"#version 310 {MEDIUMP}"),
              "godot": ("#version 300 es\nprecision highp float;\nprecision highp int;\n",)}
 
     def __init__(self, language: str):
@@ -121,7 +122,10 @@ class GlslCompiler:
     def lint(self, texts: Sequence[str], folder: Path) -> None:
         names = written_to(folder, {f"m{i}_{j}.frag": f"{head}{text}void main() {{}}\n"
                                     for i, text in enumerate(texts) for j, head in enumerate(self.heads)})
-        if re.search("WARNING|ERROR", shown := ran(folder, "glslangValidator", *names)):
+        shown = ran(folder, "glslangValidator", *names)
+        for name in names[2::3] if len(self.heads) == 3 else ():
+            shown += ran(folder, "glslangValidator", "-V", "-H", "--keep-uncalled", "-o", "spirv", name)
+        if re.search("WARNING|ERROR|RelaxedPrecision", shown):
             raise NotRun(shown)
 
 
@@ -212,7 +216,7 @@ REFUSED: Mapping[str, Sequence[tuple[str, str]]] = {
     "java": (("int seed) {", "int seed) {\nint unused = (int) 1;\n"), ("<p>Example", "<p><p>Example")),
     "python": (("seed=0)", "seed=0, seed=0)"), ("return _called(", "return (_called(")),
     "osl": (("int seed)", "int seed, int seed)"),),
-    "glsl": (("uint seed) {", "uint seed, highp uint seed) {"),),
+    "glsl": (("uint seed) {", "uint seed, highp uint seed) {"), ("highp float n_x =", "float n_x =")),
     "godot": (("return ", "return seed + "),), "hlsl": (("uint seed) {", "uint seed, uint seed) {"),),
     "wgsl": (("-> f32 {", "-> u32 {"),), "metal": (("uint seed) {", "uint seed, uint unused) {"),)}
 

@@ -12,9 +12,10 @@ from array import array
 from collections.abc import Sequence
 from pathlib import Path
 
+from base.debian import Missing
+from base.pypi import installed
 from translate.pick.osl import Osl, without_shader
 from translate.pick.runners import CRunner, NotInstalled, ran
-from translate.wgsl.device import Absent, installed
 
 PACKAGE = "bpy==5.0.1"
 RENDER = Path(__file__).resolve().with_name("osl_render.py")
@@ -56,7 +57,7 @@ class OslRunner(CRunner):
     def check(self, lints: bool = False) -> None:
         try:
             self.packages = str(installed(PACKAGE))
-        except Absent as reason:
+        except Missing as reason:
             raise NotInstalled(str(reason)) from reason
 
     def build_and_run(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> None:

@@ -1,7 +1,6 @@
-"""tools/pick's text in shading languages has the bits of the C++ header with HN_FIXED; in WGSL it has golden
-values within the bound with HN_FAST.
+"""tools/pick's text in shading languages has the bits of the C++ header with HN_FIXED, and in WGSL its numbers with HN_FAST.
 
-    python3 -m translate.pick.shading_test HN_CONFORM FOLDER LANGUAGE...     FOLDER has what pick.languages_test has written
+    python3 -m translate.pick.shading_test FOLDER LANGUAGE...     FOLDER has what pick.languages_test has written
 
 Exit status: 0 it has, 1 it has not, 77 there is no wgpu or no compiler here.
 """
@@ -15,8 +14,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from unittest import mock
 
+import numpy
+
 from base.testing import skipped_without
-from base.thorough import THOROUGH
 from base.tree import GLSL
 from translate.pick import command, printer
 from translate.pick.evaluate import Module
@@ -26,7 +26,6 @@ from translate.pick.program import Program, chosen, read
 from translate.pick.shading import LANGUAGES
 from translate.pick.shading_runners import RUNNERS, Case, Runner, WgslRunner
 from translate.wgsl.device import Absent
-from translate.wgsl.golden import Page, shaders_over
 
 
 @functools.cache
@@ -75,41 +74,29 @@ class Header(unittest.TestCase):
         self.assertRegex(of_wrong, f"^[1-9][0-9]* of {POINTS} ")
 
 
-class Bounds(unittest.TestCase):
-    """Golden values of HN_FAST, within the suite's bounds."""
-    runner: WgslRunner
-    program: str
-    page: Page
-
-    @classmethod
-    def setUpClass(cls) -> None:
-        cls.page = Page(cls.program, f"{'*' if THOROUGH else 'noise2d.*'}.lattice.fast.compute.wgsl.golden")
-
-    def wrong(self, change: tuple[str, str] = ("", ""), every: int = 1, only: str = "") -> list[str]:
-        cases = [case for case in self.page.cases if not only or case["id"].startswith(only)][::every]
-        rows = {case["id"]: ".".join(case["id"].split(".")[:2]) for case in cases}
-        known = module("fast").forms
-        shaders = shaders_over([*rows.values()], "HN_FAST", lambda names: text(
-            "wgsl", "fast", *(name for name in names if name in known)))
-        self.assertGreater(len(cases), 0)
-        found = []
-        for case in cases:
-            shader = shaders[rows[case["id"]]]
-            self.assertIn(change[0], shader)
-            if wrong := self.page.wrong(self.runner.device, case, shader.replace(*change)):
-                found.append(f"{case['id']}: {wrong}")
-        return found
-
-    def test_they_are_kept(self) -> None:
-        self.assertGreater(len(self.page.cases), 285 if THOROUGH else 30)
-        self.assertEqual(self.wrong(every=1 if THOROUGH else 12), [])
-
-    def test_a_changed_constant_is_noticed(self) -> None:
-        self.assertEqual(len(self.wrong(("* 0.5", "* 0.50002"), only="noise2d.cellular.")), 1)
-
-
 class Wgsl(unittest.TestCase):
     runner: WgslRunner
+
+    def far(self, name: str, change: tuple[str, str] = ("", "")) -> int:
+        """At how many points HN_FAST gives another number than the header, by more than it is rounded."""
+        of = split_module("fast")
+        function, (passed, back) = functions(of, "fast")[name], words(Header.folder, "fast", of)[name]
+        shown = text("wgsl", "fast", name)
+        self.assertIn(change[0], shown)
+        got, = self.runner.run([Case(of, function, shown.replace(*change), passed, len(back))], POINTS)
+        types = [*([function.type] if function.type != "void" else []), *(one.type for one in function.parameters if one.is_set)]
+        are_floats = [scalar == "float" for type_ in types for _, scalar in of.parts(type_)]
+        ours, right = (numpy.frombuffer(one, numpy.uint32).reshape(POINTS, -1) for one in (got, back))
+        with numpy.errstate(invalid="ignore"):
+            near = numpy.isclose(ours.view(numpy.float32), right.view(numpy.float32), 1e-5, 1e-5)
+        return int((~numpy.where(are_floats, near, ours == right)).any(axis=1).sum())
+
+    def test_numbers_of_fast_are_those_of_the_library(self) -> None:
+        """But for a few beside a wall, where a rounding leads to another cell."""
+        names = [name for name in functions(split_module("fast"), "fast") if not name.startswith("hn_next")]  # some have no value
+        self.assertGreater(len(names), 5)
+        self.assertEqual([name for name in names if self.far(name) > POINTS / 20], [])
+        self.assertGreater(self.far("hn_perlin2", (" * 1.7880859375", " * 1.78825")), POINTS / 2)
 
     def test_a_hash_of_the_users_is_called(self) -> None:
         """One that is a hash of the library gives the words of that."""
@@ -132,8 +119,8 @@ class Wgsl(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    Bounds.program, Header.folder = sys.argv[1], Path(sys.argv[2]).resolve()
-    languages = sys.argv[3:]
+    Header.folder = Path(sys.argv[1]).resolve()
+    languages = sys.argv[2:]
     suite = unittest.TestSuite()
     with skipped_without(Absent):
         for language in languages:
@@ -142,6 +129,6 @@ if __name__ == "__main__":
                                                                     "runner": runner})
             suite.addTest(unittest.defaultTestLoader.loadTestsFromTestCase(of_language))
             if language == "wgsl":
-                Bounds.runner = Wgsl.runner = runner
-                suite.addTests(map(unittest.defaultTestLoader.loadTestsFromTestCase, (Bounds, Wgsl)))
+                Wgsl.runner = runner
+                suite.addTest(unittest.defaultTestLoader.loadTestsFromTestCase(Wgsl))
     sys.exit(not unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful())

@@ -1,4 +1,4 @@
-"""Translators that people have take each text of tools/pick: the oldest and the newest of each.
+"""Translators that people have take each text of tools/pick, and the whole library: the oldest and the newest of each.
 
     python3 -m translate.pick.translators_test [TOOL]...     such as glslang or "glslang 12.0"; by default all
 
@@ -14,11 +14,9 @@ from __future__ import annotations
 import functools
 import os
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
-import threading
 import unittest
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
@@ -29,14 +27,14 @@ from base.debian import Missing, program
 from base.javascript.environment import NODE
 from base.thorough import THOROUGH
 from base.tree import GLSL, ROOT
-from translate.hlsl.compilers import DXC, FXC, compile_by_dxc, compiled, dxc, dxc_of_windows, fxc, refusal
+from translate.hlsl.compilers import compiled, refusal
 from translate.pick import command
 from translate.pick.program import Program, chosen, read
-from translate.pick.runners import NotRun
 from translate.pick.shading import LANGUAGES
 from translate.pick.shading_runners import Case, GlslRunner, HlslRunner, WgslRunner
-from translate.pick.slang import PACKAGE, Slang
-from translate.wgsl.device import WGPU, Absent, installed
+from translate.tools import BY_NAME, DXC, FXC, SLANG, Tool, own
+from translate.wgsl.device import WGPU
+from translate.whole import library
 
 SKIPPED = 77
 # Before a text, the runner that calls it, and how a file with it is called.
@@ -54,7 +52,7 @@ class Translator(NamedTuple):
     tool: str
     version: str
     languages: Sequence[str]
-    get: Callable[[], Take]  # raises Missing or Absent
+    get: Callable[[], Take]  # raises Missing
     by_default: bool = False  # what setup installs
 
 
@@ -80,13 +78,6 @@ def at_once(words: Callable[[Sequence[Path]], Sequence[str | Path]], variables: 
             raise RuntimeError(f"{done.stdout}{done.stderr}"[-2000:])
         return {Path(file): said for file, said in re.findall(r"^refused (.*?): (.*)$", done.stdout, re.MULTILINE)}
     return take
-
-
-def own(name: str) -> Path:
-    """A program of this machine."""
-    if path := shutil.which(name):
-        return Path(path)
-    raise Missing(f"there is no {name} here")
 
 
 def to_spirv(validator: Path, file: Path) -> list[str | Path]:
@@ -124,14 +115,9 @@ def through_spirv(find: Callable[[str], Path]) -> Take:
 
 def naga(version: str, *options: str) -> Take:
     """naga of crates.io, to MSL, HLSL and SPIR-V."""
-    folder = ROOT / "build" / f"naga-{version}"
-    if not (folder / "bin" / "naga").exists():
-        done = subprocess.run([own("cargo"), "install", "naga-cli", "--version", version, "--locked", "--root", folder],
-                              capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            raise Missing(f"naga-cli {version} cannot be installed: {done.stderr[-300:]}")
+    program = BY_NAME[f"naga-{version}"].path()
     kinds = ("spv", "metal", "hlsl")
-    return each(lambda file: [[folder / "bin" / "naga", *(options if file.suffix == ".comp" else ()), file,
+    return each(lambda file: [[program, *(options if file.suffix == ".comp" else ()), file,
                                *(file.with_suffix(f".{kind}") for kind in kinds)]])
 
 
@@ -152,7 +138,7 @@ print("done")
 
 def wgpu(version: str) -> Take:
     """naga, as wgpu has it, with a driver of Vulkan."""
-    folder = installed(f"wgpu=={version}")
+    folder = BY_NAME[f"wgpu-{version}"].path()
     return at_once(lambda files: [sys.executable, "-c", BY_WGPU, *files],
                    {"PYTHONPATH": str(folder), "XDG_RUNTIME_DIR": "/tmp"})
 
@@ -172,45 +158,18 @@ process.exit(0);
 """
 
 
-def of_npm(version: str) -> Path:
-    """The files of webgpu, which is Dawn."""
-    folder = ROOT / "build" / f"webgpu-{version}"
-    files = folder / "node_modules" / "webgpu"
-    if not files.exists():
-        words = [NODE, "npm", "install", "--prefix", folder, "--no-audit", "--no-fund", f"webgpu@{version}"]
-        done = subprocess.run(words, capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            raise Missing(f"webgpu {version} cannot be installed: {done.stderr[-300:]}")
-    return files
-
-
 def tint(version: str) -> Take:
     """As Dawn has it, without a driver."""
-    files = of_npm(version)
+    files = BY_NAME[f"dawn-{version}"].path() / "node_modules" / "webgpu"
     script = files / "take.mjs"
     script.write_text(BY_DAWN, encoding="ascii")
     return at_once(lambda names: [NODE, "node", script, *names])
 
 
-@functools.cache
-def slang_compiler(package: str, thread: int) -> Slang:
-    """A thread's own, since a session is for one."""
-    return Slang(package)
-
-
-def slang(package: str, targets: Sequence[str]) -> Take:
-    def take(files: Sequence[Path]) -> Refused:
-        compiler = slang_compiler(package, threading.get_ident())
-        found = {}
-        for file in files:
-            try:
-                for target in targets:
-                    compiler.compiled(file.read_text(encoding="ascii"), target)
-            except NotRun as why:
-                found[file] = str(why)
-        return found
-    Slang(package)
-    return take
+def by_slang(tool: Tool, *targets: str) -> Take:
+    program = tool.path()
+    return each(lambda file: [[program, file, "-target", target, "-entry", "main", "-stage", "compute", "-o",
+                               file.with_suffix(".out")] for target in targets])
 
 
 def unbound(file: Path) -> Path:
@@ -223,32 +182,24 @@ def unbound(file: Path) -> Path:
 def by_dxc() -> Take:
     """To SPIR-V, which is valid, and to what Direct3D 12 takes."""
     def take(files: Sequence[Path]) -> Refused:
-        made = compile_by_dxc(files, "cs_6_0", "main", "-spirv", "-fspv-target-env=vulkan1.1")
+        made = compiled(DXC, files, "cs_6_0", "main", "-spirv", "-fspv-target-env=vulkan1.1")
         wrong = validate([Path(f"{file}.code") for file in files])
-        direct = compile_by_dxc([*map(unbound, files)], "cs_6_0")
+        direct = compiled(DXC, [*map(unbound, files)], "cs_6_0")
         return {file: said for file, *ways in zip(files, made, direct)
                 if (said := refusal(ways[0]) or wrong.get(Path(f"{file}.code"), "") or refusal(ways[1]))}
 
-    dxc()
+    DXC.path()
     validate = each(lambda file: [[own("spirv-val"), "--target-env", "vulkan1.1", file]])
     return take
 
 
-def of_windows(*command: str | Path) -> Take:
-    """By a command under wine, which takes a second to start, with texts without attributes of Vulkan."""
+def by_wine(tool: Tool, profile: str) -> Take:
+    """To what Direct3D takes, of texts without attributes of Vulkan. It takes a second to start."""
     def take(files: Sequence[Path]) -> Refused:
-        made = compiled([*map(unbound, files)], "wine", *command, environment=fxc().environment)
+        made = compiled(tool, [*map(unbound, files)], profile)
         return {file: said for file, one in zip(files, made) if (said := refusal(one))}
+    tool.path()
     return take
-
-
-def dawns_dxc() -> Take:
-    """To what Direct3D 12 takes, since it has no SPIR-V."""
-    return of_windows(dxc_of_windows(of_npm("0.6.2") / "dist" / "win32-x64"), "-T", "cs_6_0", "-E", "main", "-each")
-
-
-def of_pypi(package: str) -> str:
-    return package.replace("==", " ")
 
 
 OF_GLSLANG = ("glsl", "glsl-desktop")
@@ -264,15 +215,14 @@ TRANSLATORS = (
     Translator("naga", "30.0.1", OF_NAGA, lambda: naga("30.0.1", *STAGE)),
     Translator("wgpu", "0.13.2", OF_NAGA, lambda: wgpu("0.13.2")),
     Translator("wgpu", "0.22.2", OF_NAGA, lambda: wgpu("0.22.2")),
-    Translator(*of_pypi(WGPU).split(), OF_NAGA, lambda: wgpu(WGPU.partition("==")[2])),
+    Translator(*WGPU.split("=="), OF_NAGA, lambda: wgpu(WGPU.partition("==")[2])),
     Translator("Tint", "webgpu 0.4.0", ("wgsl",), lambda: tint("0.4.0")),
     Translator("Tint", "webgpu 0.6.2", ("wgsl",), lambda: tint("0.6.2")),
-    Translator("Slang", "slangtorch 1.2.0", ("slang",), lambda: slang("slangtorch==1.2.0", ("hlsl",))),
-    Translator("Slang", of_pypi(PACKAGE), ("slang",), lambda: slang(PACKAGE, ("hlsl", "metal", "wgsl"))),
-    Translator("DXC", of_pypi(DXC), ("hlsl",), by_dxc),
-    Translator("DXC", "webgpu 0.6.2", ("hlsl",), dawns_dxc),
-    Translator("FXC", of_pypi(FXC), ("hlsl",),
-               lambda: of_windows(fxc().folder / "fxc.exe", "cs_5_0", "main")),
+    Translator("Slang", "2024.1.6", ("slang",), lambda: by_slang(BY_NAME["slang-2024.1.6"], "hlsl")),
+    Translator("Slang", SLANG.version, ("slang",), lambda: by_slang(SLANG, "hlsl", "metal", "wgsl")),
+    Translator("DXC", DXC.version, ("hlsl",), by_dxc),
+    Translator("DXC", "1.10", ("hlsl",), lambda: by_wine(BY_NAME["dxc-1.10"], "cs_6_0")),  # it has no SPIR-V
+    Translator("FXC", FXC.version, ("hlsl",), lambda: by_wine(FXC, "cs_5_0")),
 )
 SMALL = ("hn_cellular2", "hn_place_at_cell2")
 
@@ -292,8 +242,11 @@ def texts(languages: Sequence[str], arithmetic: str, first: int, step: int) -> d
                 if (*macros,) not in programs:
                     programs[(*macros,)] = Program(of, chosen(of, [name]))
                 text = programs[(*macros,)].text(LANGUAGES[language], arithmetic == "precise")
-                case = Case(split, split.forms[name], text, b"", 0)
-                found[f"{name}_{arithmetic}", language] = head + text + object.__new__(runner).entry_of(case, 1)
+                behind = object.__new__(runner).entry_of(Case(split, split.forms[name], text, b"", 0), 1)
+                found[f"{name}_{arithmetic}", language] = head + text + behind
+                if name == "hn_perlin2" and language != "slang":  # it is a module there
+                    whole = library(language.removesuffix("-desktop"), arithmetic)
+                    found[f"whole_{arithmetic}", language] = head + whole + behind
     return found
 
 
@@ -365,7 +318,7 @@ def main(tools: Sequence[str]) -> int:
         try:
             case = type(f"{one.tool} {one.version}", (Taken,), {"translator": one, "take": staticmethod(one.get())})
             suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(case))
-        except (Absent, Missing) as why:
+        except Missing as why:
             absent.append(f"skipped: {one.tool} {one.version}: {why}")
     right = unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful()
     print("\n".join(absent))

@@ -14,14 +14,14 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from base.debian import Missing
 from base.testing import skipped_without
 from base.tree import ROOT
+from translate.pick import slang
 from translate.pick.languages_test import POINTS, difference, functions, module, words
 from translate.pick.runners import NotRun, ran
 from translate.pick.shading_runners import Case, SlangRunner
-from translate.pick.slang import TARGETS
 from translate.single_file.files import text
-from translate.wgsl.device import Absent
 
 FIXED = {"HN_ARITHMETIC": "HN_FIXED"}
 PAGE = (ROOT / "docs" / "guide" / "languages.md").read_text(encoding="utf-8").partition("\n## Slang\n")[2].partition("\n## ")[0]
@@ -33,7 +33,7 @@ class Imported(SlangRunner):
     folder: Path
 
     def compiled(self, text: str) -> str | bytes:
-        made = self.slang.compiled(text, self.target, self.folder, FIXED)
+        made = slang.compiled(text, self.target, self.folder, FIXED)
         return made if self.target == "spirv" else made.decode()
 
 
@@ -75,10 +75,10 @@ class Module(unittest.TestCase):
 
     def test_the_code_of_the_page_is_there_in_four_languages(self) -> None:
         shader, = re.findall(r"^```slang\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
-        for target in TARGETS:
+        for target in slang.TARGETS:
             for macros in ({}, FIXED):
                 with self.subTest(target=target, macros=macros):
-                    made = self.runner.slang.compiled(shader, target, self.runner.folder, macros)
+                    made = slang.compiled(shader, target, self.runner.folder, macros)
                     if target in ("wgsl", "spirv"):
                         self.runner.device.compile(made if target == "spirv" else made.decode())
                     elif target == "hlsl":
@@ -91,13 +91,13 @@ class Module(unittest.TestCase):
     def test_what_is_wrong_is_told(self) -> None:
         shader = "import hashnoise;\n[numthreads(1, 1, 1)] void main() {}\n"
         with self.assertRaisesRegex(NotRun, "take HN_FIXED"):
-            self.runner.slang.compiled(shader, "wgsl", self.runner.folder, {"HN_ARITHMETIC": "HN_PRECISE"})
+            slang.compiled(shader, "wgsl", self.runner.folder, {"HN_ARITHMETIC": "HN_PRECISE"})
         with self.assertRaisesRegex(NotRun, "hn_merlin"):
-            self.runner.slang.compiled(shader.replace("{}", "{ hn_merlin(1.5); }"), "wgsl", self.runner.folder)
+            slang.compiled(shader.replace("{}", "{ hn_merlin(1.5); }"), "wgsl", self.runner.folder)
 
 
 if __name__ == "__main__":
     Module.points = Path(sys.argv.pop(1))
-    with skipped_without(Absent):
+    with skipped_without(Missing):
         Module.runner = Imported()
     unittest.main()
