@@ -38,9 +38,9 @@ bool is_file(const std::filesystem::path& path) {
   return std::filesystem::is_regular_file(path, error);
 }
 
-Result<Parts> split(const std::string& argument) {
+Result<Parts> split(const std::string& argument, std::string_view option) {
   const auto wrong = [&](std::string_view what) {
-    return fail(fmt::format("--against {}: {}; write NAME=FILE:EXPRESSION, as in simplex=other.glsl:snoise(p)",
+    return fail(fmt::format("{} {}: {}; write NAME=FILE:EXPRESSION, as in simplex=other.glsl:snoise(p)", option,
                             argument, what));
   };
   const auto equals = argument.find('=');
@@ -215,15 +215,25 @@ Result<std::vector<Subject>> subjects_that_compile(const Foreign& foreign, std::
 
 }  // namespace
 
-Result<Foreign> read_foreign(const std::string& argument, SourceSet& sources) {
-  HN_TRY(const auto parts, split(argument));
+std::string named(const std::string& argument) {
+  const auto end = argument.find_first_of("=@:");
+  if (end != std::string::npos && argument[end] != ':' && is_word(argument.substr(0, end))) return argument;
+  const std::string expression = argument.substr(argument.rfind(':') + 1);
+  const auto is_part = [](char c) { return is_word({&c, 1}); };
+  const auto begin = std::ranges::find_if(expression, is_part);
+  const std::string name(begin, std::find_if_not(begin, expression.end(), is_part));
+  return fmt::format("{}={}", name.empty() ? "function" : name, argument);
+}
+
+Result<Foreign> read_foreign(const std::string& argument, SourceSet& sources, std::string_view option) {
+  HN_TRY(const auto parts, split(argument, option));
   Reader reader(sources, parts.name);
   HN_TRY(const auto file, reader.add(parts.file));
   const std::string expression = fmt::format("against/{}/expression", parts.name);
   sources.add(expression, parts.expression + "\n", fmt::format("the expression of {}", parts.name));
   Foreign foreign{.argument = argument, .name = parts.name, .file = file, .expression = expression};
   if (parts.version) {
-    HN_TRY(foreign.profile, profile_of(*parts.version, fmt::format("--against {}", argument)));
+    HN_TRY(foreign.profile, profile_of(*parts.version, fmt::format("{} {}", option, argument)));
   } else if (reader.version()) {
     HN_TRY(foreign.profile, profile_of_line(*reader.version(), reader.place_of_version()));
   }

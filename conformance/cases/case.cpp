@@ -15,6 +15,7 @@
 
 #include "cases/bugs/bugs.hpp"
 #include "cases/value_checks.hpp"
+#include "gpu/way/evaluator.hpp"
 
 namespace hn {
 namespace {
@@ -85,8 +86,64 @@ const Evaluation* Case::evaluation() const {
       *kind);
 }
 
-CaseResult run_case(Session& session, const Case& test) {
+namespace {
+
+CaseResult run_once(Session& session, const Case& test) {
   return timed(test.id, [&] { return std::visit([&](const auto& kind) { return run(session, kind); }, *test.kind); });
+}
+
+bool has_wrong_values(const Outcome& outcome) { return outcome.status == Status::fail && outcome.mismatches > 0; }
+
+// Runs a case of wrong values once more with each number of steps, to name the first after which they are wrong.
+void find_faulty_step(Session& session, WayEvaluator& way, const Case& test, Outcome& outcome) {
+  const std::vector<Step>& steps = way.steps().steps;
+  std::optional<std::size_t> right;  // after so many steps
+  std::optional<std::size_t> wrong;
+  for (std::size_t count = 0; count <= steps.size() && !wrong; ++count) {
+    session.forget_evaluables();
+    way.start(test.id, true);
+    if (!way.use_steps(count)) continue;
+    const Outcome then = run_once(session, test).outcome;
+    session.still_alive();
+    if (has_wrong_values(then)) wrong = count;
+    if (then.status == Status::pass || then.status == Status::warning) right = count;
+  }
+  way.use_steps(steps.size());
+  session.forget_evaluables();
+  const auto name = [&](std::size_t count) { return steps[count - 1].text(); };
+  std::string text = "right when it is run again";
+  if (wrong == std::size_t{0}) {
+    text = "wrong without a translator, too";
+  } else if (wrong) {
+    text = !right ? fmt::format("wrong after {}", name(*wrong))
+                  : fmt::format("right before {}, wrong after {}", name(*right + 1),
+                                *right + 1 == *wrong ? "it" : name(*wrong));
+    outcome.step = FaultyStep{*wrong, way.input_of(*wrong)};
+  }
+  outcome.message = fmt::format("{}: {}", text, outcome.message);
+}
+
+void judge_way(Session& session, WayEvaluator& way, const Case& test, Outcome& outcome) {
+  if (has_wrong_values(outcome)) return find_faulty_step(session, way, test, outcome);
+  const auto failed = way.failed_step();
+  if (outcome.status != Status::fail || !failed) return;
+  if (failed->end == StepEnd::not_completed) {
+    outcome.status = Status::unsupported;
+    return;
+  }
+  if (failed->end == StepEnd::crashed) outcome.status = Status::crash;
+  if (failed->end == StepEnd::hung) outcome.status = Status::timeout;
+  outcome.step = FaultyStep{failed->number, way.input_of(failed->number)};
+}
+
+}  // namespace
+
+CaseResult run_case(Session& session, const Case& test) {
+  WayEvaluator* const way = session.evaluator->way();
+  if (way) way->start(test.id, false);
+  CaseResult result = run_once(session, test);
+  if (way) judge_way(session, *way, test, result.outcome);
+  return result;
 }
 
 CaseResult run_case(const Suite& suite, const Case& test) {

@@ -31,6 +31,8 @@ struct Reference {
   bool every_bit;
 };
 
+bool is_row_of_bugs(std::string_view id) { return id.starts_with("bugs.") || id.starts_with("check."); }
+
 std::string renderer_of(const ContextInfo& info) {
   return fmt::format("{}, {}, GLSL {} ({})", info.renderer, info.gl_version, info.glsl_version, info.vendor);
 }
@@ -60,7 +62,7 @@ Drawn drawn(const Session& session, const Profile& profile, std::string shader) 
 // The shader as tools/pick writes it, where that is at hand.
 Result<std::string> picked(const Session& session, const ShaderFacts& facts, const std::string& shader) {
   // For a known bug the shader is the expression that fails, and tools/pick may write another one.
-  if (session.pick.empty() || facts.id.starts_with("bugs.")) return fail("there is nothing to shorten it by");
+  if (session.pick.empty() || is_row_of_bugs(facts.id)) return fail("there is nothing to shorten it by");
   const TemporaryFolder folder;
   folder.write("shader", shader);
   return output_of(session.pick.string(), {"shader", (folder.path() / "shader").string()});
@@ -334,7 +336,7 @@ Result<std::array<std::uint8_t, 4>> draw_pixel(const Context& context, const Pro
 bool EvidenceBudget::take(const CaseName& name) {
   auto& of_function = by_function_[name.function];
   // Known bugs come last, have no pictures, and explain the cases before them.
-  const bool is_bug = name.function.starts_with("bugs.");
+  const bool is_bug = is_row_of_bugs(name.function);
   if ((all_ >= kMostPerDriver && !is_bug) || of_function.size() >= kMostPerFunction) return false;
   // A fault in one version of the language is mostly in the others, too.
   CaseName in_any_version = name;

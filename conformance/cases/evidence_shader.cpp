@@ -52,6 +52,7 @@ std::string comments(const SourceSet& sources, const Evaluation& evaluation, con
   const Function& function = evaluation.function;
   const bool is_fragment = facts.id.find(".fragment.") != std::string::npos;
   const std::string rule = rule_of(facts.id);
+  const bool is_given = facts.id.starts_with("check.");
   return fmt::format(
       R"(// {}
 // fails on {}{}{}.
@@ -65,13 +66,14 @@ std::string comments(const SourceSet& sources, const Evaluation& evaluation, con
 // wrong. (uniform zero keeps the compiler from evaluating the function itself.) A vertex shader, for three vertices:
 //   void main() {{ gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }}
 //
-// It is made of the functions of {}; MIT License.
+// It is made of the functions of {}.
 )",
       facts.id, one_line(facts.renderer), sources.transform() ? ", made to have a fault" : "",
       is_fragment ? "" : ", and so does this fragment shader", fmt::join(split(rule, ';'), ";\n//          "),
       describe_inputs(function, facts.inputs), describe_outputs(function, facts.got),
       describe_outputs(function, facts.expected), facts.every_bit ? "" : describe_allowed(function, facts.allowed),
-      one_line(library_text(sources.edited())));
+      one_line(is_given ? sources.find(function.file)->path
+                        : fmt::format("{}; MIT License", library_text(sources.edited()))));
 }
 
 std::string hidden(std::span<const std::uint32_t> words) {

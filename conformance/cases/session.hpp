@@ -51,6 +51,7 @@ struct Session : Suite {
   // The evaluable of a function. The last few are kept, since cases that share one follow each other; a result lasts
   // until the next call.
   Result<Evaluable*> evaluable(const Evaluation& evaluation);
+  void forget_evaluables() { kept_.clear(); }
 
   Session(const Suite& suite, std::unique_ptr<Evaluator> evaluator, std::size_t most_points = std::size_t{1} << 20);
   Session(const Suite& suite, const Context& context, std::size_t most_points = std::size_t{1} << 20);

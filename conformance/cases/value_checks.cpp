@@ -21,8 +21,8 @@ tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evalua
   if (const auto reason = session.evaluator->unsupported(evaluation.profile, evaluation.stage); !reason.empty()) {
     return tl::unexpected(outcome_with(Status::unsupported, {reason, {}}));
   }
-  if (session.sources.transform() && !evaluation.profile.in_glsl()) {
-    return tl::unexpected(outcome_with(Status::unsupported, {"faults are injected into GLSL", {}}));
+  if (const auto reason = session.sources.untranslated(evaluation.profile); !reason.empty()) {
+    return tl::unexpected(outcome_with(Status::unsupported, {reason, {}}));
   }
   const auto evaluable = session.evaluable(evaluation);
   if (!evaluable) return tl::unexpected(outcome_with(Status::fail, evaluable.error()));

@@ -1,20 +1,25 @@
 // The process that runs the cases of one driver.
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
 #include "base/process.hpp"
+#include "base/text.hpp"
 #include "base/worker.hpp"
 #include "cases/evidence.hpp"
 #include "cli/command.hpp"
 #include "gpu/vulkan/device.hpp"
+#include "gpu/way/evaluator.hpp"
 #include "run/job.hpp"
 #include "run/results.hpp"
 #include "web/browser.hpp"
+#include "web/wgsl.hpp"
 
 namespace hn {
 namespace {
@@ -49,7 +54,7 @@ void run_driver_cases(const Suite& suite, std::unique_ptr<Evaluator> evaluator, 
     const bool lost = session.evaluator->is_lost();
     if (lost) {
       const char* const what = session.evaluator->context() ? "the context was lost" : "the device was lost";
-      result.outcome = outcome_with(Status::crash, {what, {}});
+      result.outcome = outcome_with(Status::crash, {what, result.outcome.message});
     }
     const bool has_values = test.evaluation() != nullptr || test.is<BugKind>();
     const bool examined = result.outcome.status == Status::fail && has_values && budget.take(test.name);
@@ -61,6 +66,29 @@ void run_driver_cases(const Suite& suite, std::unique_ptr<Evaluator> evaluator, 
     report_evidence(session, test, result.outcome);
     end_if(session.evaluator->is_lost());
   }
+}
+
+// In the first of the given function's profiles that the driver has.
+int report_values(const Suite& suite, std::unique_ptr<Evaluator> evaluator, const Driver& driver) {
+  Session session(suite, std::move(evaluator), driver.most_points);
+  const Bug& function = all_bugs().back();
+  std::string why;
+  for (const std::string_view profile : split(function.profiles, ' ')) {
+    const auto outputs = outputs_of(session, function, profile_named(profile));
+    if (!outputs) {
+      why += fmt::format("{}{}: {}", why.empty() ? "" : "; ", profile, outputs.error().message);
+      continue;
+    }
+    nlohmann::ordered_json values = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < outputs->size(); i += kOutputWords) {
+      const auto* const words = &(*outputs)[i];
+      values.push_back(std::vector(words, words + function.function.outputs.size()));
+    }
+    report({{"values", std::move(values)}, {"profile", profile}, {"info", to_json(session.info())}});
+    return EXIT_SUCCESS;
+  }
+  report({{"error", why}});
+  return EXIT_SUCCESS;
 }
 
 // A browser that ends has crashed in the case that ran, as this process does.
@@ -84,12 +112,33 @@ int describe_in_browser(const Browser& browser) {
   return EXIT_SUCCESS;
 }
 
+Result<std::string> wgsl_of(const SourceSet& sources, const Evaluation& evaluation) {
+  const auto pieces = wgsl_shader(sources, evaluation);
+  if (!pieces) return fail(pieces.error().message);
+  return fmt::format("{}", fmt::join(*pieces, ""));
+}
+
+// The evaluator, behind the way to its driver. An error: this one, unlike others of its kind, takes no such shader.
+Result<std::unique_ptr<Evaluator>> through_way(const Job& job, const Driver& driver,
+                                               std::unique_ptr<Evaluator> evaluator,
+                                               const ReferenceCompiler& reference) {
+  HN_TRY(auto way, find_way(job.suite.way, driver.takes()));
+  const Form last = way.steps.back().gives;
+  if (std::ranges::count(evaluator->takes(), last) == 0) {
+    return fail(fmt::format("{}, {} takes no {}, which comes out of {}", evaluator->info().renderer,
+                            evaluator->info().gl_version, name_of(last), way.text()));
+  }
+  return evaluator_through(std::move(way), std::move(evaluator), reference, wgsl_of,
+                           {std::chrono::milliseconds(job.step_limit), job.kept});
+}
+
 int run_on_driver(const Job& job, const Driver& driver) {
   const auto sources = suite_sources(job.suite);
   if (!sources) {
     report({{"error", sources.error().text()}});
     return EXIT_FAILURE;
   }
+  if (!job.suite.given.id.empty()) give(job.suite.given);
   if (driver.browser && job.task == Task::describe) return describe_in_browser(*driver.browser);
   if (driver.browser && job.task == Task::cases) return run_browser_cases(job, *driver.browser, *sources);
   const ReferenceCompiler reference;
@@ -110,6 +159,12 @@ int run_on_driver(const Job& job, const Driver& driver) {
     report({{"absent", evaluator.error().text()}});
     return EXIT_SUCCESS;
   }
+  if (!job.suite.way.through.empty()) evaluator = through_way(job, driver, std::move(*evaluator), reference);
+  if (!evaluator) {
+    report({{"absent", evaluator.error().text()}});
+    return EXIT_SUCCESS;
+  }
+  if (job.task == Task::values) return report_values(suite, std::move(*evaluator), driver);
   run_driver_cases(suite, std::move(*evaluator), driver, *cases, *examined);
   return EXIT_SUCCESS;
 }

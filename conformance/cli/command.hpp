@@ -5,7 +5,9 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "base/interruption.hpp"
@@ -36,11 +38,23 @@ struct Selection {
 };
 Result<Selection> select_cases(const std::vector<std::string>& filters, bool thorough);
 
+struct DriverChoice {
+  std::vector<std::string> names;
+  std::set<std::string> named;  // not by a glob, so they must be here
+  std::vector<std::string> problems;
+  WayOptions way = {};
+  std::map<std::string, Way> ways = {};  // that it gives, to each of the names
+  std::vector<Run> absent = {};          // drivers to which it gives none
+};
+// Names, globs, and "all"; each driver once, with the way to it. It ends once stop_fd can be read.
+Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, const WayOptions& way, int stop_fd);
+
 // The commands. They only note a signal while they do something that they must finish themselves, so that files are
 // whole. Each returns the exit status of the program.
 int run(const DriversCommand& command, Interruption& interruption);
 int run(const ListCommand& command, Interruption& interruption);
 int run(const RunCommand& command, Interruption& interruption);
+int run(const CheckCommand& command, Interruption& interruption);
 int run(const MergeCommand& command, Interruption& interruption);
 int run(const BenchCommand& command, Interruption& interruption);
 int run(const SpirvCommand& command, Interruption& interruption);

@@ -9,6 +9,7 @@
 #include "gpu/evaluator.hpp"
 #include "gpu/vulkan/device.hpp"
 #include "gpu/vulkan_drivers.hpp"
+#include "web/webgpu_evaluator.hpp"
 
 namespace hn {
 namespace {
@@ -92,6 +93,17 @@ std::vector<Driver> common_drivers() {
                      .create = [] { return CreatedContext(fail("it runs the cases of the suite only")); },
                      .platform = Platform::metal,
                      .create_evaluator = [](const ReferenceCompiler&) { return create_metal_evaluator(); }});
+  const auto add_webgpu = [&](const char* name, const char* description, WebGpu which) {
+    drivers.push_back(
+        {.name = name,
+         .description = description,
+         .environment = vulkan_environment(),
+         .create = [] { return CreatedContext(fail("it runs the cases of the suite only")); },
+         .platform = Platform::webgpu,
+         .create_evaluator = [which](const ReferenceCompiler&) { return create_webgpu_evaluator(which); }});
+  };
+  add_webgpu("wgpu", "WebGPU by wgpu, which is naga: Python's package", WebGpu::wgpu);
+  add_webgpu("dawn", "WebGPU by Dawn, which has Tint: the package webgpu of Node.js", WebGpu::dawn);
   for (const Browser& browser : all_browsers()) {
     drivers.push_back({.name = std::string(browser.name),
                        .description = std::string(browser.description),
@@ -136,6 +148,21 @@ void set_environment(const std::vector<std::array<std::string, 2>>& environment)
 }
 
 }  // namespace
+
+std::vector<Form> Driver::takes() const {
+  if (browser || is_reference_compiler()) return {};
+  switch (platform) {
+    case Platform::opengl:
+      return {es_alone() ? Form::glsl_es : Form::gl};
+    case Platform::vulkan:
+      return {Form::spirv, Form::hlsl};
+    case Platform::metal:
+      return {Form::msl};
+    case Platform::webgpu:
+      return {Form::wgsl, Form::spirv};
+  }
+  return {};
+}
 
 CreatedContext create_context(const Driver& driver) {
   set_environment(driver.environment);

@@ -37,6 +37,8 @@ struct Driver {
   bool is_reference_compiler() const { return name == kReferenceCompiler; }
   // Whether it has OpenGL ES or WebGL, and no desktop version.
   bool es_alone() const { return platform == Platform::opengl && (browser || name.ends_with("-gles")); }
+  // The forms of shaders that it may take from a translator; whether a device does, its evaluator knows.
+  std::vector<Form> takes() const;
   bool has_context() const { return !browser && !create_evaluator && !is_reference_compiler(); }
 };
 

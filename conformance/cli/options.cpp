@@ -19,7 +19,7 @@ using hashnoise::detail::suggestion;
 
 constexpr std::uint64_t kMostPoints = 10'000'000'000;
 
-constexpr const char* kCommands = "drivers, list, run, merge, bench, spirv, paper or web";
+constexpr const char* kCommands = "drivers, list, run, check, merge, bench, spirv, paper or web";
 
 void add_statuses(CLI::App& command, const std::string& statuses) {
   command.footer(fmt::format("Exit status: {}.", statuses));
@@ -75,10 +75,10 @@ void add_rounds(CLI::App& command, int& rounds) {
 }
 
 // CLI::Range takes "nan".
-CLI::Validator seconds_between(double low, double high) {
+CLI::Validator number_between(double low, double high) {
   const auto check = [=](const std::string& text) {
-    double seconds = 0.0;
-    const bool right = CLI::detail::lexical_cast(text, seconds) && seconds >= low && seconds <= high;
+    double number = 0.0;
+    const bool right = CLI::detail::lexical_cast(text, number) && number >= low && number <= high;
     return right ? std::string() : fmt::format("{} is not a number from {} to {}", text, low, high);
   };
   return {check, fmt::format("FLOAT in [{} - {}]", low, high)};
@@ -90,9 +90,19 @@ void add_expect(CLI::App& command, std::string& directory) {
       ->capture_default_str();
 }
 
-void add_run(CLI::App& app, RunCommand& run, const std::string& faults) {
-  CLI::App& command =
-      *app.add_subcommand("run", "Run the cases on drivers and write results.json, junit.xml and index.html");
+void add_way(CLI::App& command, WayOptions& way) {
+  const auto add = [&](const char* name, std::vector<std::string>& values, const char* type, const char* help) {
+    command.add_option(name, values, help)->type_name(type)->allow_extra_args(false);
+  };
+  add("--through", way.through, "TRANSLATOR",
+      "A translator between the suite's shaders and the driver: NAME[:FORM][=PROGRAM], or a command with {in} and "
+      "{out}; may be repeated, in the order of the steps");
+  add("--takes", way.takes, "FORM", "The form that a command takes, such as spirv; one for each command");
+  add("--gives", way.gives, "FORM", "The form that a command gives, such as glsl-es; one for each command");
+}
+
+// Options of run and check: on which drivers, how, and where the results go.
+void add_execution(CLI::App& command, RunCommand& run) {
   command
       .add_option("--driver", run.selection.drivers,
                   "A driver that hn-conform drivers lists, a glob, or all; may be repeated")
@@ -100,10 +110,28 @@ void add_run(CLI::App& app, RunCommand& run, const std::string& faults) {
       ->allow_extra_args(false)
       ->capture_default_str();
   add_filter(command, run.selection.filters, "cases");
+  add_out(command, run.output.out, "results.json, junit.xml and index.html");
+  command.add_flag("--resume", run.output.resume,
+                   "Continue a run that was interrupted; finished cases are not run again");
+  command.add_option("--timeout", run.execution.timeout, "Seconds that a case may take")
+      ->type_name("SECONDS")
+      ->check(number_between(0.1, 86400.0))
+      ->capture_default_str();
+  command.add_option("--jobs", run.execution.jobs, "How many processes run at the same time")
+      ->type_name("N")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command.add_flag("--fail-fast", run.execution.fail_fast, "Stop at the first case that is not as expected");
+  add_way(command, run.execution.suite.way);
+}
+
+void add_run(CLI::App& app, RunCommand& run, const std::string& faults) {
+  CLI::App& command =
+      *app.add_subcommand("run", "Run the cases on drivers and write results.json, junit.xml and index.html");
+  add_execution(command, run);
   add_thorough(command, run.selection.thorough);
   command.add_flag("--deal", run.selection.deal,
                    "With several drivers: run on each what every driver must show, and each other case on one");
-  add_out(command, run.output.out, "results.json, junit.xml and index.html");
   command.add_option("--seed", run.execution.suite.seed, "The seed of the random points")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{0xFFFFFFFF}))
@@ -120,17 +148,6 @@ void add_run(CLI::App& app, RunCommand& run, const std::string& faults) {
   command
       .add_option("--shard", run.selection.shard, "Only the Ith of N parts of the cases: 2/3 is the second of three")
       ->type_name("I/N");
-  command.add_flag("--resume", run.output.resume,
-                   "Continue a run that was interrupted; finished cases are not run again");
-  command.add_option("--timeout", run.execution.timeout, "Seconds that a case may take")
-      ->type_name("SECONDS")
-      ->check(seconds_between(0.1, 86400.0))
-      ->capture_default_str();
-  command.add_option("--jobs", run.execution.jobs, "How many processes run at the same time")
-      ->type_name("N")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
-  command.add_flag("--fail-fast", run.execution.fail_fast, "Stop at the first case that is not as expected");
   command
       .add_option(
           "--inject", run.execution.suite.inject,
@@ -138,6 +155,33 @@ void add_run(CLI::App& app, RunCommand& run, const std::string& faults) {
               "Make the driver behave as if it had a fault, to see which cases fail; \"list\" describes the faults: {}",
               faults))
       ->type_name("FAULT");
+}
+
+void add_check(CLI::App& app, CheckCommand& options) {
+  CLI::App& command = *app.add_subcommand(
+      "check", "Compare what your own function returns on drivers: with a file, with a record, or with the first one");
+  command
+      .add_option("FUNCTION", options.function,
+                  "A file of GLSL and an expression of the points' columns, as in 'noise.glsl:snoise(p)'; s@430=... "
+                  "has another name, and requires GLSL 4.30")
+      ->type_name("[NAME[@VERSION]=]FILE:EXPRESSION")
+      ->required();
+  command
+      .add_option("--points", options.points,
+                  "The arguments: a CSV file, whose header names them: p.x,p.y is a vec2 p, and seed:uint a uint")
+      ->type_name("CSV")
+      ->required();
+  CLI::Option* const expect =
+      command.add_option("--expect", options.expect, "The right values: a row for each of the points")
+          ->type_name("CSV");
+  command.add_option("--record", options.record, "Write the values of the first driver there, and compare nothing")
+      ->type_name("CSV")
+      ->excludes(expect);
+  command.add_option("--tolerance", options.tolerance, "How far a float may be off; 0: it must be the very number")
+      ->type_name("NUMBER")
+      ->check(number_between(0.0, 1e30))
+      ->capture_default_str();
+  add_execution(command, options.run);
 }
 
 void add_merge(CLI::App& app, MergeCommand& options) {
@@ -318,6 +362,9 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   list_app.add_flag("--checks", list.checks, "Print what each check demands (docs/reference/checks.md)")
       ->excludes("--filter");
   add_run(app, run, installation.faults);
+  CheckCommand check{.run = run};
+  check.run.selection.drivers = {"all"};
+  add_check(app, check);
   add_merge(app, merge);
   add_bench(app, bench);
   add_spirv(app, spirv);
@@ -341,6 +388,7 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   if (app.got_subcommand("drivers")) return DriversCommand{};
   if (app.got_subcommand("list")) return list;
   if (app.got_subcommand("run")) return run;
+  if (app.got_subcommand("check")) return check;
   if (app.got_subcommand("merge")) return merge;
   if (app.got_subcommand("bench")) return bench;
   if (app.got_subcommand("spirv")) return spirv;

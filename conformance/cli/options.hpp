@@ -58,6 +58,15 @@ struct RunCommand {
   RunOutput output;
 };
 
+struct CheckCommand {
+  std::string function = {};  // [NAME[@VERSION]=]FILE:EXPRESSION
+  std::string points = {};    // the names of CSV files; empty for none
+  std::string expect = {};
+  std::string record = {};
+  double tolerance = 1e-5;
+  RunCommand run;  // of what these make
+};
+
 struct MergeCommand {
   std::vector<std::string> inputs;
   std::string out = "out";
@@ -99,8 +108,8 @@ struct WebCommand {
   std::string golden;
 };
 
-using Command = std::variant<DriversCommand, ListCommand, RunCommand, MergeCommand, BenchCommand, SpirvCommand,
-                             PaperCommand, WebCommand>;
+using Command = std::variant<DriversCommand, ListCommand, RunCommand, CheckCommand, MergeCommand, BenchCommand,
+                             SpirvCommand, PaperCommand, WebCommand>;
 
 // There is nothing to do: help or the version was requested, or the usage is wrong.
 struct Stop {

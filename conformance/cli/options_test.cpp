@@ -11,13 +11,18 @@ tl::expected<Command, Stop> parse(std::vector<const char*> arguments) {
 }
 
 TEST(Options, OfARunAreTaken) {
-  const auto command = parse({"run", "--driver", "egl*", "--driver", "zink", "--seed", "4294967295", "--shard", "2/3",
-                              "--timeout", "0.5", "--resume", "--points", "100000000"});
+  const auto command =
+      parse({"run",       "--driver",        "egl*",    "--driver", "zink",     "--seed",    "4294967295", "--shard",
+             "2/3",       "--timeout",       "0.5",     "--resume", "--points", "100000000", "--through",  "spirv-opt",
+             "--through", "mine {in} {out}", "--takes", "spirv",    "--gives",  "glsl-es"});
   ASSERT_TRUE(command) << command.error().err;
   const auto& run = std::get<RunCommand>(*command);
   EXPECT_EQ(run.selection.drivers, (std::vector<std::string>{"egl*", "zink"}));
   EXPECT_EQ(run.execution.suite.seed, 0xFFFFFFFFu);
   EXPECT_EQ(run.execution.suite.points, 100000000u);
+  EXPECT_EQ(run.execution.suite.way.through, (std::vector<std::string>{"spirv-opt", "mine {in} {out}"}));
+  EXPECT_EQ(run.execution.suite.way.takes, std::vector<std::string>{"spirv"});
+  EXPECT_EQ(run.execution.suite.way.gives, std::vector<std::string>{"glsl-es"});
   EXPECT_EQ(run.selection.shard, "2/3");
   EXPECT_EQ(run.execution.timeout, 0.5);
   EXPECT_TRUE(run.output.resume);

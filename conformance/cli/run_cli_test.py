@@ -126,6 +126,44 @@ class Run(ProgramTest):
         self.assertEqual(cases["hlsl60"]["status"], "unsupported")
         self.assertIn("faults are injected into GLSL", cases["hlsl60"]["message"])
 
+    # Takes the place of wgpu: any call of it succeeds, and each result is 0.
+    WGPU = """import os, sys
+class Any:
+    def __getattr__(self, name): return results if name == "read_buffer" else self
+    def __call__(self, *words, **more): return sizes.append(len(more.get("data", ""))) or self
+    def __getitem__(self, name): return "any"
+    def __or__(self, other): return self
+    size = 1
+def results(buffer): return bytes(max(sizes[-20:]) // 4)  # of what was made for the last points
+sizes = []
+gpu = BufferUsage = ShaderStage = Any()
+sys.modules["wgpu.backends.wgpu_native"] = type("native", (), {"version_info": (1, 2)})
+__version__ = "9.9"
+"""
+
+    def test_wgpu_fails_crashes_or_is_absent(self):
+        package = self.folder / "wgpu" / "__init__.py"
+        package.parent.mkdir()
+        for more, status, words in (
+                ("", "fail", "got 0 (00000000), expected"),
+                ("def results(buffer): print('printed', flush=True); 1 / 0", "fail", "wgpu: division by zero\nprinted"),
+                ("def results(buffer): print('printed', flush=True); os.abort()", "crash",
+                 "the device was lost\nwgpu: ended by signal 6 (Aborted)\nprinted"),
+                ("def results(buffer): raise RuntimeError('the device is lost')", "crash", "the device is lost"),
+                ("gpu = None", None, "AttributeError")):
+            package.write_text(self.WGPU + more)
+            done = self.run_program("--driver", "wgpu", "--filter", "noise2d.perlin.lattice.fixed.compute.wgsl.golden",
+                                    environment={"HN_WGPU": str(self.folder)})
+            with self.subTest(more):
+                run = self.runs()["wgpu"]
+                if status is None:
+                    self.assertEqual(done.returncode, 3)
+                    self.assertIn(words, run["absent"])
+                    continue
+                self.assertEqual(run["gl_version"], "wgpu 9.9, wgpu-native 1.2")
+                self.assertEqual(run["cases"][0]["status"], status)
+                self.assertIn(words, run["cases"][0]["message"])
+
     def test_only_an_expectation_excuses_and_only_what_needs_it(self):
         one = ("--inject", "abs_int", "--filter", CHEAP)
         more = ("--filter", "bugs.modulo_of_non_negative.any.exact.fragment.gl330.defined")  # does not notice it

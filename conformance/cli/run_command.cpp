@@ -1,5 +1,6 @@
 // hn-conform drivers, run and merge
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/utsname.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 #include "cli/command.hpp"
 #include "expected/golden.hpp"
 #include "fault/faults.hpp"
+#include "gpu/spirv.hpp"
 #include "report/report.hpp"
 #include "run/expectation.hpp"
 #include "run/journal.hpp"
@@ -32,9 +34,10 @@ constexpr int kNotWritten = -1;  // of conclude, and no exit status
 constexpr std::chrono::milliseconds kDescribeLimit{60000};
 
 // Asks a driver in a process of its own, since its libraries could crash. It ends once stop_fd can be read.
-Result<nlohmann::json> ask(Task task, const std::string& driver, int stop_fd) {
+Result<nlohmann::json> ask(Task task, const std::string& driver, int stop_fd, const WayOptions& way = {}) {
   const TemporaryFolder scratch;
-  const Job job{.task = task, .driver = driver, .suite = {}, .ids = {}};
+  Job job{.task = task, .driver = driver, .suite = {}, .ids = {}};
+  job.suite.way = way;
   return report_of(job, scratch.path(), kDescribeLimit, stop_fd);
 }
 
@@ -56,19 +59,41 @@ Devices find_devices(int stop_fd) {
   return devices;
 }
 
-struct DriverChoice {
-  std::vector<std::string> names;
-  std::set<std::string> named;  // not by a glob, so they must be here
-  std::vector<std::string> problems;
-};
+// Finds the ways to the drivers. A driver to which there is none is an error if it was named, and else absent.
+Result<void> find_ways(const WayOptions& options, DriverChoice& choice) {
+  if (options.through.empty() && options.takes.empty() && options.gives.empty()) return {};
+  choice.way = options;
+  std::map<std::vector<Form>, Result<Way>> by_forms;  // finding one asks its programs for their versions
+  for (const std::string& name : choice.names) {
+    const std::vector<Form> takes = find_driver(name)->takes();
+    if (takes.empty() && !choice.named.contains(name)) continue;
+    auto way = takes.empty() ? fail("it takes no shader from a translator; Vulkan, OpenGL and metal-stand-in do")
+                             : by_forms.try_emplace(takes, find_way(options, takes)).first->second;
+    if (way) {
+      choice.ways.emplace(name, *way);
+    } else if (choice.named.contains(name)) {
+      return fail(fmt::format("--through, to the driver {}: {}", name, way.error().text()));
+    } else {
+      Run& run = choice.absent.emplace_back();
+      run.driver = name;
+      run.absent = way.error().text();
+    }
+  }
+  std::erase_if(choice.names, [&](const std::string& name) { return !choice.ways.contains(name); });
+  if (choice.names.empty() && !choice.absent.empty()) return fail(choice.absent.front().absent);
+  return {};
+}
 
-// Names, globs, and "all"; each driver once.
-Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, int stop_fd) {
+}  // namespace
+
+Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, const WayOptions& way, int stop_fd) {
   DriverChoice choice;
   const auto add = [&](const std::string& name) {
     if (std::find(choice.names.begin(), choice.names.end(), name) == choice.names.end()) choice.names.push_back(name);
   };
-  for (const std::string& name : wanted) {
+  for (std::string name : wanted) {
+    if (name == "vulkan") name += ":0";
+    if (name.ends_with("-es")) name.insert(name.size() - 2, "gl");
     if (find_driver(name)) {
       add(name);
       choice.named.insert(name);
@@ -88,8 +113,11 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, int 
       return fail(
           fmt::format("there is no driver \"{}\"; there are: {}, and all", name, driver_names(DriverKind::any)));
   }
+  HN_DO(find_ways(way, choice));
   return choice;
 }
+
+namespace {
 
 // How many cases a driver gets where a compiler of CPUs gets four, as a case costs there, at first: softpipe interprets
 // shaders, and zink has each compiled once more behind its own compiler.
@@ -100,8 +128,8 @@ int turns_of(std::string_view renderer) {
 }
 
 // The driver's support and renderer, as far as the driver reports them; else nothing.
-std::optional<DealtDriver> describe_for_deal(const std::string& name, int stop_fd) {
-  const auto report = ask(Task::describe, name, stop_fd);
+std::optional<DealtDriver> describe_for_deal(const std::string& name, const WayOptions& way, int stop_fd) {
+  const auto report = ask(Task::describe, name, stop_fd, way);
   if (!report || !report->contains("ready")) return std::nullopt;
   const std::string renderer = context_info_from(report->at("ready")).renderer;
   if (const Browser* browser = find_driver(name)->browser) {
@@ -118,13 +146,28 @@ std::optional<DealtDriver> describe_for_deal(const std::string& name, int stop_f
   return DealtDriver{can_run, renderer, turns_of(renderer)};
 }
 
-Platform platform_of(const Case& test) { return profile_named(test.name.profile).platform(); }
+using Profiles = std::set<std::string, std::less<>>;
 
-// The cases whose shaders a driver of the platform may run. es_alone: one without a desktop version.
-std::vector<Case> cases_for(Platform platform, bool thorough, bool es_alone, const std::vector<Case>& all) {
+// The profiles in which a driver may run shaders: those that the way to it takes, or those of its platform.
+Profiles profiles_for(const Driver& driver, const DriverChoice& choice) {
+  Profiles names;
+  if (const auto way = choice.ways.find(driver.name); way != choice.ways.end()) {
+    for (const std::string& name : way->second.sources()) names.insert(name);
+    return names;
+  }
+  for (const auto profiles : {all_profiles(), other_languages(), refused_profiles()}) {
+    for (const Profile& profile : profiles) {
+      if (profile.platform() == driver.platform) names.emplace(profile.name);
+    }
+  }
+  return names;
+}
+
+// The cases in these profiles. es_alone: of a driver without a desktop version.
+std::vector<Case> cases_for(const Profiles& profiles, bool thorough, bool es_alone, const std::vector<Case>& all) {
   std::vector<Case> cases;
   std::copy_if(all.begin(), all.end(), std::back_inserter(cases), [&](const Case& test) {
-    return platform_of(test) == platform && (thorough || test.is_covered(es_alone));
+    return profiles.contains(test.name.profile) && (thorough || test.is_covered(es_alone));
   });
   return cases;
 }
@@ -140,12 +183,12 @@ DriverPlan plan_of(const std::string& driver, const std::vector<Case>& cases, co
 
 // A driver that does not report its support gets every case, and its run reports why it is not here.
 void deal_among(std::vector<DriverPlan>& plans, const std::vector<std::string>& names, const std::vector<Case>& cases,
-                int stop_fd) {
+                const WayOptions& way, int stop_fd) {
   std::vector<DealtDriver> drivers;
   std::vector<std::size_t> dealt_to;  // of the drivers, places in plans
   for (const std::string& name : names) {
     plans.push_back(plan_of(name, cases, Shard{}));
-    if (auto described = describe_for_deal(name, stop_fd)) {
+    if (auto described = describe_for_deal(name, way, stop_fd)) {
       drivers.push_back(std::move(*described));
       dealt_to.push_back(plans.size() - 1);
     }
@@ -158,20 +201,22 @@ void deal_among(std::vector<DriverPlan>& plans, const std::vector<std::string>& 
   }
 }
 
-// The drivers of a platform deal its cases among themselves.
-std::vector<DriverPlan> deal_plans(const std::vector<std::string>& names, const std::vector<Case>& cases, bool thorough,
-                                   int stop_fd) {
+// The drivers of a platform, or behind ways of the same sources, deal their cases among themselves.
+std::vector<DriverPlan> deal_plans(const DriverChoice& choice, const std::vector<std::string>& names,
+                                   const std::vector<Case>& cases, bool thorough, int stop_fd) {
   std::vector<DriverPlan> plans;
-  std::map<Platform, std::vector<std::string>> by_platform;
-  for (const std::string& name : names) by_platform[find_driver(name)->platform].push_back(name);
-  for (const auto& [platform, some] : by_platform)
-    deal_among(plans, some, cases_for(platform, thorough, false, cases), stop_fd);
+  std::map<Profiles, std::vector<std::string>> by_profiles;
+  for (const std::string& name : names) by_profiles[profiles_for(*find_driver(name), choice)].push_back(name);
+  for (const auto& [profiles, some] : by_profiles)
+    deal_among(plans, some, cases_for(profiles, thorough, false, cases), choice.way, stop_fd);
   return plans;
 }
 
-// Plans the work of every driver: the cases that need one; and of glslang, which always runs, the others.
-std::vector<DriverPlan> plan_drivers(std::vector<std::string> names, std::vector<Case> cases, const Shard& shard,
+// Plans the work of every driver: the cases that need one; and of glslang, which runs unless there are ways, the
+// others.
+std::vector<DriverPlan> plan_drivers(const DriverChoice& choice, std::vector<Case> cases, const Shard& shard,
                                      bool dealt, bool thorough, int stop_fd) {
+  std::vector<std::string> names = choice.names;
   std::erase(names, std::string(kReferenceCompiler));
   const auto of_drivers =
       std::stable_partition(cases.begin(), cases.end(), [](const Case& test) { return !test.needs_driver(); });
@@ -179,14 +224,16 @@ std::vector<DriverPlan> plan_drivers(std::vector<std::string> names, std::vector
   cases.erase(of_drivers, cases.end());
   std::vector<DriverPlan> plans;
   if (dealt) {
-    plans = deal_plans(names, for_drivers, thorough, stop_fd);
+    plans = deal_plans(choice, names, for_drivers, thorough, stop_fd);
   } else {
     for (const std::string& name : names) {
       const Driver driver = *find_driver(name);
-      plans.push_back(plan_of(name, cases_for(driver.platform, thorough, driver.es_alone(), for_drivers), shard));
+      const Profiles profiles = profiles_for(driver, choice);
+      const bool es_alone = driver.es_alone() && choice.ways.empty();
+      plans.push_back(plan_of(name, cases_for(profiles, thorough, es_alone, for_drivers), shard));
     }
   }
-  plans.push_back(plan_of(std::string(kReferenceCompiler), cases, shard));
+  if (choice.ways.empty()) plans.push_back(plan_of(std::string(kReferenceCompiler), cases, shard));
   std::erase_if(plans, [](const DriverPlan& plan) { return plan.ids.empty(); });
   return plans;
 }
@@ -213,7 +260,7 @@ std::string system_name() {
 bool has_default_cases(const RunSelection& selection, const SuiteOptions& suite) {
   const SuiteOptions usual;
   return selection.filters.empty() && !selection.thorough && !selection.deal && suite.glsl.empty() &&
-         suite.inject.empty() && suite.points == usual.points && suite.seed == usual.seed;
+         suite.inject.empty() && suite.points == usual.points && suite.seed == usual.seed && suite.way.through.empty();
 }
 
 // Writes and prints the results of the runs, and returns the exit status. problems: faults beside the cases.
@@ -304,18 +351,25 @@ Result<RunPlan> make_plan(const RunSelection& selection, const RunExecution& exe
   if (selection.deal && !selection.shard.empty()) {
     return fail("--deal and --shard cannot be combined: each machine would deal to its own drivers");
   }
-  RunPlan plan{.drivers = plan_drivers(choice.names, inputs.chosen.cases, shard, selection.deal, inputs.chosen.thorough,
-                                       stop_fd),
-               .suite = execution.suite,
-               .shard = selection.shard,
-               .jobs = execution.jobs,
-               .limit = std::chrono::milliseconds(static_cast<std::int64_t>(execution.timeout * 1000.0)),
-               .expectations = inputs.expectations,
-               .fail_fast = execution.fail_fast,
-               .stop_fd = stop_fd};
+  RunPlan plan{
+      .drivers = plan_drivers(choice, inputs.chosen.cases, shard, selection.deal, inputs.chosen.thorough, stop_fd),
+      .suite = execution.suite,
+      .ways = choice.ways,
+      .shard = selection.shard,
+      .jobs = execution.jobs,
+      .limit = std::chrono::milliseconds(static_cast<std::int64_t>(execution.timeout * 1000.0)),
+      .expectations = inputs.expectations,
+      .fail_fast = execution.fail_fast,
+      .stop_fd = stop_fd};
   plan.suite.thorough = selection.thorough;
-  if (plan.drivers.empty())
-    return fail("there is nothing to do: no case is for one of these drivers, or it needs --thorough");
+  if (plan.drivers.empty()) {
+    const auto first = choice.ways.begin();
+    return fail(first == choice.ways.end()
+                    ? "there is nothing to do: no case is for one of these drivers, or it needs --thorough"
+                    : fmt::format("there is nothing to do: {} begins with {}, so it takes cases of {} alone",
+                                  first->second.text(), name_of(first->second.steps.front().takes),
+                                  fmt::join(first->second.sources(), ", ")));
+  }
   plan.content = suite_digest(plan.suite, inputs.sources);
   return plan;
 }
@@ -326,10 +380,26 @@ std::string reason_to_end(const Journal& journal, int signal) {
   return journal.problem().empty() ? "" : journal.problem() + "; ";
 }
 
+// Puts what the faulty steps got into the results, so that their page has it wherever it is made.
+void keep_inputs(Run& run, const std::filesystem::path& out) {
+  constexpr std::size_t kMostOfOne = 20'000;
+  constexpr std::size_t kMostOfAll = 2'000'000;
+  std::size_t all = 0;
+  for (CaseResult& result : run.cases) {
+    if (!result.outcome.step || result.outcome.step->input.empty() || all > kMostOfAll) continue;
+    const auto bytes = read_file(out / result.outcome.step->input);
+    if (!bytes) continue;
+    const std::string text = spirv_text(*bytes).value_or(*bytes);
+    result.outcome.step->text = clean_text(shortened(text, kMostOfOne));
+    all += result.outcome.step->text.size();
+  }
+}
+
 // The cases, their results, and the exit status.
 int run_to_the_end(const RunPlan& plan, const RunOutput& output, const RunInputs& inputs, const DriverChoice& choice,
                    Journal& journal, const Interruption& interruption) {
   auto [runs, problems] = run_plan(plan, output.out, journal, stderr);
+  for (Run& run : runs) keep_inputs(run, output.out);
   for (Run& run : runs) {
     if (run.info.system.empty()) run.info.system = system_name();
     if (!run.is_reference()) run.golden = inputs.golden;
@@ -344,6 +414,7 @@ int run_to_the_end(const RunPlan& plan, const RunOutput& output, const RunInputs
   const int signal = interruption.signal();
   const std::string reason = reason_to_end(journal, signal);
   const bool whole = !note_what_was_not_run(plan, runs, reason, problems);
+  runs.insert(runs.end(), choice.absent.begin(), choice.absent.end());
   const int status = conclude(runs, output.out, problems);
   const bool ended_early = !whole && !reason.empty();
   if (ended_early || status == kNotWritten) {
@@ -382,6 +453,12 @@ int run(const DriversCommand&, Interruption& interruption) {
       fmt::print("{:<18} not here: {}\n", "", report ? "it does not state what it is" : report.error().text());
     }
   }
+  fmt::print("\nTranslators, for run --through:\n");
+  for (const KnownTranslator& one : known_translators()) {
+    fmt::print("{:<18} {}\n{:<18} {}\n", one.name, one.forms, "",
+               one.version ? fmt::format("{} {}", one.program, *one.version)
+                           : fmt::format("not here: {}", one.version.error().text()));
+  }
   return usable ? 0 : kNoDriver;
 }
 
@@ -395,7 +472,7 @@ int run(const RunCommand& command, Interruption& interruption) {
   if (!inputs) return usage_error(inputs.error().text());
   interruption.note_the_first();
   const int stop_fd = interruption.fd();
-  const auto choice = choose_drivers(selection.drivers, stop_fd);
+  const auto choice = choose_drivers(selection.drivers, execution.suite.way, stop_fd);
   if (!choice) return usage_error(choice.error().text());
   const auto plan = make_plan(selection, execution, *choice, *inputs, stop_fd);
   if (interruption.signal() != 0) return ended_before_results(interruption);

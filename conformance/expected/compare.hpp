@@ -41,7 +41,8 @@ class Comparison {
   // Continues with other points: later comparisons belong to these, and their numbers follow the earlier ones.
   void next_grid(std::span<const std::uint32_t> grid);
 
-  bool all_right() const { return outcome_.mismatches == 0; }
+  std::uint64_t mismatches() const { return outcome_.mismatches; }
+  bool all_right() const { return mismatches() == 0; }
   // Pass if all values were right, else fail.
   Outcome finish() const;
 

@@ -6,9 +6,7 @@
 
 #include <array>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -42,12 +40,7 @@ class Evaluable {
   Uniforms uniforms;
 };
 
-// A step that did not do its work for the shader that was built last.
-struct FailedStep {
-  enum class How { refused, gave_invalid, crashed, hung } how;
-  std::size_t number;           // of the way's steps, from 1
-  std::filesystem::path input;  // empty if it was not kept
-};
+class WayEvaluator;  // gpu/way/evaluator.hpp
 
 class Evaluator {
  public:
@@ -72,14 +65,8 @@ class Evaluator {
     return fail(fmt::format("this driver takes no {} of others", name_of(code.form)));
   }
 
-  // Of one whose shaders go a way (gpu/way/evaluator.hpp); the others have none.
-  virtual const Way* way() const { return nullptr; }
-  // Takes only the first steps from now on, and completes them by the suite's own compilers, or with no step by the
-  // driver's own language. False if the driver cannot run what then comes out.
-  virtual bool use_steps(std::size_t) { return true; }
-  // Names what is built next, for the files that are kept; keep: those of every step, though none is at fault.
-  virtual void start(std::string_view, bool) {}
-  virtual std::optional<FailedStep> failed_step() const { return {}; }
+  // This, if its shaders go a way; else null.
+  virtual WayEvaluator* way() { return nullptr; }
 };
 
 // On a context that lives longer, or on one of its own.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "gpu/osmesa_fixture.hpp"
+#include "gpu/translated_fixture.hpp"
 
 namespace hn {
 namespace {
@@ -146,6 +147,43 @@ TEST_F(Gpu, ADrawThatIsLostLeavesNoOldResult) {
   const auto words = make_stage_output(gl, Stage::vertex)->run(0, 4);
   ASSERT_TRUE(words) << words.error().text();
   EXPECT_EQ(*words, std::vector<std::uint32_t>(4 * kOutputWords, 0xDEADBEEFu));
+}
+
+TEST_F(Gpu, EvaluatesTheShadersOfTranslators) {
+  const auto evaluator = evaluator_on(*context_);
+  ASSERT_EQ(evaluator->takes(), (std::vector{Form::gl, Form::glsl_es}));
+  std::vector<std::uint32_t> points(100 * kInputWords);  // more than a group has
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = static_cast<std::uint32_t>(i);
+  std::vector<std::uint32_t> right;
+  for (std::uint32_t i = 0; i < 400; ++i) right.push_back((i / 4 * 16 + 3 - i % 4) * 1000 + 3);
+  const auto text = [](std::string_view seed) {
+    return fmt::format("uvec4 f(uvec4 p) {{ return p.wzyx * {} + uint(trips); }}", seed);
+  };
+  const auto expect = [&](Form form, const Result<std::string>& shader, bool is_right) {
+    const auto results = results_of(*evaluator, form, shader, points);
+    ASSERT_TRUE(results) << results.error().text();
+    EXPECT_EQ(*results == right, is_right);
+  };
+  const std::vector<std::string> to_es = {"--es", "--version", "310"};
+  expect(Form::gl, by_spirv_cross(text("variant_seed"), {"--no-es", "--version", "430"}), true);
+  expect(Form::glsl_es, by_spirv_cross(text("variant_seed"), to_es), true);
+  expect(Form::glsl_es, by_spirv_cross(text("(variant_seed ^ 1u)"), to_es), false);
+  // As naga names buffers.
+  expect(Form::glsl_es, R"(#version 310 es
+layout(local_size_x = 64, local_size_y = 1, local_size_z = 1) in;
+struct Shared { int trips; uint seed; };
+layout(std430) readonly buffer Shared_block_0Compute { Shared _group_0_binding_2_cs; };
+layout(std430) readonly buffer type_1_block_1Compute { uvec4 _group_0_binding_1_cs[]; };
+layout(std430) buffer Results_block_2Compute {
+    uvec4 words[];
+} _group_0_binding_0_cs;
+void main() {
+  uvec4 p = _group_0_binding_1_cs[gl_GlobalInvocationID.x * 4u].wzyx * _group_0_binding_2_cs.seed;
+  _group_0_binding_0_cs.words[gl_GlobalInvocationID.x] = p + uint(_group_0_binding_2_cs.trips);
+}
+)",
+         true);
+  EXPECT_FALSE(evaluator->load({Form::gl, "#version 430\nvoid main() { no; }\n"}));
 }
 
 TEST_F(Gpu, AContextWithoutComputeShadersSaysSo) {

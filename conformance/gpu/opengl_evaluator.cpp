@@ -1,4 +1,6 @@
 // Functions evaluated by OpenGL.
+#include <array>
+#include <regex>
 #include <utility>
 
 #include "gpu/evaluator.hpp"
@@ -22,6 +24,42 @@ class LinkedProgram final : public Evaluable {
   Program program_;
 };
 
+// A compute shader of others, whose results the grid has in buffer 0.
+class LoadedShader final : public Evaluable {
+ public:
+  LoadedShader(const GladGLContext& gl, GridRenderer& grid, Program program)
+      : gl_(gl), grid_(grid), program_(std::move(program)) {
+    gl_.GenBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data());
+  }
+  ~LoadedShader() override { gl_.DeleteBuffers(static_cast<GLsizei>(buffers_.size()), buffers_.data()); }
+
+  // Invocations beyond the last point see zeros.
+  Result<std::vector<std::uint32_t>> evaluate(std::span<const std::uint32_t> inputs) override {
+    std::vector<std::uint32_t> points(inputs.begin(), inputs.end());
+    points.resize(points.size() + kComputeGroup * kInputWords);
+    fill(1, points);
+    fill(2, std::array{uniforms.trips, uniforms.variant_seed});
+    return grid_.evaluate(program_, inputs);
+  }
+
+ private:
+  void fill(GLuint binding, std::span<const std::uint32_t> words) {
+    gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffers_[binding - 1]);
+    gl_.BufferData(GL_SHADER_STORAGE_BUFFER, static_cast<GLsizeiptr>(words.size_bytes()), words.data(), GL_STREAM_DRAW);
+  }
+
+  const GladGLContext& gl_;
+  GridRenderer& grid_;
+  Program program_;
+  std::array<GLuint, 2> buffers_ = {};
+};
+
+// naga has the number of a buffer only in its name: "_group_0_binding_1_cs".
+std::string with_bindings(const std::string& text) {
+  static const std::regex kBuffer(R"(layout\(std430\)(?=[^{]*\{[^}]*\}?[^;{}]*_binding_(\d+)_))");
+  return std::regex_replace(text, kBuffer, "layout(std430, binding = $1)");
+}
+
 class OpenGlEvaluator final : public Evaluator {
  public:
   explicit OpenGlEvaluator(const Context& context) : context_(context), info_(describe(context)), grid_(context) {}
@@ -39,6 +77,19 @@ class OpenGlEvaluator final : public Evaluator {
                                            std::string_view shader) override {
     HN_TRY(auto program, link(sources, evaluation, shader));
     return std::make_unique<LinkedProgram>(grid_, std::move(program));
+  }
+
+  std::vector<Form> takes() const override {
+    std::vector<Form> forms;
+    if (!unsupported_reason(context_.gl(), Stage::compute).empty()) return forms;
+    if (info_.languages.gl_version >= 430) forms.push_back(Form::gl);
+    if (info_.languages.es_version >= 310) forms.push_back(Form::glsl_es);
+    return forms;
+  }
+
+  Result<std::unique_ptr<Evaluable>> load(const Code& code) override {
+    HN_TRY(auto program, Program::build_compute(context_, {with_bindings(code.bytes), {}}));
+    return std::make_unique<LoadedShader>(context_.gl(), grid_, std::move(program));
   }
 
   bool is_lost() const override {

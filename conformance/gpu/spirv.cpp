@@ -37,13 +37,26 @@ bool rounds(spv::Op operation) {
 }  // namespace
 
 Result<void> validate_spirv(std::span<const std::uint32_t> words) {
-  spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_0);
+  const std::uint32_t minor = words.size() > 1 ? words[1] >> 8 & 0xFFu : 0;
+  spvtools::SpirvTools tools(minor == 0   ? SPV_ENV_VULKAN_1_0
+                             : minor <= 3 ? SPV_ENV_VULKAN_1_1
+                             : minor <= 5 ? SPV_ENV_VULKAN_1_2
+                                          : SPV_ENV_VULKAN_1_3);
   std::string log;
   tools.SetMessageConsumer([&](spv_message_level_t, const char*, const spv_position_t& position, const char* message) {
     log += fmt::format("word {}: {}\n", position.index, message);
   });
   if (!tools.Validate(words.data(), words.size())) return fail("spirv-val rejects the SPIR-V", log);
   return {};
+}
+
+std::optional<std::string> spirv_text(std::string_view bytes) {
+  std::string text;
+  const bool done = spvtools::SpirvTools(SPV_ENV_UNIVERSAL_1_6)
+                        .Disassemble(spirv_of(bytes), &text,
+                                     SPV_BINARY_TO_TEXT_OPTION_NO_HEADER | SPV_BINARY_TO_TEXT_OPTION_INDENT |
+                                         SPV_BINARY_TO_TEXT_OPTION_FRIENDLY_NAMES);
+  return done ? std::optional(text) : std::nullopt;
 }
 
 std::int64_t count_spirv(std::span<const std::uint32_t> words) {
@@ -91,11 +104,16 @@ std::vector<std::string> contractible(std::span<const std::uint32_t> words) {
   return found;
 }
 
-Result<std::vector<std::uint32_t>> read_spirv(const std::filesystem::path& path) {
-  HN_TRY(const std::string bytes, read_file(path));
+std::vector<std::uint32_t> spirv_of(std::string_view bytes) {
   std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
   std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
   return words;
+}
+
+void forget_source_language(std::span<std::uint32_t> words) {
+  for_each_instruction(words, [&](spv::Op operation, std::span<const std::uint32_t> operands) {
+    if (operation == spv::OpSource) words[operands.data() - words.data()] = spv::SourceLanguageUnknown;
+  });
 }
 
 std::vector<std::uint32_t> without_repeated_decorations(std::span<const std::uint32_t> words) {

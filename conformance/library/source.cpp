@@ -226,6 +226,16 @@ Result<SourceSet> library_sources(const std::string& directory) {
   return directory.empty() ? SourceSet::embedded() : SourceSet::from_directory(directory);
 }
 
+std::string SourceSet::untranslated(const Profile& profile) const {
+  if (transform_ && !profile.in_glsl()) return "faults are injected into GLSL";
+  const bool is_alike = std::ranges::all_of(kLibraryFiles, [this](const EmbeddedFile& file) {
+    const SourceFile* own = find(file.name);
+    return own && own->text == file.text;
+  });
+  if (profile.language != Language::wgsl || is_alike) return "";
+  return "this is WGSL of the library that hn-conform was built with: build hn-conform from the other copy";
+}
+
 void SourceSet::add(std::string name, std::string text, std::string path) {
   files_.insert_or_assign(std::move(name), SourceFile{std::move(text), std::move(path)});
 }

@@ -52,6 +52,9 @@ class SourceSet {
   // How a folder's library differs from the one that this program was built with. Nothing for the embedded one.
   const std::optional<EditedLibrary>& edited() const { return edited_; }
 
+  // Why there are no shaders of it in this language; empty if there are.
+  std::string untranslated(const Profile& profile) const;
+
   // Null if there is no such file.
   const SourceFile* find(std::string_view name) const;
   const std::map<std::string, SourceFile, std::less<>>& files() const { return files_; }

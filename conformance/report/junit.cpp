@@ -127,7 +127,7 @@ void add_case(pugi::xml_node suite, const CaseResult& result) {
 
 void add_suite(pugi::xml_node suites, const Run& run) {
   pugi::xml_node suite = suites.append_child("testsuite");
-  set(suite, "name", run.driver);
+  set(suite, "name", run.name());
   set_totals(suite, totals_of(run));
   if (!run.absent.empty()) {
     pugi::xml_node test = suite.append_child("testcase");

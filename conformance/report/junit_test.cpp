@@ -64,8 +64,10 @@ TEST(Junit, HasEveryStatus) {
 TEST(Junit, SaysWhereItRan) {
   hn::Run run = run_of({result("a.b.c", Status::pass)});
   run.date = "2026-11-20T10:00:00Z";
+  run.way = short_way();
   const auto document = parsed({run});
   const auto suite = document.child("testsuites").child("testsuite");
+  EXPECT_STREQ(suite.attribute("name").value(), "osmesa through spirv-opt 2023.1");
   EXPECT_STREQ(suite.attribute("timestamp").value(), "2026-11-20T10:00:00Z");
   const auto value = [&](const char* name) {
     return suite.child("properties").find_child_by_attribute("name", name).attribute("value").value();

@@ -65,7 +65,7 @@ std::string failure_lines(const Run& run) {
   const bool only_errors = std::all_of(failures.groups.begin(), failures.groups.end(),
                                        [](const FailureGroup& group) { return group.status == Status::error; });
   std::string text = fmt::format("{} of {} cases {} on {}.\n", failures.failed, failures.ran,
-                                 only_errors ? "could not be checked" : "are wrong", run.driver);
+                                 only_errors ? "could not be checked" : "are wrong", run.name());
   for (const std::string& sentence : failures.common) text += fmt::format("{}\n", sentence);
   std::vector<std::string> rest;
   for (std::size_t i = 0; i < failures.groups.size(); ++i) {
@@ -131,7 +131,7 @@ std::string edited_libraries(const std::vector<Run>& runs) {
 std::string summary(const Run& run) {
   if (!run.absent.empty()) return fmt::format("{} is not here: {}\n", run.driver, run.absent);
   if (run.cases.empty() && run.not_run != 0) {
-    return fmt::format("{}: none of its {} cases was run\n", run.driver, run.not_run);
+    return fmt::format("{}: none of its {} cases was run\n", run.name(), run.not_run);
   }
   double seconds = 0.0;
   std::uint64_t samples = 0;
@@ -141,7 +141,7 @@ std::string summary(const Run& run) {
   }
   // Failures come last, where the reader of a long log looks.
   std::string text = error_lines(run) + unsupported_lines(run) + unneeded_lines(run) + failure_lines(run);
-  text += fmt::format("{} on {}, {}{}\n", run.driver, run.info.renderer, run.info.gl_version,
+  text += fmt::format("{} on {}, {}{}\n", run.name(), run.info.renderer, run.info.gl_version,
                       run.injected.empty() ? "" : ", made to have the fault " + run.injected);
   std::string counts;
   for (const Status status : kStatuses) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -22,6 +23,7 @@ constexpr std::size_t kMostCases = 400;
 constexpr std::size_t kMostEvidenceBytes = 2'500'000;
 constexpr std::size_t kMostExamples = 4;
 constexpr std::size_t kMostOfMessage = 3000;
+constexpr std::size_t kMostOfInput = 6000;  // of the shader that a step got
 constexpr std::size_t kMostGroups = 100;
 constexpr std::size_t kMostIds = 10;
 constexpr std::size_t kMostOfTitle = 200;
@@ -61,23 +63,86 @@ Json evidence_of(const Evidence& evidence) {
   return {{"note", cleaned(evidence.note)}, {"pictures", std::move(pictures)}};
 }
 
-// One text for those who write the driver: a shader that stands alone begins with all of it.
-std::string report_of(const Run& run, const CaseResult& result, bool with_shader) {
-  if (with_shader && !result.evidence->shader.empty()) return result.evidence->shader;
-  const ContextInfo& info = run.info;
-  std::string text = fmt::format("{}\nfails on {}, {}{} ({}).\n\n", result.id, info.renderer, info.gl_version,
-                                 info.glsl_version.empty() ? "" : ", GLSL " + info.glsl_version, info.vendor);
+// The step of the run's way at which a case goes wrong. Null if there is none.
+const Step* faulty_step(const Run& run, const CaseResult& result) {
+  const std::size_t number = result.outcome.step ? result.outcome.step->number : 0;
+  return number != 0 && number <= run.way.steps.size() ? &run.way.steps[number - 1] : nullptr;
+}
+
+std::string_view fault_of_step(const Outcome& outcome) {
+  if (outcome.status == Status::crash) return "crashes";
+  if (outcome.status == Status::timeout) return "does not end in time";
+  return outcome.mismatches != 0 ? "makes a right shader wrong" : "refuses a valid shader, or writes an invalid one";
+}
+
+// What the cases showed: rule, place and values.
+std::string findings_of(const CaseResult& result) {
   const Outcome& outcome = result.outcome;
   const std::string rule = outcome.mismatches == 0 ? "" : rule_of(result.id);
-  if (!rule.empty()) text += fmt::format("rule      {}\n", rule);
+  std::string text = rule.empty() ? "" : fmt::format("rule      {}\n", rule);
   for (const Mismatch& wrong : outcome.examples) {
     text += fmt::format("at        {}\ngot       {}\nexpected  {}\n", wrong.inputs, wrong.got, wrong.expected);
     if (&wrong - outcome.examples.data() + 1 == kMostExamples) break;
   }
   if (outcome.samples != 0) text += fmt::format("\n{}.\n", measure_of(outcome));
   if (outcome.examples.empty()) text += fmt::format("{}\n", shortened(outcome.message, kMostOfMessage));
-  return text + fmt::format("\nTo see it: hn-conform run --driver {} --filter {}, of {}.\n", run.driver, result.id,
-                            library_text(run.library));
+  return text;
+}
+
+std::string quoted(const std::vector<std::string>& words) {
+  std::vector<const char*> arguments;
+  for (const std::string& word : words) arguments.push_back(word.c_str());
+  return command_line(words.front(), static_cast<int>(arguments.size()), arguments.data());
+}
+
+// The command of a step, with the names of its files, as one who has what is kept can call it.
+std::string command_of(const Step& step, const FaultyStep& fault) {
+  std::string text = step.spec.find("{in}") == std::string::npos ? quoted(step.command) : step.spec;
+  const std::string input = std::filesystem::path(fault.input).filename();
+  const std::string output = fmt::format("out{}", ending_of(step.gives));
+  for (const auto& [place, name] :
+       {std::pair("'{in}'", input), {"{in}", input}, {"'{out}'", output}, {"{out}", output}}) {
+    const std::string_view from = place;
+    for (auto at = text.find(from); at != text.npos; at = text.find(from, at + name.size()))
+      text.replace(at, from.size(), name);
+  }
+  return text;
+}
+
+// The command that runs a case again: steps as a run takes them, with the program that it found.
+std::string rerun_of(const Run& run, const CaseResult& result) {
+  const bool is_given = result.id.starts_with("check.") && !run.commands.empty();
+  if (is_given) return *run.commands.begin();
+  std::vector<std::string> words = {"hn-conform", "run", "--driver", run.driver};
+  for (const Step& step : run.way.steps) {
+    words.insert(words.end(), {"--through", step.spec});
+    if (step.spec.find("{in}") == std::string::npos) continue;
+    words.insert(words.end(),
+                 {"--takes", std::string(name_of(step.takes)), "--gives", std::string(name_of(step.gives))});
+  }
+  words.insert(words.end(), {"--filter", result.id});
+  return quoted(words);
+}
+
+std::string renderer_of(const ContextInfo& info) {
+  return fmt::format("{}, {}{} ({})", info.renderer, info.gl_version,
+                     info.glsl_version.empty() ? "" : ", GLSL " + info.glsl_version, info.vendor);
+}
+
+// One text for those who make the translator.
+std::string report_of_step(const Run& run, const CaseResult& result, const Step& step) {
+  const FaultyStep& fault = *result.outcome.step;
+  return fmt::format(
+      "{} {}.\n\ncommand   {}\nrun on    {}\n{}\nTo see it: {}, of {}.\n\nThe shader that it got, {}:\n\n{}\n",
+      step.text(), fault_of_step(result.outcome), command_of(step, fault), renderer_of(run.info), findings_of(result),
+      rerun_of(run, result), library_text(run.library), fault.input, shortened(fault.text, kMostOfInput));
+}
+
+// One text for those who write the driver: a shader that stands alone begins with all of it.
+std::string report_of(const Run& run, const CaseResult& result, bool with_shader) {
+  if (with_shader && !result.evidence->shader.empty()) return result.evidence->shader;
+  return fmt::format("{}\nfails on {}.\n\n{}\nTo see it: {}, of {}.\n", result.id, renderer_of(run.info),
+                     findings_of(result), rerun_of(run, result), library_text(run.library));
 }
 
 std::size_t bytes_of(const Evidence& evidence) {
@@ -93,6 +158,14 @@ struct PageBudget {
 
 Json page_case(const Run& run, const CaseResult& result, PageBudget& shown) {
   const Outcome& outcome = result.outcome;
+  const Step* const faulty = faulty_step(run, result);
+  Json step = false;
+  if (faulty) {
+    step = {{"text", clean_text(fmt::format("Step {} of the way, {},", outcome.step->number, faulty->text()))},
+            {"fault", fault_of_step(outcome)},
+            {"command", clean_text(command_of(*faulty, *outcome.step))},
+            {"input", clean_text(outcome.step->input)}};
+  }
   Json evidence = false;
   std::string left_out;
   if (result.evidence) {
@@ -111,8 +184,11 @@ Json page_case(const Run& run, const CaseResult& result, PageBudget& shown) {
           {"message", examples.empty() ? Json({{"text", cleaned(outcome.message)}}) : Json(false)},
           {"has_examples", !examples.empty()},
           {"examples", examples},
-          {"report", clean_text(report_of(run, result, evidence.is_object()))},
-          {"has_shader", evidence.is_object() && !result.evidence->shader.empty()},
+          {"step", std::move(step)},
+          {"readers", faulty ? "the makers of " + clean_text(faulty->name) : "the vendor"},
+          {"report",
+           clean_text(faulty ? report_of_step(run, result, *faulty) : report_of(run, result, evidence.is_object()))},
+          {"has_shader", !faulty && evidence.is_object() && !result.evidence->shader.empty()},
           {"evidence", std::move(evidence)},
           {"left_out", left_out}};
 }
@@ -146,7 +222,8 @@ Json page_run(const Run& run, const Failures& failures, PageBudget& shown) {
   Json groups = Json::array();
   std::size_t left = 0;
   for (const FailureGroup& group : failures.groups) {
-    if (group.status != Status::fail) continue;  // page_breakdowns has it
+    const bool of_step = faulty_step(run, *group.cases.front()) != nullptr;
+    if (group.status != Status::fail && !of_step) continue;  // page_breakdowns has it
     if (groups.size() < kMostGroups) {
       groups.push_back(page_group(run, group, shown));
     } else {
@@ -156,10 +233,12 @@ Json page_run(const Run& run, const Failures& failures, PageBudget& shown) {
   std::vector<std::string> common = failures.common;
   if (run.library)
     common.insert(common.begin(), "The library is edited: its text may be at fault, and not the driver.");
-  return {{"driver", run.driver},
+  return {{"driver", clean_text(run.name())},
           {"renderer", clean_text(run.info.renderer)},
           {"gl_version", clean_text(run.info.gl_version)},
-          {"here", run.library ? "the edited library" : "this driver"},
+          {"here", run.library       ? "the edited library"
+                   : run.way.empty() ? "this driver"
+                                     : "this way"},
           {"common", std::move(common)},
           {"functions", std::move(groups)},
           {"left_out", more(left, "such groups, in results.json")}};
@@ -179,7 +258,7 @@ std::optional<Remarks> remarks_with(const CaseResult& result) {
   if (status == Status::unsupported) return Remarks::unsupported;
   if (!is_bad(status)) return as_expected(result) ? std::nullopt : std::optional(Remarks::unneeded);
   if (!result.excuse.empty()) return Remarks::excused;
-  return status == Status::fail ? std::nullopt : std::optional(Remarks::breakdowns);
+  return status == Status::fail || result.outcome.step ? std::nullopt : std::optional(Remarks::breakdowns);
 }
 
 }  // namespace
@@ -193,9 +272,9 @@ Json page_groups(const std::vector<Run>& runs, Remarks remarks) {
       if (remarks_with(result) != remarks) continue;
       const std::string heading(name_of(result.outcome.status));
       const std::string& text = of_excuse ? result.excuse : result.outcome.message;
-      const std::string key = fmt::format("{}\n{}\n{}", run.driver, heading, text);
+      const std::string key = fmt::format("{}\n{}\n{}", run.name(), heading, text);
       const auto [place, is_new] = places.try_emplace(key, groups.size());
-      if (is_new) groups.push_back({run.driver, heading, text, {}});
+      if (is_new) groups.push_back({clean_text(run.name()), heading, text, {}});
       groups[place->second].ids.push_back(result.id);
     }
   }
@@ -231,7 +310,8 @@ Json page_warnings(const std::vector<Run>& runs) {
   for (const Run& run : runs) {
     for (const CaseResult& result : run.cases) {
       if (result.outcome.status != Status::warning || all++ >= kMostWarnings) continue;
-      list.push_back({{"driver", run.driver}, {"id", result.id}, {"text", cleaned(result.outcome.message)}});
+      list.push_back(
+          {{"driver", clean_text(run.name())}, {"id", result.id}, {"text", cleaned(result.outcome.message)}});
     }
   }
   const std::size_t left = all - list.size();

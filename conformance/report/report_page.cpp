@@ -87,6 +87,7 @@ Json page_driver(const Run& run) {
   const std::size_t unexpected = unexpected_in(run);
   const bool nothing = unexpected == 0 && run.is_complete() && !run.as_expected();
   return {{"driver", run.driver},
+          {"way", run.way.empty() ? Json(false) : Json({{"text", clean_text(run.way.text())}})},
           {"verdict", unexpected != 0    ? fmt::format("{} not as expected", unexpected)
                       : run.not_run != 0 ? fmt::format("{} not run", run.not_run)
                       : run.missing != 0 ? fmt::format("{} missing", run.missing)
@@ -114,7 +115,7 @@ Json page_absent(const std::vector<Run>& runs) {
 
 Json names_of(const std::vector<const Run*>& runs) {
   Json names = Json::array();
-  for (const Run* run : runs) names.push_back(run->driver);
+  for (const Run* run : runs) names.push_back(clean_text(run->name()));
   return names;
 }
 
@@ -182,7 +183,7 @@ Json page_counts(const std::vector<const Run*>& here) {
 Json page_origin(const Run& run) {
   std::vector<std::string> commands;
   for (const std::string& command : run.commands) commands.push_back(clean_text(command));
-  return {{"driver", run.driver},
+  return {{"driver", clean_text(run.name())},
           {"date", run.date},
           {"seed", run.seed},
           {"shard",

@@ -77,6 +77,45 @@ To see it: hn-conform run --driver osmesa --filter noise2d.perlin.lattice.precis
   EXPECT_FALSE(has(page, "rule  "));
 }
 
+TEST(Page, HasOneTextForTheMakersOfATranslator) {
+  CaseResult wrong = failed("bugs.abs_of_int.any.exact.compute.vulkan.defined");
+  wrong.outcome.step = {1, "ways/bugs.abs/1-spirv-opt.spv", "%1 = OpTypeVoid"};
+  CaseResult refused = result("a.b.refused", Status::fail);
+  refused.outcome.step = {1, "ways/a.b.refused/1-spirv-opt.spv", ""};
+  CaseResult crash = result("a.b.crash", Status::crash);
+  crash.outcome.step = {1, "ways/a.b.crash/1-spirv-opt.spv", ""};
+  CaseResult elsewhere = result("a.b.elsewhere", Status::fail);
+  elsewhere.outcome.message = "another why";
+  elsewhere.outcome.step = {2, "", ""};
+  hn::Run run = run_of({wrong, refused, crash, elsewhere});
+  run.way = short_way();
+  const std::string page = page_of({run});
+  EXPECT_FALSE(has(page, "Crashes, timeouts and errors")) << "each is a failure of the step";
+  for (const char* part :
+       {"<h3>osmesa through spirv-opt 2023.1: r, 4.5</h3>", "Copy a report for the makers of spirv-opt",
+        "<strong>Step 1 of the way, spirv-opt 2023.1,</strong> makes a right shader wrong: <code>/usr/bin/spirv-opt -O "
+        "1-spirv-opt.spv -o out.spv</code>",
+        "<td class=\"wide\">through <strong>spirv-opt 2023.1</strong><br>on r<br>",
+        "<a href=\"ways/bugs.abs/1-spirv-opt.spv\">", "Copy a report for the vendor",
+        "spirv-opt 2023.1 refuses a valid shader, or writes an invalid one.", "spirv-opt 2023.1 crashes.",
+        R"(<pre class="code">spirv-opt 2023.1 makes a right shader wrong.
+
+command   /usr/bin/spirv-opt -O 1-spirv-opt.spv -o out.spv
+run on    r, 4.5, GLSL 4.50 (v)
+rule      )",
+        R"(
+at        x=1.5 (3fc00000)
+got       2 (00000002)
+expected  3 (00000003)
+
+4 of 10 values are wrong.
+
+To see it: hn-conform run --driver osmesa --through spirv-opt --filter bugs.abs_of_int.any.exact.compute.vulkan.defined, of )",
+        "The shader that it got, ways/bugs.abs/1-spirv-opt.spv:\n\n%1 = OpTypeVoid\n"}) {
+    EXPECT_TRUE(has(page, part));
+  }
+}
+
 TEST(Page, OfARunThatEndedTooEarlySaysSoFirst) {
   hn::Run run = run_of({result("a.b.golden", Status::pass)});
   run.not_run = 4;

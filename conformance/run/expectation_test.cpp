@@ -80,6 +80,9 @@ TEST(Expectations, OfWhatIsRightAreWrongThemselves) {
   EXPECT_FALSE(as_expected(run.cases[1]));
   EXPECT_TRUE(as_expected(run.cases[2])) << "what cannot run is neither";
   EXPECT_FALSE(run.as_expected());
+  run.way = short_way();
+  apply_expectations(*rows, run);
+  EXPECT_TRUE(run.as_expected()) << "the driver has another shader";
 }
 
 TEST(Expectations, OfNoCaseAreAnError) {

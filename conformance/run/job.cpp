@@ -16,6 +16,9 @@ namespace hn {
 
 Result<SourceSet> suite_sources(const SuiteOptions& options) {
   auto sources = library_sources(options.glsl);
+  if (sources) {
+    for (const GivenFile& file : options.given.files) sources->add(file.name, file.text, file.path);
+  }
   if (!sources || options.inject.empty()) return sources;
   HN_DO(inject_into(*sources, options.inject));
   return sources;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "cases/bugs/given.hpp"
 #include "gpu/way/way.hpp"
 #include "library/profile.hpp"
 #include "library/source.hpp"
@@ -20,9 +21,13 @@ enum class Task {
   cases,     // run cases
   devices,   // report how many EGL devices there are
   vulkan,    // report how many devices of Vulkan there are
+  values,    // report what the given function returns
 };
-NLOHMANN_JSON_SERIALIZE_ENUM(
-    Task, {{Task::describe, "describe"}, {Task::cases, "cases"}, {Task::devices, "devices"}, {Task::vulkan, "vulkan"}})
+NLOHMANN_JSON_SERIALIZE_ENUM(Task, {{Task::describe, "describe"},
+                                    {Task::cases, "cases"},
+                                    {Task::devices, "devices"},
+                                    {Task::vulkan, "vulkan"},
+                                    {Task::values, "values"}})
 
 // The settings that change what a case does; the same for every process of a run.
 struct SuiteOptions {
@@ -33,8 +38,9 @@ struct SuiteOptions {
   std::uint64_t points = 0;  // of each comparison with the twin; 0 for the case's own number
   bool thorough = false;     // so many as --thorough has
   WayOptions way = {};       // of shaders to the driver
+  GivenFunction given = {};
 };
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SuiteOptions, glsl, golden, inject, seed, points, thorough, way)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SuiteOptions, glsl, golden, inject, seed, points, thorough, way, given)
 
 // The library that these options select. An error if the folder or the fault does not exist.
 Result<SourceSet> suite_sources(const SuiteOptions& options);
@@ -45,8 +51,10 @@ struct Job {
   SuiteOptions suite;
   std::vector<std::string> ids;            // of cases, in the order in which they are to be run
   std::vector<std::string> examined = {};  // of cases that have had their evidence made, or tried
+  std::string kept = {};                   // the folder for what the steps of a way get wrong
+  std::int64_t step_limit = 30000;         // milliseconds for a step
 };
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, task, driver, suite, ids, examined)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, task, driver, suite, ids, examined, kept, step_limit)
 
 // Digests of the text of the library and of the golden files. Results with different digests do not belong together.
 std::string suite_digest(const SuiteOptions& options, const SourceSet& sources);
@@ -69,6 +77,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LanguageSupport, gl_version, es_version, gl13
 //   {"alive": true}                   from a case that takes long: the limit of its time starts again
 //   {"lost": true}                    after these: the context or device is lost, and the process ends
 //   {"devices": N}                    from the tasks that count
+//   {"values": [[word, ...], ...], "profile": NAME, ...}     of each point, and the context info
 //   {"error": "why"}                  a task cannot be done
 
 }  // namespace hn

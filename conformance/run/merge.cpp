@@ -14,7 +14,7 @@ namespace hn {
 namespace {
 
 std::string name_of(const Run& run) {
-  return fmt::format("{} on {}, {}", run.driver, run.info.renderer, run.info.gl_version);
+  return fmt::format("{} on {}, {}", run.name(), run.info.renderer, run.info.gl_version);
 }
 
 // Returns the number of shards if a run is one of them.

@@ -125,11 +125,15 @@ TEST(Merge, OtherDriversAndRenderersStayApart) {
   absent.absent = "why";
   hn::Run absent_here = absent;
   absent_here.driver = "egl";
-  const auto merged = merge({shard_run("1/3"), elsewhere, egl, absent, absent, absent_here});
+  hn::Run through = shard_run("2/3");
+  through.way = short_way();
+  hn::Run through_another = shard_run("2/3");
+  through_another.way = short_way("2025.5");
+  const auto merged = merge({shard_run("1/3"), elsewhere, egl, through, through_another, absent, absent, absent_here});
   ASSERT_TRUE(merged) << merged.error().text();
-  ASSERT_EQ(merged->runs.size(), 4u);
-  EXPECT_EQ(merged->runs[3].absent, "why");
-  EXPECT_EQ(merged->runs[3].driver, "zink");
+  ASSERT_EQ(merged->runs.size(), 6u);
+  EXPECT_EQ(merged->runs[5].absent, "why");
+  EXPECT_EQ(merged->runs[5].driver, "zink");
 }
 
 TEST(Merge, ReadsFilesAndFolders) {

@@ -19,6 +19,16 @@ inline CaseResult result(std::string id, Status status) {
   return {.id = std::move(id), .outcome = outcome, .seconds = 0.5};
 }
 
+// Through spirv-opt.
+inline Way short_way(std::string version = "2023.1") {
+  return {{{.name = "spirv-opt",
+            .command = {"/usr/bin/spirv-opt", "-O", "{in}", "-o", "{out}"},
+            .takes = Form::spirv,
+            .gives = Form::spirv,
+            .version = std::move(version),
+            .spec = "spirv-opt"}}};
+}
+
 inline Run run_of(std::vector<CaseResult> cases) {
   Run run;
   run.driver = "osmesa";

@@ -44,6 +44,21 @@ std::uint32_t checksum_from(std::string_view text) {
   throw std::invalid_argument(fmt::format("\"{}\" is not a checksum of eight hexadecimal digits", text));
 }
 
+Step step_from(const nlohmann::json& json) {
+  const auto form_at = [&](const char* member) {
+    const auto name = text_at(json, member);
+    const auto form = form_named(name);
+    if (!form) throw std::invalid_argument(fmt::format("\"{}\" is not a form of shaders", name));
+    return *form;
+  };
+  return {.name = text_at(json, "name"),
+          .command = texts_at(json, "command"),
+          .takes = form_at("takes"),
+          .gives = form_at("gives"),
+          .version = text_at(json, "version"),
+          .spec = text_at(json, "through")};
+}
+
 Json to_json(const Run& run) {
   Json one = {{"driver", run.driver}};
   if (!run.absent.empty()) {
@@ -51,6 +66,7 @@ Json to_json(const Run& run) {
     return one;
   }
   one.update(to_json(run.info));
+  if (!run.way.steps.empty()) one["way"] = hn::to_json(run.way);
   one["seed"] = run.seed;
   if (!run.content.empty()) one["content"] = run.content;
   if (run.library) one["library"] = hn::to_json(*run.library);
@@ -83,6 +99,9 @@ Run run_from(const nlohmann::json& json, std::string& where) {
     return run;
   }
   run.info = context_info_from(json);
+  if (json.contains("way")) {
+    for (const nlohmann::json& step : list_at(json, "way")) run.way.steps.push_back(step_from(step));
+  }
   run.seed = whole_number_at(json, "seed");
   if (json.contains("content")) run.content = text_at(json, "content");
   if (json.contains("library")) run.library = edited_library_from(json.at("library"));
@@ -114,6 +133,8 @@ bool cases_are_right(const Run& run) {
 
 }  // namespace
 
+std::string Run::name() const { return way.steps.empty() ? driver : fmt::format("{} through {}", driver, way.text()); }
+
 std::size_t Run::count(Status status) const {
   return static_cast<std::size_t>(
       std::count_if(cases.begin(), cases.end(), [&](const CaseResult& c) { return c.outcome.status == status; }));
@@ -139,6 +160,19 @@ bool all_as_expected(const std::vector<Run>& runs) {
   return std::any_of(runs.begin(), runs.end(), decides) && std::all_of(runs.begin(), runs.end(), [&](const Run& run) {
            return run.is_complete() && cases_are_right(run);
          });
+}
+
+Json to_json(const Way& way) {
+  Json steps = Json::array();
+  for (const Step& step : way.steps) {
+    steps.push_back({{"through", step.spec},
+                     {"name", step.name},
+                     {"version", step.version},
+                     {"command", step.command},
+                     {"takes", name_of(step.takes)},
+                     {"gives", name_of(step.gives)}});
+  }
+  return steps;
 }
 
 Json to_json(const ContextInfo& info) {

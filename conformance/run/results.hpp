@@ -11,6 +11,7 @@
 
 #include "expected/verdict.hpp"
 #include "gpu/context_info.hpp"
+#include "gpu/way/way.hpp"
 #include "library/source.hpp"
 
 namespace hn {
@@ -21,6 +22,7 @@ inline constexpr std::string_view kReferenceCompiler = "glslang";
 struct Run {
   std::string driver;
   std::string absent;  // why the driver cannot be used here; then it has no cases
+  Way way = {};        // the translators before the driver; mostly no step
   ContextInfo info;
   std::uint64_t seed = 0;
   std::string content;                        // a digest of the library and the golden files
@@ -37,6 +39,7 @@ struct Run {
   // the golden files.
   std::string golden = {};
 
+  std::string name() const;  // "vulkan:0 through spirv-opt 2023.1"
   bool is_reference() const { return driver == kReferenceCompiler; }
   std::size_t count(Status status) const;
   // No case was left out at the end of the run, or with a shard.
@@ -56,6 +59,8 @@ bool nothing_passed(const std::vector<Run>& runs);
 bool only_unfinished(const std::vector<Run>& runs);
 
 constexpr std::string_view kResultsFile = "results.json";
+constexpr std::string_view kWaysFolder =
+    "ways";  // beside it: what the steps of a way got, of cases that they get wrong
 
 // The text of results.json; docs/reference/formats.md describes it.
 std::string results_text(const std::vector<Run>& runs);
@@ -63,6 +68,7 @@ std::string results_text(const std::vector<Run>& runs);
 Result<std::vector<Run>> parse_results(std::string_view text);
 
 nlohmann::ordered_json to_json(const CaseResult& result);
+nlohmann::ordered_json to_json(const Way& way);
 nlohmann::ordered_json to_json(const ContextInfo& info);
 nlohmann::ordered_json to_json(const Evidence& evidence);
 // These throw nlohmann::json::exception or std::invalid_argument for anything else.

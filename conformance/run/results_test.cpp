@@ -107,6 +107,7 @@ TEST(Json, IsReadAgain) {
   run.date = "2026-11-20T10:00:00Z";
   run.commands = {"hn-conform run", "hn-conform run --shard 2/2"};
   run.golden = "89abcdef";
+  run.way = short_way();
   run.info.system = "Linux";
   run.info.browser = "Firefox 140";
   run.cases[1].outcome.checksum = 0x12abu;
@@ -119,6 +120,7 @@ TEST(Json, IsReadAgain) {
   EXPECT_EQ(results_text(*again), text);
   EXPECT_EQ(again->at(0).library, run.library);
   EXPECT_EQ(again->at(0).golden, run.golden);
+  EXPECT_EQ(again->at(0).name(), "osmesa through spirv-opt 2023.1");
   EXPECT_EQ(again->at(0).info.system, run.info.system);
   EXPECT_EQ(again->at(0).info.browser, run.info.browser);
   EXPECT_EQ(again->at(0).cases[0].outcome.step, bad.outcome.step);
@@ -130,7 +132,9 @@ TEST(Json, ThatIsNoneIsRefusedWithWhatIsWrong) {
   CaseResult one = result("a.b", Status::pass);
   one.outcome.checksum = 0x12345678u;
   one.outcome.examples = {{3, {4294967295u}, "x=1", "0x00000001", "0x00000002"}};
-  const std::string good = results_text({run_of({one})});
+  hn::Run run = run_of({one});
+  run.way = short_way();
+  const std::string good = results_text({run});
   ASSERT_TRUE(parse_results(good));
   const auto counts = [](std::string_view name) {
     std::vector<std::string> wrong = {"-1", "1.5", "1e300", "true", "null", "\"1\"", "12345678901234567890123456789"};
@@ -150,6 +154,7 @@ TEST(Json, ThatIsNoneIsRefusedWithWhatIsWrong) {
       {"\"id\"", {"\"ident\""}, "run 1"},
       {"12345678", {"1234567", "123456789", "1234567g", "0x345678", "ABCDEF01", "-1234567", ""}, "is not a checksum"},
       {"4294967295", {"-1", "1.5", "4294967296", "4e93", "true", "null"}, "run 1, case 1 is not a results.json: "},
+      {"\"takes\": \"spirv\"", {"\"takes\": \"spir\""}, "run 1 is not a results.json: \"spir\" is not a form"},
       {"\"samples\": 10", counts("samples"), "run 1, case 1 is not a results.json: "},
       {"\"max_ulp\": 3", counts("max_ulp"), "run 1, case 1 is not a results.json: "},
       {"\"seed\": 7", counts("seed"), "run 1 is not a results.json: "},
@@ -179,7 +184,8 @@ TEST(Json, WhatIsWrongIsSaidInWordsOfTheFile) {
   wrong.outcome.examples = {{7, {1, 2}, "x=1", "2", "3"}};
   wrong.evidence = Evidence{"s", "g", "r", "d", 2.0, "n"};
   wrong.outcome.step = {1, "i", "t"};
-  const hn::Run run = run_of({wrong});
+  hn::Run run = run_of({wrong});
+  run.way = short_way();
   const std::string text = results_text({run});
   const auto good = nlohmann::json::parse(text).flatten();
   std::size_t refused = 0;

@@ -62,7 +62,13 @@ class Lane {
   }
 
   void start() {
-    Job job{.task = Task::cases, .driver = plan_.driver, .suite = whole_.suite, .ids = {}, .examined = examined_};
+    Job job{.task = Task::cases,
+            .driver = plan_.driver,
+            .suite = whole_.suite,
+            .ids = {},
+            .examined = examined_,
+            .kept = directory_ / kWaysFolder,
+            .step_limit = whole_.limit.count() / 2};
     std::copy_if(plan_.ids.begin(), plan_.ids.end(), std::back_inserter(job.ids),
                  [&](const std::string& id) { return is_pending(id); });
     ready_ = lost_ = examining_ = false;
@@ -136,6 +142,7 @@ class Lane {
   Run take_run() {
     Run run{.driver = plan_.driver,
             .absent = absent_,
+            .way = way(),
             .info = info_.value_or(ContextInfo{}),
             .seed = whole_.suite.seed,
             .content = whole_.content,
@@ -151,6 +158,10 @@ class Lane {
   }
 
  private:
+  Way way() const {
+    const auto found = whole_.ways.find(plan_.driver);
+    return found == whole_.ways.end() ? Way{} : found->second;
+  }
   Launch launch() const {
     return {whole_.program, kChildCommand, directory_ / (name_ + ".job"), directory_ / (name_ + ".log"), whole_.limit};
   }
@@ -411,11 +422,10 @@ class Scheduler {
 nlohmann::json to_json(const RunPlan& plan) {
   nlohmann::json drivers = nlohmann::json::object();
   for (const DriverPlan& driver : plan.drivers) drivers[driver.driver] = driver.ids;
-  return {{"version", library_version()},
-          {"drivers", std::move(drivers)},
-          {"suite", plan.suite},
-          {"content", plan.content},
-          {"shard", plan.shard}};
+  nlohmann::json ways = nlohmann::json::object();
+  for (const auto& [driver, way] : plan.ways) ways[driver] = to_json(way);
+  return {{"version", library_version()}, {"drivers", std::move(drivers)}, {"ways", std::move(ways)},
+          {"suite", plan.suite},          {"content", plan.content},       {"shard", plan.shard}};
 }
 
 PlanResult run_plan(const RunPlan& plan, const std::filesystem::path& directory, Journal& journal,

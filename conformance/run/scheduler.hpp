@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,9 @@ struct DriverPlan {
 struct RunPlan {
   std::vector<DriverPlan> drivers;
   SuiteOptions suite;
-  std::string content = {};  // a digest of the library and the golden files
-  std::string shard = {};    // "2/3", or empty
+  std::map<std::string, Way> ways = {};  // to the drivers, with --through
+  std::string content = {};              // a digest of the library and the golden files
+  std::string shard = {};                // "2/3", or empty
   // Options that do not change the results:
   std::size_t jobs = 1;                        // processes at a time
   std::chrono::milliseconds limit{60000};      // for a case, and for a driver to start

@@ -289,6 +289,9 @@ TEST_F(SchedulerTest, AJournalThatCannotBeWrittenEndsTheRun) {
   run_with(script_that("none", ":") + "exec sleep 60\n", *journal);
   setrlimit(RLIMIT_FSIZE, &before);
   EXPECT_EQ(journal->problem(), "cannot write " + (folder_.path() / kJournalFile).string() + ": File too large");
+  RunPlan other = plan_;
+  other.ways.emplace("egl", Way{});
+  EXPECT_FALSE(Journal::reopen(folder_.path(), to_json(other))) << "of another way";
   const auto again = Journal::reopen(folder_.path(), to_json(plan_));
   ASSERT_TRUE(again) << again.error().text();
   EXPECT_GE(again->earlier().size(), 2u);

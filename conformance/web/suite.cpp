@@ -132,9 +132,10 @@ class SuiteWriter {
   }
 
   tl::expected<std::size_t, Outcome> wgsl_program(const Evaluation& evaluation) {
-    HN_TRY(const auto texts, wgsl_shader(sources_, evaluation));
+    const auto texts = wgsl_shader(sources_, evaluation);
+    if (!texts) return tl::unexpected(outcome_with(Status::unsupported, texts.error()));
     Json pieces = Json::array();
-    for (const std::string& text : texts) pieces.push_back(texts_.number_of(text));
+    for (const std::string& text : *texts) pieces.push_back(texts_.number_of(text));
     const std::size_t shader = shaders_.number_of({{"pieces", pieces}, {"paths", Json::array()}});
     return programs_.number_of({{"stage", "compute"}, {"wgsl", shader}});
   }
@@ -197,14 +198,9 @@ class SuiteWriter {
       inputs.insert(inputs.end(), point.inputs.begin(), point.inputs.end());
       expected.insert(expected.end(), point.expected.begin(), point.expected.end());
     }
-    return Json{{"check", "bug"},
-                {"program", evaluated},
-                {"columns", columns_of(bug.function)},
-                {"inputs", data(inputs)},
-                {"expected", data(expected)},
-                {"allowed", bug.allowed},
-                {"defined", bug.defined},
-                {"note", fmt::format("{}. Reported in: {}", bug.specification, bug.reference)}};
+    return Json{{"check", "bug"},         {"program", evaluated},       {"columns", columns_of(bug.function)},
+                {"inputs", data(inputs)}, {"expected", data(expected)}, {"allowed", bug.allowed},
+                {"defined", bug.defined}, {"note", bug.note()}};
   }
 
   // The words that the function's columns use.
@@ -298,7 +294,7 @@ bool is_on_page(const Case& test, bool thorough) {
   if (!thorough && !test.is_covered(true)) return false;
   if (unsupported_in_browser(test).empty()) return true;
   if (!unsupported_in_browser(test, Platform::webgpu).empty()) return false;
-  return thorough || test.evaluation()->configuration.name == "lattice+fixed";
+  return thorough || test.is<BugKind>() || test.evaluation()->configuration.name == "lattice+fixed";
 }
 
 PageSuite make_suite(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,

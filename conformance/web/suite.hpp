@@ -25,7 +25,7 @@ LanguageSupport webgpu_languages();
 std::string unsupported_in_browser(const Case& test, Platform platform = Platform::opengl);
 
 // Whether the page for any browser has a case: what WebGL2 runs, and of WebGPU, unless the page may be large, the bits
-// of HN_FIXED.
+// of HN_FIXED, and the bugs.
 bool is_on_page(const Case& test, bool thorough = false);
 
 struct PageSuite {

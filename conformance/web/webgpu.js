@@ -19,6 +19,11 @@ class Device {
     this.adapter = adapter;
     this.device = device;
     this.lost = false;
+    const entries = ["storage", "read-only-storage", "uniform"].map((type, binding) => ({
+      binding, visibility: GPUShaderStage.COMPUTE, buffer: { type },
+    }));
+    this.group = device.createBindGroupLayout({ entries });
+    this.layout = device.createPipelineLayout({ bindGroupLayouts: [this.group] });
     device.lost.then(() => (this.lost = true));
   }
 
@@ -48,7 +53,7 @@ class Device {
   async build({ wgsl }) {
     const module = await this.checked("compile the WGSL", () => this.device.createShaderModule({ code: wgsl.text }));
     return this.checked("make a pipeline", () => this.device.createComputePipelineAsync({
-      layout: "auto", compute: { module, entryPoint: "main" },
+      layout: this.layout, compute: { module, entryPoint: "main" },
     }).catch((error) => {
       throw new DriverError("the driver does not make a pipeline", error.message);
     }));
@@ -59,11 +64,11 @@ class Device {
     return this.build(sources());
   }
 
-  // inputs: kInputWords per point. Returns kOutputWords per point.
-  async evaluate(pipeline, inputs) {
+  // inputs: kInputWords per point; uniforms: words that shaders of others may read. Returns kOutputWords per point.
+  async evaluate(pipeline, inputs, uniforms = []) {
     const points = inputs.length / kInputWords;
     const size = points * kOutputWords * kBytes;
-    const { STORAGE, COPY_SRC, COPY_DST, MAP_READ } = GPUBufferUsage;
+    const { STORAGE, UNIFORM, COPY_SRC, COPY_DST, MAP_READ } = GPUBufferUsage;
     const buffers = [];
     const filled = (usage, words) => {
       const buffer = this.device.createBuffer({ size: words.length * kBytes, usage, mappedAtCreation: true });
@@ -73,12 +78,12 @@ class Device {
       return buffer;
     };
     const read = await this.checked("evaluate", async () => {
-      const source = filled(STORAGE, inputs);
       const target = filled(STORAGE | COPY_SRC, new Uint32Array(points * kOutputWords).fill(kNothing));
+      const all = [target, filled(STORAGE, inputs), filled(UNIFORM, Uint32Array.from({ ...uniforms, length: 4 }))];
       const copy = this.device.createBuffer({ size, usage: COPY_DST | MAP_READ });
       buffers.push(copy);
-      const entries = [source, target].map((buffer, binding) => ({ binding, resource: { buffer } }));
-      const group = this.device.createBindGroup({ layout: pipeline.getBindGroupLayout(0), entries });
+      const entries = all.map((buffer, binding) => ({ binding, resource: { buffer } }));
+      const group = this.device.createBindGroup({ layout: this.group, entries });
       const encoder = this.device.createCommandEncoder();
       const pass = encoder.beginComputePass();
       pass.setPipeline(pipeline);

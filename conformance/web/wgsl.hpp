@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "cases/case.hpp"
-#include "expected/verdict.hpp"
 #include "library/source.hpp"
 
 namespace hn {
 
-// The text of what evaluates a function, in pieces that shaders have in common; or why there is none, as a verdict: of
-// another text than the embedded one there is none.
-tl::expected<std::vector<std::string>, Outcome> wgsl_shader(const SourceSet& sources, const Evaluation& evaluation);
+// The text of what evaluates a function, in pieces that shaders have in common. Of another text than the embedded one
+// there is none.
+Result<std::vector<std::string>> wgsl_shader(const SourceSet& sources, const Evaluation& evaluation);
+// As one text.
+Result<std::string> wgsl_text(const SourceSet& sources, const Evaluation& evaluation);
 
 }  // namespace hn

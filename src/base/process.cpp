@@ -11,6 +11,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <thread>
 
 #include "base/file.hpp"
 #include "base/folder.hpp"
@@ -44,22 +45,22 @@ Result<Pipe> make_pipe() {
 }
 
 // In the child, between fork and exec, where only async-signal-safe functions may be called. Returns where it failed.
-void become(const char* program, char* const* arguments, char** environment, const char* output, int reports,
-            bool is_server, pid_t parent) {
+void become(const char* program, char* const* arguments, char** environment, const char* output, int reports, int input,
+            bool is_server, bool own_group, pid_t parent) {
 #ifdef __linux__
   prctl(PR_SET_PDEATHSIG, is_server ? SIGTERM : SIGKILL);
   if (getppid() != parent) _exit(EXIT_FAILURE);  // it ended before the line above
 #endif
   // A server takes signals as it likes, so it is where a terminal's do not come. The others stay in our group: what
   // stops us (Ctrl-Z) stops them.
-  if (is_server) setpgid(0, 0);
+  if (is_server || own_group) setpgid(0, 0);
   for (const int signal : kEndingSignals) ::signal(signal, SIG_IGN);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);  // ours may hold signals back
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);  // a crash is what we look for, its dump is of no use
-  const int in = open("/dev/null", O_RDONLY);
+  const int in = input < 0 ? open("/dev/null", O_RDONLY) : input;
   const int out = open(output, O_WRONLY | O_CREAT | O_APPEND, 0644);
   if (in < 0 || out < 0) return;
   if (dup2(in, STDIN_FILENO) < 0 || dup2(out, STDOUT_FILENO) < 0 || dup2(out, STDERR_FILENO) < 0) return;
@@ -92,7 +93,7 @@ Result<Process> start_process(const ProcessOptions& options) {
   if (pid == 0) {
     become(options.program.c_str(), argument_pointers.data(),
            options.environment ? environment_pointers.data() : nullptr, output.c_str(), reports.write.get(),
-           options.is_server, parent);
+           options.input, options.is_server, options.own_group, parent);
     const int error = errno;
     [[maybe_unused]] const auto written = write(failure.write.get(), &error, sizeof error);
     _exit(EXIT_FAILURE);
@@ -113,6 +114,23 @@ Result<void> run_process(const ProcessOptions& options) {
   }
   if (WIFEXITED(status) && WEXITSTATUS(status) == EXIT_SUCCESS) return {};
   return fail(fmt::format("{} {}", options.program, describe_end(status)), read_file(options.output).value_or(""));
+}
+
+Result<std::optional<int>> run_within(std::chrono::milliseconds limit, ProcessOptions options) {
+  options.own_group = true;
+  HN_TRY(const Process process, start_process(options));
+  int status = 0;
+  // Counted in naps, since we may be stopped (Ctrl-Z) while it runs.
+  constexpr std::chrono::milliseconds kNap{1};
+  for (auto slept = kNap; waitpid(process.pid, &status, WNOHANG) == 0; slept += kNap) {
+    if (slept > limit) {
+      kill(-process.pid, SIGKILL);
+      waitpid(process.pid, &status, 0);
+      return std::nullopt;
+    }
+    std::this_thread::sleep_for(kNap);
+  }
+  return status;
 }
 
 Result<std::string> output_of(const std::string& program, const std::vector<std::string>& arguments) {

@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -25,7 +26,9 @@ struct ProcessOptions {
   std::vector<std::string> arguments = {};
   std::optional<std::vector<std::string>> environment = {};  // NAME=VALUE; ours if there is none
   std::filesystem::path output = "/dev/null";                // of its standard output and error
+  int input = -1;                                            // what it has as standard input; nothing if this is -1
   bool is_server = false;  // it cleans up at its end, so it gets SIGTERM when we end, and is not killed
+  bool own_group = false;  // it leads a group, in which all are that it starts
 };
 
 struct Process {
@@ -49,6 +52,8 @@ Result<Process> start_process(const ProcessOptions& options);
 // Starts a process, which reports nothing, and waits for its end. An error has its status and its output; the file
 // options.output, which must be new, holds the output until it is read.
 Result<void> run_process(const ProcessOptions& options);
+// The same in a group of its own. Returns its status, as in waitpid; nothing if it took longer, and all were killed.
+Result<std::optional<int>> run_within(std::chrono::milliseconds limit, ProcessOptions options);
 // The output of a program that prints little.
 Result<std::string> output_of(const std::string& program, const std::vector<std::string>& arguments);
 

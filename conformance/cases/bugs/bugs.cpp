@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "base/text.hpp"
+#include "cases/bugs/given.hpp"
 #include "cases/bugs/tables.hpp"
 #include "cases/value_checks.hpp"
 #include "expected/compare.hpp"
@@ -37,17 +38,54 @@ void add_cases(std::vector<Case>& cases, const Bug& bug) {
   }
 }
 
-}  // namespace
+std::string distance_of(std::uint32_t got, std::uint32_t expected) {
+  const auto units = ulp_distance(std::bit_cast<float>(got), std::bit_cast<float>(expected));
+  return fmt::format(", {} {} in the last place away", units, units == 1 ? "unit" : "units");
+}
 
-std::span<const Bug> all_bugs() {
-  static const std::vector<Bug> kBugs = [] {
+std::vector<Bug>& kept_bugs() {
+  static std::vector<Bug> bugs = [] {
     std::vector<Bug> all;
     for (const auto& part : {integer_bugs(), float_bugs(), flow_bugs(), position_bugs()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;
   }();
-  return kBugs;
+  return bugs;
+}
+
+}  // namespace
+
+std::span<const Bug> all_bugs() { return kept_bugs(); }
+
+const Bug& give(const GivenFunction& function) {
+  // The row refers to these texts.
+  static const GivenFunction kept = function;
+  static const std::string rule = fmt::format("the expected values are those of {}", kept.expected_from);
+  const auto columns = [](const std::vector<GivenColumn>& given) {
+    std::vector<Column> all;
+    for (const GivenColumn& column : given) all.push_back({column.name, column.type});
+    return all;
+  };
+  Bug row{.function = {.id = kept.id,
+                       .file = kept.file,
+                       .call = {},
+                       .body = kept.body,
+                       .inputs = columns(kept.inputs),
+                       .outputs = columns(kept.outputs),
+                       .plain = {}},
+          .reference = {},
+          .specification = rule,
+          .defined = true,
+          .allowed = kept.tolerance,
+          .profiles = kept.profiles,
+          .points = kept.points,
+          .given = true};
+  return kept_bugs().emplace_back(std::move(row));
+}
+
+std::string Bug::note() const {
+  return given ? std::string(specification) : fmt::format("{}. Reported in: {}", specification, reference);
 }
 
 Evaluation evaluation_of(const Bug& bug, const Profile& profile) {
@@ -55,32 +93,58 @@ Evaluation evaluation_of(const Bug& bug, const Profile& profile) {
   return {bug.function, default_configuration(), profile, {.knobs = bug.declarations}, stage};
 }
 
+tl::expected<std::vector<std::uint32_t>, Outcome> outputs_of(Session& session, const Bug& bug, const Profile& profile) {
+  const auto grid = grid_of(bug);
+  const std::size_t most = session.most_points * kInputWords;
+  std::vector<std::uint32_t> outputs;
+  for (std::size_t begin = 0; begin < grid.size(); begin += most) {
+    if (begin > 0) session.still_alive();
+    const auto part = std::span(grid).subspan(begin, std::min(most, grid.size() - begin));
+    HN_TRY(const auto some, evaluate(session, evaluation_of(bug, profile), part));
+    outputs.insert(outputs.end(), some.begin(), some.end());
+  }
+  return outputs;
+}
+
 Outcome check_bug(Session& session, const Bug& bug, const Profile& profile) {
-  const auto outputs = evaluate(session, evaluation_of(bug, profile), grid_of(bug));
+  const auto outputs = outputs_of(session, bug, profile);
   return outputs ? judge_bug(bug, *outputs) : outputs.error();
 }
 
 Outcome judge_bug(const Bug& bug, std::span<const std::uint32_t> outputs) {
   const auto grid = grid_of(bug);
   Comparison comparison(bug.function, grid);
+  std::vector<std::string> distances;  // of wrong floats from the right ones
+  std::size_t wrong_points = 0;
   for (std::size_t i = 0; i < bug.points.size(); ++i) {
     const auto inputs = std::span(grid).subspan(i * kInputWords, kInputWords);
+    const std::uint64_t wrong_before = comparison.mismatches();
     for (std::size_t column = 0; column < bug.function.outputs.size(); ++column) {
+      const std::uint64_t before = comparison.mismatches();
       const std::uint32_t got = outputs[i * kOutputWords + column];
       const std::uint32_t expected = bug.points[i].expected[column];
-      if (bug.function.outputs[column].type == WordType::f32) {
+      const bool is_float = bug.function.outputs[column].type == WordType::f32;
+      if (is_float) {
         comparison.number(inputs, std::bit_cast<float>(got), number_of(expected), bug.allowed, column);
       } else {
         comparison.bits(inputs, got, expected, column);
       }
+      if (comparison.mismatches() != before) distances.push_back(is_float ? distance_of(got, expected) : "");
     }
+    wrong_points += comparison.mismatches() != wrong_before ? 1 : 0;
   }
   Outcome outcome = comparison.finish();
   if (outcome.status != Status::fail) return outcome;
+  if (bug.given) {
+    for (std::size_t i = 0; i < outcome.examples.size(); ++i) outcome.examples[i].expected += distances[i];
+    outcome.message = fmt::format("differs {}{}, and at {} of {} points; {}", outcome.message, distances.front(),
+                                  wrong_points, bug.points.size(), bug.note());
+    return outcome;
+  }
   if (!bug.defined) outcome.status = Status::warning;
-  outcome.message = fmt::format("{}: {}. {}. Reported in: {}. The shader has:\n{}{}",
-                                bug.defined ? "wrong" : "not the usual value, but allowed", outcome.message,
-                                bug.specification, bug.reference, bug.declarations, bug.function.body);
+  outcome.message =
+      fmt::format("{}: {}. {}. The shader has:\n{}{}", bug.defined ? "wrong" : "not the usual value, but allowed",
+                  outcome.message, bug.note(), bug.declarations, bug.function.body);
   return outcome;
 }
 

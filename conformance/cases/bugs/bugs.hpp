@@ -35,9 +35,12 @@ struct Bug {
   // The text before evaluate: an include, and the bug's own functions if it is about functions.
   std::string_view declarations = "";
   std::vector<BugPoint> points = {};
+  bool given = false;  // by a user (given.hpp): nobody reported it, and its rule names the origin of the words
 
   // The check of its cases' ids.
-  std::string_view check() const { return defined ? "defined" : "undefined"; }
+  std::string_view check() const { return given ? "same" : defined ? "defined" : "undefined"; }
+  // Sentences for messages, without the last point.
+  std::string note() const;
   // Integers, and floats that must be the very number, are exact.
   std::string_view arithmetic() const { return allowed > 0.0 ? "fast" : "exact"; }
 };
@@ -47,7 +50,9 @@ std::span<const Bug> all_bugs();
 // The evaluation for evaluation_shader that makes the bug's shader.
 Evaluation evaluation_of(const Bug& bug, const Profile& profile);
 Outcome check_bug(Session& session, const Bug& bug, const Profile& profile);
-// Holds what came out, kOutputWords per point of the bug, against what should.
+// The driver's words for its points: kOutputWords for each.
+tl::expected<std::vector<std::uint32_t>, Outcome> outputs_of(Session& session, const Bug& bug, const Profile& profile);
+// Compares them with the right ones.
 Outcome judge_bug(const Bug& bug, std::span<const std::uint32_t> outputs);
 
 }  // namespace hn

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <regex>
 #include <utility>
 
 #include "base/file.hpp"
@@ -37,29 +39,100 @@ class SharedObject {
   void* handle_;
 };
 
-// A case's shader defines this (library/shaders.cpp): it evaluates the point of that number.
-using Kernel = void(std::uint32_t* results, const std::uint32_t* points, std::uint32_t index);
+// The call of a kernel, which call_of writes: evaluates so many points, and returns its first operation that Metal
+// leaves undefined, or an empty text.
+using Call = const char*(void* const* buffers, std::uint32_t points);
+
+// Buffers of the call: those of the suite by their numbers, and naga's sizes of them, for arrayLength.
+constexpr std::size_t kSizes = 3;
+constexpr std::size_t kMostSizes = 16;
 
 class CompiledKernel final : public Evaluable {
  public:
-  CompiledKernel(SharedObject object, Kernel* kernel) : object_(std::move(object)), kernel_(kernel) {}
+  CompiledKernel(SharedObject object, Call* call, ShaderText text)
+      : object_(std::move(object)), call_(call), text_(std::move(text)) {}
 
   Result<Words> evaluate(std::span<const std::uint32_t> inputs) override {
-    const auto points = static_cast<std::uint32_t>(inputs.size() / kInputWords);
+    const std::size_t points = inputs.size() / kInputWords;
     Words results(points * kOutputWords, kNothing);
-    for (std::uint32_t point = 0; point < points; ++point) kernel_(results.data(), inputs.data(), point);
+    Words copied(inputs.begin(), inputs.end());
+    std::array<std::uint32_t, 2> shared = {uniforms.trips, uniforms.variant_seed};
+    Words sizes(kMostSizes, static_cast<std::uint32_t>(inputs.size_bytes()));  // of the largest
+    const std::array<void*, kSizes + 1> buffers = {results.data(), copied.data(), shared.data(), sizes.data()};
+    const std::string undefined = call_(buffers.data(), static_cast<std::uint32_t>(points));
+    if (!undefined.empty())
+      return fail("Metal leaves an operation of the kernel undefined", text_.translate(undefined));
     return results;
   }
 
  private:
   SharedObject object_;
-  Kernel* kernel_;
+  Call* call_;
+  ShaderText text_;
 };
+
+// v.yx becomes v.part<'y','x'>(), and v.yx = w becomes v.place<'y','x'>() = w, as the stand-in's vectors have them.
+std::string with_called_parts(const std::string& text) {
+  static const std::regex kParts(R"(\.([xyzw]{2,4})\b( (?==[^=]))?)");
+  std::string called;
+  std::smatch found;
+  auto from = text.begin();
+  for (; std::regex_search(from, text.end(), found, kParts); from = found[0].second) {
+    called.append(from, found[0].first);
+    called +=
+        fmt::format(".{}<'{}'>(){}", found[2].matched ? "place" : "part", fmt::join(found.str(1), "','"), found.str(2));
+  }
+  return called.append(from, text.end());
+}
+
+// What the call gives to a parameter of a kernel. Names come before numbers: naga writes none, and SPIRV-Cross those of
+// its own order by default.
+Result<std::string> argument_for(const std::string& parameter) {
+  static const std::array<std::regex, kSizes + 1> kNames = {
+      std::regex("results|outputs", std::regex::icase), std::regex("points|inputs", std::regex::icase),
+      std::regex("uniforms", std::regex::icase), std::regex("buffer_?sizes", std::regex::icase)};
+  if (parameter.find("thread_position_in_grid") != parameter.npos) return "metal::detail::Position()";
+  const auto named = std::find_if(kNames.begin(), kNames.end(),
+                                  [&](const std::regex& name) { return std::regex_search(parameter, name); });
+  auto number = fmt::format("{}", named - kNames.begin());
+  std::smatch found;
+  if (named == kNames.end() && std::regex_search(parameter, found, std::regex(R"(buffer\(([0-2])\))")))
+    number = found.str(1);
+  if (named == kNames.end() && found.empty())
+    return fail(fmt::format("the stand-in for Metal has nothing for the parameter{}", parameter));
+  return fmt::format("metal::detail::Buffer{{buffers[{}]}}", number);
+}
+
+// A function that calls the text's kernel, "kernel void name(...)" or "[[kernel]] void name(...)", at all points.
+Result<std::string> call_of(const std::string& text) {
+  static const std::regex kKernel(R"(\bkernel(?:\]\])?\s+void\s+(\w+)\s*\(((?:[^()]|\(\w*\))*)\))");
+  static const std::regex kParameter(R"([^,()]+(?:\(\w*\)[^,()]*)?)");
+  const auto last = text.rfind("kernel void");  // the library's text is long
+  std::smatch kernel;
+  if (!std::regex_search(text.begin() + (last == text.npos ? 0 : static_cast<std::ptrdiff_t>(last)), text.end(), kernel,
+                         kKernel))
+    return fail("the stand-in for Metal finds no kernel in the text");
+  std::vector<std::string> arguments;
+  for (std::sregex_iterator at(kernel[2].first, kernel[2].second, kParameter), end; at != end; ++at) {
+    HN_TRY(auto argument, argument_for(at->str()));
+    arguments.push_back(std::move(argument));
+  }
+  return fmt::format(R"(
+extern "C" const char* evaluate_points(void* const* buffers, uint points) {{
+  metal::detail::undefined[0] = 0;
+  for (metal::detail::point = 0; metal::detail::point < points; ++metal::detail::point) {}({});
+  return metal::detail::undefined;
+}}
+)",
+                     kernel.str(1), fmt::join(arguments, ", "));
+}
 
 class MetalEvaluator final : public Evaluator {
  public:
   MetalEvaluator() {
     folder_.write(header().filename().string(), text_of(kGpuFiles, "metal_stdlib.hpp"));
+    std::filesystem::create_directory(folder_.path() / "simd");
+    for (const char* const other : {"simd/simd.h", "metal_math", "metal_texture"}) folder_.write(other, "");
     info_.vendor = "hashnoise";
     info_.renderer = "a stand-in for Metal";
     info_.languages.profiles = {"msl"};
@@ -85,9 +158,27 @@ class MetalEvaluator final : public Evaluator {
 
   Result<std::unique_ptr<Evaluable>> build(const SourceSet& sources, const Evaluation& evaluation,
                                            std::string_view shader) override {
-    HN_TRY(const auto text, expand(sources, evaluation.profile, shader));
+    HN_TRY(auto text, expand(sources, evaluation.profile, shader));
+    return compile(std::move(text));
+  }
+
+  std::vector<Form> takes() const override { return {Form::msl}; }
+
+  Result<std::unique_ptr<Evaluable>> load(const Code& code) override {
+    // SPIRV-Cross has an array with functions for each address space; here they are one.
+    static const std::regex kOtherSpaces(
+        R"(\n *(constexpr const )?(device|constant|threadgroup) T& operator \[\] \(size_t pos\)[^{]*\{[^}]*\})");
+    return compile({"#line 1 \"kernel\"\n" + with_called_parts(std::regex_replace(code.bytes, kOtherSpaces, "")), {}});
+  }
+
+  bool is_lost() const override { return false; }
+  const Context* context() const override { return nullptr; }
+
+ private:
+  Result<std::unique_ptr<Evaluable>> compile(ShaderText text) {
+    HN_TRY(const std::string call, call_of(text.text));
     const std::string name = fmt::format("kernel{}", number_++);
-    folder_.write(name + ".cpp", text.text);
+    folder_.write(name + ".cpp", text.text + call);
     const auto object_path = folder_.path() / (name + ".so");
     // Its C library is in this process; linking it once more took half of the time.
     std::vector<std::string> arguments = options();
@@ -98,21 +189,27 @@ class MetalEvaluator final : public Evaluator {
     if (!compiled)
       return fail("the stand-in for Metal does not compile the kernel", text.translate(compiled.error().log));
     SharedObject object(object_path);
-    auto* const kernel = reinterpret_cast<Kernel*>(object.find("evaluate_point"));
-    if (!kernel) return fail(fmt::format("{} does not define evaluate_point", object_path.string()));
-    return std::make_unique<CompiledKernel>(std::move(object), kernel);
+    auto* const evaluate = reinterpret_cast<Call*>(object.find("evaluate_points"));
+    if (!evaluate) return fail(fmt::format("{} does not define evaluate_points", object_path.string()));
+    return std::make_unique<CompiledKernel>(std::move(object), evaluate, std::move(text));
   }
 
-  bool is_lost() const override { return false; }
-  const Context* context() const override { return nullptr; }
-
- private:
   std::filesystem::path header() const { return folder_.path() / "metal_stdlib"; }
   std::filesystem::path precompiled() const { return folder_.path() / "metal_stdlib.pch"; }
 
-  // -O0: what takes longer to compile than to run.
+  // -O0: what takes longer to compile than to run. Metal has no doubles. It takes the count of a shift modulo 32
+  // (section 3.1), so only what is shifted can make one undefined. Slang calls a kernel main.
   std::vector<std::string> options() const {
-    return {"-std=c++14",           "-O0", "-fPIC", "-ffp-contract=off", "-Wno-unknown-attributes", "-I",
+    return {"-std=c++14",
+            "-O0",
+            "-fPIC",
+            "-ffp-contract=off",
+            "-fsanitize=signed-integer-overflow,shift-base",
+            "-Xclang",
+            "-cl-single-precision-constant",
+            "-Wno-unknown-attributes",
+            "-Dmain=main_",
+            "-I",
             folder_.path().string()};
   }
 

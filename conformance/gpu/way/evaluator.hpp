@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "gpu/evaluator.hpp"
@@ -20,9 +21,30 @@ struct Translating {
   std::filesystem::path kept = {};         // a folder for the inputs of steps that are at fault; none if it is empty
 };
 
-// Its languages are the profiles of the cases that the way takes. The compiler must live longer.
-std::unique_ptr<Evaluator> evaluator_through(Way way, std::unique_ptr<Evaluator> inner,
-                                             const ReferenceCompiler& compiler, WgslText wgsl,
-                                             Translating translating = {});
+// Its languages are the profiles of the cases that the way takes.
+class WayEvaluator : public Evaluator {
+ public:
+  virtual const Way& steps() const = 0;
+  // Takes only the first steps from now on. What they give is completed by the suite's own compilers, or, with no step,
+  // by the driver's own language. False if the driver cannot run it.
+  virtual bool use_steps(std::size_t count) = 0;
+  // Names the files that are kept of what is built next. They are kept where a step fails, or the driver refuses what
+  // comes out; or always.
+  virtual void start(std::string_view name, bool keep_always) = 0;
+
+  struct FailedStep {
+    StepEnd end;
+    std::size_t number;  // from 1
+  };
+  // Of what was built last.
+  virtual std::optional<FailedStep> failed_step() const = 0;
+  // The file of what a step gets, beside the folder of what is kept: "ways/NAME/1-spirv-opt.spv".
+  virtual std::string input_of(std::size_t number) const = 0;
+};
+
+// The compiler must live longer.
+std::unique_ptr<WayEvaluator> evaluator_through(Way way, std::unique_ptr<Evaluator> inner,
+                                                const ReferenceCompiler& compiler, WgslText wgsl,
+                                                Translating translating = {});
 
 }  // namespace hn

@@ -47,6 +47,7 @@ struct Translator {
   std::vector<Conversion> conversions;
   Printed printed = Printed::number;
   std::string_view least_for_hlsl = "";  // older ones read only parts of it
+  bool repeats_decorations = false;
 };
 
 const std::vector<Translator>& translators() {
@@ -59,7 +60,7 @@ const std::vector<Translator>& translators() {
        {{spirv, glsl_es, "--version 310 --es {in} --output {out}"},
         {spirv, gl, "--version 430 --no-es {in} --output {out}"},
         {spirv, glsl, "--version 450 --vulkan-semantics {in} --output {out}"},
-        {spirv, hlsl, "--hlsl --shader-model 50 {in} --output {out}"},
+        {spirv, hlsl, "--hlsl --shader-model 50 --hlsl-force-storage-buffer-as-uav {in} --output {out}"},
         {spirv, msl, "--msl {in} --output {out}"}}},
       // It knows forms by the endings of files.
       {"naga",
@@ -83,12 +84,12 @@ const std::vector<Translator>& translators() {
       {"slang",
        "slangc",
        "-v",
-       {{slang, spirv, "{in} -entry main -stage compute -fvk-u-shift 0 0 -target spirv -o {out}"},
+       {{slang, spirv, "{in} -entry main -stage compute -fvk-u-shift 0 0 -emit-spirv-directly -target spirv -o {out}"},
         {slang, hlsl, "{in} -entry main -stage compute -target hlsl -o {out}"},
         {slang, glsl, "{in} -entry main -stage compute -fvk-u-shift 0 0 -target glsl -o {out}"},
         {slang, msl, "{in} -entry main -stage compute -target metal -o {out}"},
         {slang, wgsl, "{in} -entry main -stage compute -target wgsl -o {out}"},
-        {hlsl, spirv, "{in} -entry main -stage compute -fvk-u-shift 0 0 -target spirv -o {out}"}}},
+        {hlsl, spirv, "{in} -entry main -stage compute -fvk-u-shift 0 0 -emit-spirv-directly -target spirv -o {out}"}}},
       // -Gis: IEEE's rules where the text has `precise`.
       {"dxc",
        "dxc",
@@ -105,7 +106,8 @@ const std::vector<Translator>& translators() {
         {dxbc, spirv, "-x dxbc-tpf -b spirv-binary --buffer-uav=storage-buffer -o {out} {in}"},
         {dxil, spirv, "-x dxbc-dxil -b spirv-binary --buffer-uav=storage-buffer -o {out} {in}"}},
        Printed::number,
-       "1.10"},
+       "1.10",
+       true},  // the type of all buffers has one for each
       {"glslang",
        "glslangValidator",
        "--version",
@@ -208,7 +210,13 @@ Result<Choice> known(std::string_view spec) {
   }
   if (parts.size() > 3) return fail(fmt::format("{} names more than two forms", in_quotes(spec)));
   const std::string program = program_of(*translator, std::string(equals == spec.npos ? "" : spec.substr(equals + 1)));
-  Choice choice{{.name = std::string(translator->name), .command = {program}, .takes = {}, .gives = {}, .version = {}},
+  Choice choice{{.name = std::string(translator->name),
+                 .command = {program},
+                 .takes = {},
+                 .gives = {},
+                 .version = {},
+                 .spec = {},
+                 .repeats_decorations = translator->repeats_decorations},
                 translator->conversions,
                 translator->least_for_hlsl};
   for (std::size_t i = 1; i < parts.size(); ++i) {
@@ -240,7 +248,8 @@ Result<Choice> command(const std::string& text, const WayOptions& options, std::
                  .command = {"/bin/sh", "-c", text},
                  .takes = takes,
                  .gives = gives,
-                 .version = {}},
+                 .version = {},
+                 .spec = {}},
                 {{takes, gives, ""}}};
 }
 
@@ -250,6 +259,7 @@ Result<std::vector<Choice>> choices_of(const WayOptions& options) {
   for (const std::string& spec : options.through) {
     const bool is_command = spec.find_first_of(" \t") != spec.npos;
     HN_TRY(auto choice, is_command ? command(spec, options, commands++) : known(spec));
+    choice.step.spec = spec;
     choices.push_back(std::move(choice));
   }
   if (options.takes.size() == commands && options.gives.size() == commands) return choices;
@@ -368,8 +378,8 @@ std::vector<KnownTranslator> known_translators() {
                                                       name_of(conversion.gives));
       takes = conversion.takes;
     }
-    known.push_back(
-        {std::string(translator.name), std::move(text), version_of(translator, program_of(translator, ""))});
+    const std::string program = program_of(translator, "");
+    known.push_back({std::string(translator.name), std::move(text), program, version_of(translator, program)});
   }
   return known;
 }

@@ -42,10 +42,15 @@ struct Step {
   std::vector<std::string> command;  // with {in} and {out} for the files
   Form takes;
   Form gives;
-  std::string version;  // as the program prints it; empty if it prints none
+  std::string version;               // as the program prints it; empty if it prints none
+  std::string spec;                  // as in the options
+  bool repeats_decorations = false;  // in its SPIR-V, where valid SPIR-V has each once
 
   std::string text() const;  // "spirv-opt 2023.1"
 };
+
+// How a step ends that does not do its work. Or what it gives may be right, but cannot be completed for the driver.
+enum class StepEnd { refused, gave_invalid, crashed, hung, not_completed };
 
 struct Way {
   std::vector<Step> steps;
@@ -63,7 +68,8 @@ Result<Way> find_way(const WayOptions& options, std::span<const Form> driver_tak
 // A translator that can be named, whether it is here or not.
 struct KnownTranslator {
   std::string name;
-  std::string forms;  // "spirv to glsl-es, gl, hlsl, msl"
+  std::string forms;    // "spirv to glsl-es, gl, hlsl, msl"
+  std::string program;  // that would run
   Result<std::string> version;
 };
 std::vector<KnownTranslator> known_translators();

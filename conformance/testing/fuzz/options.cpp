@@ -52,6 +52,11 @@ void check(const RunCommand& run) {
   require(!run.selection.drivers.empty(), "there is a driver");
 }
 
+void check(const CheckCommand& command) {
+  require(command.tolerance >= 0.0 && command.tolerance <= 1e30, "a tolerance is in its range");
+  check(command.run);
+}
+
 void check(const MergeCommand& merge) { require(!merge.inputs.empty(), "there is something to merge"); }
 
 template <typename Command>

@@ -71,6 +71,9 @@ def wgsl_type(glsl: str) -> str:
     """vec2f for vec2; a struct keeps its name."""
     if glsl in WGSL_SCALARS:
         return WGSL_SCALARS[glsl]
+    element, bracket, size = glsl.rstrip("]").partition("[")
+    if bracket:
+        return f"array<{wgsl_type(element)}, {size}>"
     prefix, vec, size = glsl.partition("vec")
     if vec and prefix in WGSL_LETTERS and size in ("2", "3", "4"):
         return f"vec{size}{WGSL_LETTERS[prefix]}"

@@ -46,6 +46,13 @@ class Member:
 
 
 @dataclass(frozen=True)
+class Index:
+    at: Token  # the [
+    of: Expression
+    index: Expression
+
+
+@dataclass(frozen=True)
 class Unary:
     at: Token
     operand: Expression
@@ -72,7 +79,7 @@ class Parentheses:
     inside: Expression
 
 
-Expression = Union[Number, Truth, Name, Call, Member, Unary, Binary, Choice, Parentheses]
+Expression = Union[Number, Truth, Name, Call, Member, Index, Unary, Binary, Choice, Parentheses]
 
 
 @dataclass(frozen=True)
@@ -84,7 +91,7 @@ class Comments:
 @dataclass(frozen=True)
 class Declare:
     at: Token  # the name
-    type: str
+    type: str  # of an array "uint[8]"
     value: Expression | None
     comments: Comments
 
@@ -148,7 +155,15 @@ class DoLoop:
     comments: Comments
 
 
-Statement = Union[Declare, Assign, Evaluate, Return, Break, Block, If, Loop, DoLoop]
+@dataclass(frozen=True)
+class Switch:
+    at: Token
+    value: Expression
+    cases: tuple[tuple[tuple[Expression | None, ...], Block], ...]  # their values; None for the default
+    comments: Comments
+
+
+Statement = Union[Declare, Assign, Evaluate, Return, Break, Block, If, Loop, DoLoop, Switch]
 
 
 @dataclass(frozen=True)
@@ -351,8 +366,12 @@ class Parser:
             return self._if()
         if first.text == "for":
             return self._for()
+        if first.text == "while":
+            return self._while()
         if first.text == "do":
             return self._do()
+        if first.text == "switch":
+            return self._switch()
         start = self.position
         if self._takes("return"):
             value = None if self._next.text == ";" else self._expression()
@@ -374,6 +393,9 @@ class Parser:
         start = self.position
         type_ = self._type()
         name = self._word("the name of a variable")
+        if self._takes("["):
+            type_ += f"[{self._take()}]"
+            self._expect("]")
         value = self._expression() if self._takes("=") else None
         self._expect(";")
         return Declare(name, type_, value, self._comments(start))
@@ -419,6 +441,15 @@ class Parser:
         comments = Comments(self._comments(start_position).before)
         return Loop(at, start, condition, step, self._body(), comments)
 
+    def _while(self) -> Loop:
+        start = self.position
+        at = self._expect("while")
+        self._expect("(")
+        condition = self._expression()
+        self._expect(")")
+        comments = Comments(self._comments(start).before)
+        return Loop(at, None, condition, None, self._body(), comments)
+
     def _do(self) -> DoLoop:
         start = self.position
         at = self._expect("do")
@@ -429,6 +460,28 @@ class Parser:
         self._expect(")")
         self._expect(";")
         return DoLoop(at, body, condition, Comments(self._comments(start).before))
+
+    def _switch(self) -> Switch:
+        start = self.position
+        at = self._expect("switch")
+        self._expect("(")
+        value = self._expression()
+        self._expect(")")
+        self._expect("{")
+        comments = Comments(self._comments(start).before)
+        cases = []
+        while not self._takes("}"):
+            labels: list[Expression | None] = []
+            while label := self._takes("case", "default"):
+                labels.append(self._expression() if label.text == "case" else None)
+                self._expect(":")
+            statements: list[Statement] = []
+            while self._next.text not in ("case", "default", "}"):
+                statements.append(self._statement())
+            if not labels or self._next.text != "}" and not isinstance(statements[-1], (Break, Return)):
+                raise self._next.error(f"{self._next} stands where a case has to end")
+            cases.append((tuple(labels), Block(tuple(statements), Comments())))
+        return Switch(at, value, tuple(cases), comments)
 
     # Expressions.
 
@@ -458,10 +511,12 @@ class Parser:
 
     def _postfix(self) -> Expression:
         found = self._primary()
-        while self._takes("."):
-            found = Member(self._word("a member"), found)
-        if self._next.text == "[":
-            raise self._next.error("the translator does not know arrays")
+        while at := self._takes(".", "["):
+            if at.text == ".":
+                found = Member(self._word("a member"), found)
+            else:
+                found = Index(at, found, self._expression())
+                self._expect("]")
         return found
 
     def _primary(self) -> Expression:

@@ -309,6 +309,8 @@ class Evaluation(Typer):
         elif isinstance(statement, syntax.Break):
             block.append(Break(dict(state)))
             return True
+        elif isinstance(statement, syntax.Switch):
+            raise statement.at.error("a switch is not one that tools/pick knows")
         else:
             if frame in self._in_loops:
                 raise statement.at.error("a return in a loop is not one that tools/pick knows")

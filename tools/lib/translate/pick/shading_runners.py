@@ -24,7 +24,7 @@ from translate.pick.runners import NotRun, ran
 from translate.pick.shading import LANGUAGES
 from translate.tools import DXC, SLANG
 from translate.wgsl.device import Absent, Device
-from translate.wgsl.evaluation import GROUP
+from translate.wgsl.wgpu_program import GROUP
 
 
 def pairs_of(names: Iterable[str]) -> list[tuple[str, str]]:
@@ -74,8 +74,8 @@ class GlslRunner(Runner):
                 write={"float": "floatBitsToUint({})", "int": "uint({})", "uint": "{}", "bool": "{} ? 1u : 0u"})
     entry = """
 layout(local_size_x = {group}) in;
-layout(std430, binding = 0) readonly buffer Inputs {{ uint inputs[]; }};
-layout(std430, binding = 1) buffer Outputs {{ uint outputs[]; }};
+layout(std430, binding = 1) readonly buffer Inputs {{ uint inputs[]; }};
+layout(std430, binding = 0) buffer Outputs {{ uint outputs[]; }};
 void main() {{
   uint at = {taken}u * gl_GlobalInvocationID.x, to = {given}u * gl_GlobalInvocationID.x;
   if (gl_GlobalInvocationID.x < {points}u) {{
@@ -91,8 +91,8 @@ class WgslRunner(Runner):
                        "bool": "select(0u, 1u, {})"},
                 declare="var {name}: {type}{value};", struct="{type}({fields})", passed="&{}", result="let result = ")
     entry = """
-@group(0) @binding(0) var<storage, read> inputs: array<u32>;
-@group(0) @binding(1) var<storage, read_write> outputs: array<u32>;
+@group(0) @binding(1) var<storage, read> inputs: array<u32>;
+@group(0) @binding(0) var<storage, read_write> outputs: array<u32>;
 @compute @workgroup_size({group}) fn main(@builtin(global_invocation_id) id: vec3u) {{
   if (id.x < {points}u) {{
     let at = {taken}u * id.x;
@@ -118,8 +118,8 @@ class HlslRunner(WgslRunner):
                 read={"float": "asfloat({})", "int": "asint({})", "uint": "{}", "bool": "({} != 0u)"},
                 write={"float": "asuint({})", "int": "asuint({})", "uint": "{}", "bool": "({} ? 1u : 0u)"})
     entry = """
-[[vk::binding(0)]] StructuredBuffer<uint> inputs;
-[[vk::binding(1)]] RWStructuredBuffer<uint> outputs;
+[[vk::binding(1)]] StructuredBuffer<uint> inputs;
+[[vk::binding(0)]] RWStructuredBuffer<uint> outputs;
 [numthreads({group}, 1, 1)] void main(uint3 id : SV_DispatchThreadID) {{
   if (id.x < {points}u) {{
     uint at = {taken}u * id.x, to = {given}u * id.x;

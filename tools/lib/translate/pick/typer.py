@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import functools
 import re
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from types import ModuleType, SimpleNamespace
 
@@ -46,6 +46,7 @@ class Typer:
 
     make: ModuleType | SimpleNamespace
     chosen: Collection[str] = SIZES  # types that ?: may have
+    builtins: Mapping[str, tuple[int, tuple[str, ...]]] = BUILTINS
 
     def __init__(self, library: Library):
         self.library = library
@@ -80,6 +81,8 @@ class Typer:
             return self._value(expression.inside, *scope)
         if kind is syntax.Unary:
             return self._unary(expression.at, self._value(expression.operand, *scope))
+        if kind is syntax.Index:
+            return self._element(expression, *scope)
         if kind is syntax.Truth:
             return plain(Constant("bool", int(expression.at.text == "true")))
         return self._choice(expression.at, *(self._value(one, *scope) for one in (
@@ -124,6 +127,9 @@ class Typer:
     def _field(self, of: Typed, name: str, type_: str) -> Typed:
         raise NotImplementedError
 
+    def _element(self, expression: syntax.Index, *scope: object) -> Typed:
+        raise expression.at.error("the translator does not know arrays")
+
     def _unary(self, at: Token, operand: Typed) -> Typed:
         kind = scalar_of(operand.type)
         if operand.type not in SIZES or kind not in (("bool",) if at.text == "!" else ("float", "int")):
@@ -148,8 +154,8 @@ class Typer:
         types = tuple(argument.type for argument in arguments)
         if name in SIZES:
             return self._construct(call.at, arguments)
-        if name in BUILTINS or name in CASTS:
-            count, kinds = BUILTINS.get(name) or (1, CASTS[name][:1])
+        if name in self.builtins or name in CASTS:
+            count, kinds = self.builtins.get(name) or (1, CASTS[name][:1])
             if len(types) != count or len(set(types)) != 1 or types[0] not in SIZES or scalar_of(types[0]) not in kinds:
                 raise call.at.error(f"the translator does not know {name}({', '.join(types)})")
             scalar = CASTS[name][1] if name in CASTS else scalar_of(types[0])

@@ -20,7 +20,9 @@ LEFT_OUT = "; 0 if left out"
 class Module:
     """The definitions of a text, which may include files of the library. Each is translated when it is first used."""
 
-    def __init__(self, library: Path, text: str, settings: Settings = Settings(), path: str = "the text"):
+    def __init__(self, library: Path, text: str, settings: Settings = Settings(), path: str = "the text",
+                 writer: type[FunctionWriter] = FunctionWriter):
+        self._writer = writer
         preprocessor = Preprocessor(library, settings.macros())
         preprocessor.read(text, path)
         if preprocessor.stands_for("HN_ARITHMETIC", "HN_PRECISE"):
@@ -55,9 +57,9 @@ class Module:
         if name not in self._definitions:
             item = self.items[name]
             if isinstance(item, Constant):
-                made = FunctionWriter(self.library).constant(name)
+                made = self._writer(self.library).constant(name)
             else:
-                made = self._struct(item) if isinstance(item, Struct) else FunctionWriter(self.library, item).definition()
+                made = self._struct(item) if isinstance(item, Struct) else self._writer(self.library, item).definition()
             self._definitions[name] = made
         return self._definitions[name]
 

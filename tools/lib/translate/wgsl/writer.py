@@ -13,8 +13,8 @@ from translate.parsing.lines import WIDTH, wrapped
 from translate.parsing.syntax import Expression, Function, Parameter, Statement
 from translate.parsing.tokens import Token
 from translate.pick.printer import UNARY, Piece
-from translate.pick.typer import Typed, Typer, number, plain
-from translate.pick.values import SIZES, Constant, Node, Operation, Variable, result_type, scalar_of, vector_of
+from translate.pick.typer import BUILTINS, Typed, Typer, number, plain
+from translate.pick.values import SHIFTS, SIZES, Constant, Node, Operation, Variable, result_type, scalar_of, vector_of
 from translate.pick.wgsl import Wgsl, WgslExpressions
 
 LANGUAGE = Wgsl(splats=False, fills=False)
@@ -68,6 +68,8 @@ class Expressions(WgslExpressions):
         if isinstance(node, Operation) and node.kind == "address":
             text = self._text(node.arguments[0])
             return Piece(text.removeprefix("*") if text.startswith("*") else f"&{text}")
+        if isinstance(node, Operation) and node.kind == "index":
+            return Piece(f"{self._text(node.arguments[0])}[{self._text(node.arguments[1])}]")
         if isinstance(node, Operation) and node.kind == "parentheses":
             return Piece(self._piece(node.arguments[0]).within(UNARY))
         return super()._piece(node)
@@ -150,6 +152,8 @@ class FunctionWriter(Typer):
             return lines + self._loop(statement, indent)
         if isinstance(statement, syntax.DoLoop):
             return lines + self._do_loop(statement, indent)
+        if isinstance(statement, syntax.Switch):
+            return lines + self._switch(statement, indent)
         code = wrapped(self._simple(statement) + ";", indent)
         if comments.after:
             if len(code[-1]) + len(comments.after) + 2 <= WIDTH:
@@ -192,6 +196,9 @@ class FunctionWriter(Typer):
                 *wrapped(f"break if !({self._text(loop.condition, 'bool')});", indent + 4), " " * (indent + 2) + "}",
                 " " * indent + "}"]
 
+    def _switch(self, statement: syntax.Switch, indent: int) -> list[str]:
+        raise statement.at.error("the translator does not know switch")
+
     def _simple(self, statement: Statement) -> str:
         if isinstance(statement, syntax.Declare):
             return self._declaration(statement)
@@ -215,7 +222,7 @@ class FunctionWriter(Typer):
 
     def _assignment(self, statement: syntax.Assign) -> str:
         changed = statement.target
-        while isinstance(changed, syntax.Member):
+        while isinstance(changed, (syntax.Member, syntax.Index)):
             changed = changed.of
         if not isinstance(changed, syntax.Name):
             raise changed.at.error(f"{changed.at} cannot be assigned to")
@@ -245,7 +252,7 @@ class FunctionWriter(Typer):
         if at.text not in self.library.constants:
             raise at.error(f"{at} is no variable, and no macro that stands for a number")
         self.needs[at.text] = None
-        value = FunctionWriter(self.library)._value(self.library.constant(at.text))
+        value = type(self)(self.library)._value(self.library.constant(at.text))
         return plain(Variable(value.type, at.text))
 
     def _field(self, of: Typed, name: str, type_: str) -> Typed:
@@ -269,3 +276,40 @@ class FunctionWriter(Typer):
         if not any(one.is_set and one.at.text == argument.at.text for one in self.function.parameters):
             self.changed.add(argument.at.text)
         return made("address", "", value.type, value.node)
+
+
+class RowWriter(FunctionWriter):
+    """Of rows of the suite, which are no text of the library's: they have more of GLSL than every language could
+    print."""
+    builtins = {**BUILTINS, **dict.fromkeys(("sin", "cos", "fract"), (1, ("float",)))}
+
+    def _number(self, text: str) -> Constant:
+        found = number(text)
+        if found.type == "int":  # without the i its type is that of what stands around it
+            return Constant("int", found.value, f"{text}i")
+        return number(f"{text}f") if found.type == "float" and text[-1] not in "fF" else found
+
+    def _element(self, expression: syntax.Index, *scope: object) -> Typed:
+        of, index = self._value(expression.of), self._of_type(expression.index, "int")
+        element, bracket, _ = of.type.partition("[")
+        if not bracket:
+            raise expression.at.error(f"a {of.type} is no array")
+        return plain(made("index", "", element, of.node, index.node))
+
+    def _switch(self, statement: syntax.Switch, indent: int) -> list[str]:
+        value = self._value(statement.value)
+        lines = [f"switch {self.expressions.text(value)} {{"]
+        for labels, block in statement.cases:
+            shown = ", ".join("default" if label is None else self._text(label, value.type) for label in labels)
+            lines += [f"{'' if labels == (None,) else 'case '}{shown}: {{", *self._block(block, 0), "}"]
+        return [" " * indent + line for line in [*lines, "}"]]
+
+    def _unary(self, at: Token, operand: Typed) -> Typed:
+        if at.text == "-" and operand.type == "uint":  # WGSL negates no words
+            return self._binary(at, "-", plain(Constant("uint", 0)), operand)
+        return super()._unary(at, operand)
+
+    def _binary(self, at: Token, sign: str, left: Typed, right: Typed) -> Typed:
+        if sign in SHIFTS and right.type == "int" and not isinstance(right.node, Constant):
+            right = plain(constructed("uint", (right.node,)))
+        return super()._binary(at, sign, left, right)

@@ -1,0 +1,24 @@
+// Takes a shader through the steps of a way.
+#pragma once
+
+#include <chrono>
+#include <span>
+#include <vector>
+
+#include "gpu/way/way.hpp"
+
+namespace hn {
+
+// A step that did not do its work.
+struct StepError {
+  StepEnd end;
+  std::size_t number;  // of the step, from 1
+  Error error;
+};
+
+// What each step gives, in their order. SPIR-V is valid, or the step is at fault. limit: of each step's time; its
+// program is then killed with all that it started. An error also has what the steps before gave, in `given`.
+tl::expected<void, StepError> translate(std::span<const Step> steps, const Code& code, std::chrono::milliseconds limit,
+                                        std::vector<Code>& given);
+
+}  // namespace hn
