@@ -84,7 +84,7 @@ class Linker:
 
 def evaluation_of(rows: Mapping[str, str]) -> dict[str, str]:
     """For each row, a shader that imports the functions that it calls. Its variables may have names of the module."""
-    return shaders_over(rows, "HN_FIXED", lambda names: imported(names, "HN_FIXED"))
+    return shaders_over(rows, lambda names: imported(names, "HN_FIXED"))
 
 
 class Linked(unittest.TestCase):

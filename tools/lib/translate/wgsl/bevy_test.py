@@ -66,8 +66,7 @@ def library(*options: str) -> str:
 
 def evaluation_of(rows: Collection[str]) -> dict[str, str]:
     """For each row, a shader that imports the functions that it calls."""
-    return shaders_over(rows, "HN_FIXED",
-                        lambda names: "".join(f"#import hashnoise::{name}\n" for name in names))
+    return shaders_over(rows, lambda names: "".join(f"#import hashnoise::{name}\n" for name in names))
 
 
 class Bevy(unittest.TestCase):
