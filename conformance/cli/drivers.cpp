@@ -155,7 +155,7 @@ std::vector<Form> Driver::takes() const {
     case Platform::opengl:
       return {es_alone() ? Form::glsl_es : Form::gl};
     case Platform::vulkan:
-      return {Form::spirv, Form::hlsl};
+      return {Form::spirv, Form::glsl_es, Form::gl, Form::glsl, Form::hlsl};
     case Platform::metal:
       return {Form::msl};
     case Platform::webgpu:

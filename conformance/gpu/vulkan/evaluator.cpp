@@ -85,7 +85,7 @@ class VulkanEvaluator final : public Evaluator {
     return run(words);
   }
 
-  std::vector<Form> takes() const override { return {Form::spirv, Form::hlsl, Form::glsl, Form::gl, Form::glsl_es}; }
+  std::vector<Form> takes() const override { return {Form::spirv, Form::glsl_es, Form::gl, Form::glsl, Form::hlsl}; }
 
   Result<std::unique_ptr<Evaluable>> load(const Code& code) override {
     if (code.form == Form::spirv) return run(spirv_of(code.bytes));
