@@ -12,6 +12,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from base.debian import Missing
 from base.tree import ROOT
 from translate.library_file import ARITHMETICS
 from translate.parsing.syntax import Function
@@ -21,7 +22,7 @@ from translate.pick.evaluate import Module
 from translate.pick.runners import ran
 from translate.pick.shading import LANGUAGES
 from translate.tools import DXC, SLANG
-from translate.wgsl.device import Absent, Device
+from translate.wgsl.device import Device
 from translate.wgsl.wgpu_program import GROUP
 
 
@@ -182,7 +183,7 @@ int run(std::FILE* read, std::FILE* written) {{
 
     def __init__(self) -> None:
         if not shutil.which("clang++"):
-            raise Absent("there is no clang++: apt-get install clang")
+            raise Missing("there is no clang++: apt-get install clang")
 
     def run(self, cases: Sequence[Case], points: int) -> list[bytes]:
         runs = "".join(f"namespace text{number} {{\n{case.text}{self.entry_of(case, points)}}}\n"

@@ -24,7 +24,7 @@ from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from pathlib import Path
 from typing import NamedTuple
 
-from base.debian import Missing, program
+from base.debian import SKIPPED, Missing, program
 from base.javascript.environment import NODE
 from base.thorough import THOROUGH
 from base.tree import GLSL, ROOT
@@ -38,7 +38,6 @@ from translate.wgsl import wgpu_program
 from translate.wgsl.device import WGPU
 from translate.whole import library
 
-SKIPPED = 77
 # Before a text, the runner that calls it, and how a file with it is called.
 FORMS = {"glsl": ("#version 310 es\n", GlslRunner, "comp"), "glsl-desktop": ("#version 450\n", GlslRunner, "comp"),
          "hlsl": ("", HlslRunner, "hlsl"), "slang": ("", HlslRunner, "slang"), "wgsl": ("", WgslRunner, "wgsl")}
