@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/file.hpp"
+#include "base/text.hpp"
 #include "gpu/way/translate.hpp"
 
 namespace hn {
@@ -42,6 +43,16 @@ struct Source {
   Code code;
   ShaderText text;
 };
+
+// Some translators do not know #line, and the lines in messages of all of them are those of the file that is kept.
+std::string without_numbering(std::string_view text) {
+  std::string kept;
+  for (const std::string_view line : split(text, '\n')) {
+    const auto directive = directive_of(line);
+    if (!directive || directive->word != "line") kept += fmt::format("{}\n", line);
+  }
+  return kept;
+}
 
 class ThroughSteps final : public WayEvaluator {
  public:
@@ -142,7 +153,7 @@ class ThroughSteps final : public WayEvaluator {
     if (evaluation.profile.in_glsl() || evaluation.profile.name == "hlsl50") {
       HN_TRY(text, compiler_.preprocessed(text, evaluation.profile, evaluation.stage));
     }
-    return Source{{form, text.text}, std::move(text)};
+    return Source{{form, without_numbering(text.text)}, std::move(text)};
   }
 
   Result<std::unique_ptr<Evaluable>> build(const Source& source) {
@@ -152,7 +163,6 @@ class ThroughSteps final : public WayEvaluator {
     if (!done) {
       auto [end, number, error] = done.error();
       failed_ = {end, number};
-      if (number == 1) error.log = source.text.translate(error.log);
       error.message += kept_at(number);
       return tl::unexpected(std::move(error));
     }

@@ -9,6 +9,7 @@
 #include "base/file.hpp"
 #include "base/folder.hpp"
 #include "base/process.hpp"
+#include "base/text.hpp"
 #include "gpu/spirv.hpp"
 
 namespace hn {
@@ -59,7 +60,7 @@ tl::expected<Code, StepError> translate(const Step& step, const Code& code, std:
   const auto status = run_within(
       limit, {.program = program, .arguments = std::move(words), .environment = environment(), .output = output});
   if (!status) return failed(StepEnd::refused, "cannot be run: " + status.error().message);
-  const std::string printed = read_file(output).value_or("");
+  const std::string printed = printable(read_file(output).value_or(""));
   if (!*status) {
     return failed(StepEnd::hung, fmt::format("does not end within {} s", std::chrono::duration<double>(limit).count()),
                   printed);

@@ -20,7 +20,7 @@ struct FormRow {
   std::string_view ending;
 };
 // By Form.
-constexpr std::array<FormRow, 10> kForms = {{{"glsl", ".comp"},
+constexpr std::array<FormRow, 10> kForms = {{{"glsl", ".comp.glsl"},
                                              {"gl", ".comp"},
                                              {"glsl-es", ".comp"},
                                              {"spirv", ".spv"},
