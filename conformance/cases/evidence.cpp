@@ -144,7 +144,7 @@ class Examiner {
     if (wrong != 0) add_pictures(evidence, wrong);
     if (session_.evaluator->context()) {
       add_shader(evidence, at);
-    } else {
+    } else if (!session_.evaluator->way()) {
       evidence.note += kNoShader;
     }
     return evidence;

@@ -83,7 +83,7 @@ std::span<const Bug> all_bugs() { return kept_bugs(); }
 const Bug& give(const GivenFunction& function) {
   // The row refers to these texts.
   static const GivenFunction kept = function;
-  static const std::string rule = fmt::format("the expected values are those of {}", kept.expected_from);
+  static const std::string rule = fmt::format("The expected values are those of {}", kept.expected_from);
   const auto columns = [](const std::vector<GivenColumn>& given) {
     std::vector<Column> all;
     for (const GivenColumn& column : given) all.push_back({column.name, column.type});
@@ -159,7 +159,7 @@ Outcome judge_bug(const Bug& bug, const Profile& profile, std::span<const std::u
   if (outcome.status != Status::fail) return outcome;
   if (bug.given) {
     for (std::size_t i = 0; i < outcome.examples.size(); ++i) outcome.examples[i].expected += distances[i];
-    outcome.message = fmt::format("differs {}{}, and at {} of {} points; {}", outcome.message, distances.front(),
+    outcome.message = fmt::format("differs {}{}, and at {} of {} points. {}", outcome.message, distances.front(),
                                   wrong_points, bug.points.size(), bug.note(profile));
     return outcome;
   }
