@@ -180,10 +180,11 @@ Json page_case(const Run& run, const CaseResult& result, PageBudget& shown) {
     }
   }
   const Json examples = examples_of(outcome);
-  // With examples the message only repeats the first of them.
+  // With examples the message only repeats the first of them, or also states that the driver is wrong without a way.
+  const bool without_way = !run.way.empty() && !faulty;
   return {{"id", result.id},
           {"measure", outcome.samples == 0 ? "" : measure_of(outcome) + "."},
-          {"message", examples.empty() ? Json({{"text", cleaned(outcome.message)}}) : Json(false)},
+          {"message", examples.empty() || without_way ? Json({{"text", cleaned(outcome.message)}}) : Json(false)},
           {"has_examples", !examples.empty()},
           {"examples", examples},
           {"step", std::move(step)},
