@@ -14,9 +14,6 @@
 namespace hn {
 namespace {
 
-// The most failures that a case lists; further ones add nothing.
-constexpr std::size_t kMostExamples = 8;
-
 // Such a part of the values of a case may be left out; with more it would be no test.
 constexpr double kMostLeftOut = 1.0 / 8.0;
 

@@ -114,7 +114,7 @@ Outcome check_bug(Session& session, const Bug& bug, const Profile& profile) {
 Outcome judge_bug(const Bug& bug, std::span<const std::uint32_t> outputs) {
   const auto grid = grid_of(bug);
   Comparison comparison(bug.function, grid);
-  std::vector<std::string> distances;  // of wrong floats from the right ones
+  std::vector<std::string> distances;  // of the examples from the right values
   std::size_t wrong_points = 0;
   for (std::size_t i = 0; i < bug.points.size(); ++i) {
     const auto inputs = std::span(grid).subspan(i * kInputWords, kInputWords);
@@ -129,7 +129,8 @@ Outcome judge_bug(const Bug& bug, std::span<const std::uint32_t> outputs) {
       } else {
         comparison.bits(inputs, got, expected, column);
       }
-      if (comparison.mismatches() != before) distances.push_back(is_float ? distance_of(got, expected) : "");
+      const bool is_example = comparison.mismatches() != before && before < kMostExamples;
+      if (is_example) distances.push_back(is_float ? distance_of(got, expected) : "");
     }
     wrong_points += comparison.mismatches() != wrong_before ? 1 : 0;
   }
