@@ -16,10 +16,10 @@ import unittest
 from pathlib import Path
 
 from base.pieces import is_deleted
+from base.testing import skipped_without
 from base.tree import ROOT, TOOLS
 from ship.recipes import RECIPES
 
-SKIPPED = 77
 # {} is an empty folder. The commands that install are conform, test, measure and others of setup.sh, those with NumPy
 # (scientific-python), what has packages of npm, PyPI or cargo (pack npm, pack python, make site), and measure gpu
 # --get-drivers.
@@ -66,9 +66,6 @@ class Network(unittest.TestCase):
 
 if __name__ == "__main__":
     Network.program = sys.argv.pop(1)
-    try:
+    with skipped_without(OSError, subprocess.CalledProcessError):  # Debian's package is strace
         subprocess.run(["strace", "-qq", "-o", "/dev/null", "true"], check=True, capture_output=True)
-    except (OSError, subprocess.CalledProcessError) as reason:
-        print(f"skipped: {reason}; Debian's package is strace")
-        sys.exit(SKIPPED)
     unittest.main()

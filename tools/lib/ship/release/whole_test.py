@@ -13,12 +13,12 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from base.debian import SKIPPED
 from base.tree import ROOT
 from ship.packing_support import lost_links
 from ship.recipes import RECIPES
 from ship.release.files import PARTS
 
-SKIPPED = 77
 OTHERS = ",".join(name for name in ("python", "check") if name in PARTS)
 
 

@@ -20,7 +20,7 @@ from base.testing import skipped_without
 from base.thorough import THOROUGH
 from base.tree import GLSL, ROOT, TOOLS
 from translate.settings import ARITHMETICS, Settings
-from translate.wgsl.device import Absent, Device, find_wgpu
+from translate.wgsl.device import Device, find_wgpu
 from translate.wgsl.module import Module
 
 # Files that users include: those that have the others in them.
@@ -83,7 +83,7 @@ class Wgpu(unittest.TestCase):
 
 if __name__ == "__main__":
     Wgpu.program = sys.argv.pop(1)
-    with skipped_without(Absent):
+    with skipped_without():
         Wgpu.device = Device()
     print(f"on {Wgpu.device.info()}")
     unittest.main()
