@@ -106,7 +106,7 @@ void Comparison::require(bool right, std::span<const std::uint32_t> inputs, floa
 
 void Comparison::note(std::span<const std::uint32_t> inputs, std::optional<std::size_t> column, std::string_view got,
                       std::string expected) {
-  if (outcome_.mismatches++ >= kMostExamples) return;
+  if (outcome_.mismatches++ >= kExamplesKept) return;
   const auto point = before_ + static_cast<std::size_t>(inputs.data() - grid_.data()) / kInputWords;
   const bool named = column && function_.outputs.size() > 1;
   Mismatch mismatch{point,

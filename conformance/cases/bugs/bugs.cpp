@@ -151,7 +151,7 @@ Outcome judge_bug(const Bug& bug, const Profile& profile, std::span<const std::u
       } else {
         comparison.bits(inputs, got, expected, column);
       }
-      const bool is_example = comparison.mismatches() != before && before < kMostExamples;
+      const bool is_example = comparison.mismatches() != before && before < kExamplesKept;
       if (is_example) distances.push_back(is_float ? distance_of(got, expected) : "");
     }
     wrong_points += comparison.mismatches() != wrong_before ? 1 : 0;
