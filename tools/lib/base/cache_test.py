@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import unittest
-
 from base.cache import cached
 from base.testing import Case
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 import shutil
-import unittest
 
 from base.testing import Case, called
 from translate.dimensions import command
