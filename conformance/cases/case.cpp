@@ -94,32 +94,48 @@ CaseResult run_once(Session& session, const Case& test) {
 
 bool has_wrong_values(const Outcome& outcome) { return outcome.status == Status::fail && outcome.mismatches > 0; }
 
-// Runs a case of wrong values once more with each number of steps, to name the first after which they are wrong.
+// Whether a case of wrong values has them after so many steps, too, without one of them; nothing if it cannot be seen.
+std::optional<bool> is_wrong_after(Session& session, WayEvaluator& way, const Case& test, std::size_t count,
+                                   std::optional<std::size_t> without = {}) {
+  session.forget_evaluables();
+  if (!way.use_steps(count, without)) return std::nullopt;
+  const Outcome then = run_once(session, test).outcome;
+  session.still_alive();
+  if (has_wrong_values(then)) return true;
+  if (then.status == Status::pass || then.status == Status::warning) return false;
+  return std::nullopt;
+}
+
+// Runs the case once more with each number of steps, to name the first after which values are wrong. Where the driver
+// cannot run what is between steps, those that can be left out are left out, one at a time.
 void find_faulty_step(Session& session, WayEvaluator& way, const Case& test, Outcome& outcome) {
   const std::vector<Step>& steps = way.steps().steps;
+  const auto name = [&](std::size_t number) { return steps[number - 1].text(); };
   std::optional<std::size_t> right;  // after so many steps
   std::optional<std::size_t> wrong;
+  way.start(test.id, true);
   for (std::size_t count = 0; count <= steps.size() && !wrong; ++count) {
-    session.forget_evaluables();
-    way.start(test.id, true);
-    if (!way.use_steps(count)) continue;
-    const Outcome then = run_once(session, test).outcome;
-    session.still_alive();
-    if (has_wrong_values(then)) wrong = count;
-    if (then.status == Status::pass || then.status == Status::warning) right = count;
+    const auto is_wrong = is_wrong_after(session, way, test, count);
+    if (is_wrong) (*is_wrong ? wrong : right) = count;
   }
-  way.use_steps(steps.size());
-  session.forget_evaluables();
-  const auto name = [&](std::size_t count) { return steps[count - 1].text(); };
+  way.start(test.id, false);
   std::string text = "right when it is run again";
   if (wrong == std::size_t{0}) {
     text = "wrong without a translator, too";
   } else if (wrong) {
+    const std::size_t first = right.value_or(0) + 1;
     text = !right ? fmt::format("wrong after {}", name(*wrong))
-                  : fmt::format("right before {}, wrong after {}", name(*right + 1),
-                                *right + 1 == *wrong ? "it" : name(*wrong));
+                  : fmt::format("right before {}, wrong after {}", name(first), first == *wrong ? "it" : name(*wrong));
+    for (std::size_t number = first; number < *wrong; ++number) {
+      if (steps[number - 1].takes != steps[number - 1].gives) continue;
+      if (is_wrong_after(session, way, test, *wrong, number) != false) continue;
+      text = fmt::format("right without {}, wrong with it", name(number));
+      wrong = number;
+    }
     outcome.step = FaultyStep{*wrong, way.input_of(*wrong)};
   }
+  way.use_steps(steps.size());
+  session.forget_evaluables();
   outcome.message = fmt::format("{}: {}", text, outcome.message);
 }
 

@@ -26,18 +26,22 @@ class Ways : public OnVulkan<> {
  protected:
   // Runs a case of a hash through steps: commands from SPIR-V to SPIR-V, or known translators.
   Outcome run(const std::vector<std::string>& through, std::string_view profile = "vulkan") {
+    auto inner = create_vulkan_evaluator(number_, reference_);
+    EXPECT_TRUE(inner) << inner.error().text();
+    return run(std::move(*inner), through, profile);
+  }
+
+  Outcome run(std::unique_ptr<Evaluator> inner, const std::vector<std::string>& through, std::string_view profile) {
     WayOptions options{.through = through};
     for (const std::string& spec : through) {
       if (spec.find(' ') == spec.npos) continue;
       options.takes.emplace_back("spirv");
       options.gives.emplace_back("spirv");
     }
-    auto inner = create_vulkan_evaluator(number_, reference_);
-    EXPECT_TRUE(inner) << inner.error().text();
-    auto way = find_way(options, (*inner)->takes());
+    auto way = find_way(options, inner->takes());
     EXPECT_TRUE(way) << way.error().text();
     Session session{{sources_, reference_, HN_GOLDEN_DIRECTORY, 1},
-                    evaluator_through(*way, std::move(*inner), reference_, {}, {limit_, folder_.path() / "ways"})};
+                    evaluator_through(*way, std::move(inner), reference_, {}, {limit_, folder_.path() / "ways"})};
     return run_case(session, case_named(fmt::format("hash.word.lattice.exact.compute.{}.golden", profile))).outcome;
   }
 
@@ -77,6 +81,18 @@ TEST_F(Ways, TheFirstFaultyStepIsNamed) {
     EXPECT_EQ(outcome.step->number, row.step);
     EXPECT_NE(kept(outcome.step->input), "") << outcome.step->input;
   }
+}
+
+// OpenGL runs no SPIR-V, so what the first step gives is seen only through the second.
+TEST_F(Ways, AFaultyStepIsNamedWhereItsResultCannotBeRun) {
+  auto context = create_osmesa();
+  ASSERT_TRUE(context) << context.error().text();
+  const Outcome outcome =
+      run(evaluator_on(std::move(*context)), {swapping("OpBitwiseXor", "OpBitwiseOr"), "spirv-cross"}, "vulkan");
+  EXPECT_EQ(outcome.status, Status::fail) << outcome.message;
+  EXPECT_EQ(outcome.message.find("right without spirv-dis, wrong with it: "), 0u) << outcome.message;
+  ASSERT_TRUE(outcome.step);
+  EXPECT_EQ(outcome.step->number, 1u);
 }
 
 TEST_F(Ways, WhatHangsIsKilledWithAllThatItStarted) {

@@ -98,7 +98,6 @@ class BenchCli(ProgramTest):
         self.write("corner.glsl", VALUE_NOISE)
         braces = self.write("braces.glsl", "#include \"corner.glsl\"\nconst float kTwo[] = { 1.0, 2.0 };\n"
                             "float two(vec2 p) { return kTwo[int(p.x) & 1] * value_noise(p); }\n")
-        self.assertEqual(self.bench("--against", f"braces={braces}:two(p)").returncode, 2)
         done = self.bench("--against", f"both={both}:value_noise(p) * 2.0 - 1.0", "--against",
                           f"plane={plane}:value_noise(p)", "--against", f"space={space}:value_noise(p)", "--against",
                           f"versions={versions}:value_noise(p)", "--against",

@@ -106,9 +106,8 @@ Result<std::uint32_t> word_of(const Row& row, std::size_t i, const GivenColumn& 
                     : column.type == WordType::i32 ? word_of<std::int32_t>(field)
                                                    : word_of<std::uint32_t>(field);
   if (word && (column.type != WordType::f32 || std::isfinite(std::bit_cast<float>(*word)))) return *word;
-  return fail(fmt::format("{}:{}: {} is not {} ({})", row.place, i + 1, in_quotes(field),
-                          column.type == WordType::f32 ? "a finite float" : "in the range of its type",
-                          fmt::format("column {}, {}", column.name, scalar_of(column.type).name)));
+  return fail(fmt::format("{}:{}: {} is no finite {} (column {})", row.place, i + 1, in_quotes(field),
+                          scalar_of(column.type).name, column.name));
 }
 
 Result<std::vector<std::vector<std::uint32_t>>> words_of(const Table& table, const std::vector<GivenColumn>& columns) {
@@ -154,10 +153,12 @@ Result<void> add_argument(std::vector<Argument>& arguments, std::string_view fie
   const auto names = split(parts[0], '.');
   if (!is_identifier(names[0])) return wrong("is not a name, or a name and a component as in p.x");
   const std::string name(names[0]);
-  const bool is_next = !arguments.empty() && arguments.back().name == name;
-  const bool first = names.size() == 1 || names[1] == "x";
-  if (names.size() > 2 || (!first && (!is_next || names[1] != kAxes.substr(arguments.back().components, 1) ||
-                                      arguments.back().scalar != &*scalar))) {
+  const bool first = names.size() == 1 || (names.size() == 2 && names[1] == "x");
+  const auto continues = [&](const Argument& last) {
+    return last.name == name && last.scalar == &*scalar && last.components < kAxes.size() && names.size() == 2 &&
+           names[1] == kAxes.substr(last.components, 1);
+  };
+  if (!first && (arguments.empty() || !continues(arguments.back()))) {
     return wrong("does not follow the component before it: write p.x,p.y,p.z, of one type");
   }
   if (first && std::ranges::find(arguments, name, &Argument::name) != arguments.end()) return wrong("occurs twice");
@@ -312,7 +313,11 @@ Result<ContextInfo> record(const CheckCommand& command, const DriverChoice& choi
   std::string refusals;
   for (const std::string& name : choice.names) {
     const auto driver = find_driver(name);
-    if (driver->browser || driver->is_reference_compiler()) continue;  // they report no values
+    if (driver->is_reference_compiler()) continue;
+    if (driver->browser) {
+      refusals += fmt::format("\n{}: a browser reports no values", name);
+      continue;
+    }
     Job job{.task = Task::values, .driver = name, .suite = {}, .ids = {}};
     job.suite.given = function;
     if (!command.record.empty())

@@ -159,7 +159,7 @@ std::vector<Form> Driver::takes() const {
     case Platform::metal:
       return {Form::msl};
     case Platform::webgpu:
-      return {Form::wgsl, Form::spirv};
+      return name == "dawn" ? std::vector{Form::wgsl} : std::vector{Form::wgsl, Form::spirv};
   }
   return {};
 }

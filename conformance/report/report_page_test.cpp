@@ -111,7 +111,8 @@ expected  3 (00000003)
 4 of 10 values are wrong.
 
 To see it: hn-conform run --driver osmesa --through spirv-opt --filter bugs.abs_of_int.any.exact.compute.vulkan.defined, of )",
-        "The shader that it got, ways/bugs.abs/1-spirv-opt.spv:\n\n%1 = OpTypeVoid\n"}) {
+        "The shader that it got is ways/bugs.abs/1-spirv-opt.spv. It writes 4 words for each point to the buffer at "
+        "binding 0, of 16 words of the one at binding 1; the first here:\n00000001\n\n%1 = OpTypeVoid\n"}) {
     EXPECT_TRUE(has(page, part));
   }
 }

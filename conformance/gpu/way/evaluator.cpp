@@ -93,8 +93,9 @@ class ThroughSteps final : public WayEvaluator {
     return build(source);
   }
 
-  bool use_steps(std::size_t count) override {
+  bool use_steps(std::size_t count, std::optional<std::size_t> without) override {
     used_ = count;
+    without_ = without;
     return is_taken(form_after(count)) || (count == 0 && own_language());
   }
 
@@ -158,7 +159,9 @@ class ThroughSteps final : public WayEvaluator {
 
   Result<std::unique_ptr<Evaluable>> build(const Source& source) {
     std::vector<Code> given;
-    const auto done = translate(std::span(way_.steps).first(used_), source.code, translating_.limit, given);
+    std::vector<Step> steps(way_.steps.begin(), way_.steps.begin() + static_cast<std::ptrdiff_t>(used_));
+    if (without_) steps.erase(steps.begin() + static_cast<std::ptrdiff_t>(*without_ - 1));
+    const auto done = translate(steps, source.code, translating_.limit, given);
     if (!done || keep_always_) keep(source, given);
     if (!done) {
       auto [end, number, error] = done.error();
@@ -231,6 +234,7 @@ class ThroughSteps final : public WayEvaluator {
   const Translating translating_;
   ContextInfo info_;
   std::size_t used_;
+  std::optional<std::size_t> without_;
   std::string name_ = "first";
   bool keep_always_ = false;
   std::optional<FailedStep> failed_;
