@@ -159,7 +159,7 @@ class Any:
     def __getitem__(self, name): return "any"
     def __or__(self, other): return self
     size = 1
-def results(buffer): return bytes(max(sizes[-20:]) // 4)  # of what was made for the last points
+def results(buffer): return bytes(max(sizes[-20:]) // 4)  # as many as the last points have
 sizes = []
 gpu = BufferUsage = ShaderStage = Any()
 sys.modules["wgpu.backends.wgpu_native"] = type("native", (), {"version_info": (1, 2)})
