@@ -86,6 +86,10 @@ class ThroughSteps final : public WayEvaluator {
                                            std::string_view shader) override {
     failed_.reset();
     if (used_ == 0 && !is_taken(form_after(0))) return build_in_own_language(sources, evaluation, shader);
+    if (evaluation.configuration.arithmetic == Arithmetic::precise && !way_.contracts().empty()) {
+      failed_ = {StepEnd::not_completed, 1};
+      return fail(fmt::format("{} knows no `precise`", way_.contracts()));
+    }
     const Trial& trial = tried(evaluation.profile);
     failed_ = trial.failed;
     if (failed_) return tl::unexpected(*trial.error);

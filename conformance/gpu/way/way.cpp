@@ -338,6 +338,16 @@ std::vector<std::string> Way::sources() const {
   }
 }
 
+std::string Way::contracts() const {
+  for (const Step& step : steps) {
+    if (step.name == "naga") return step.text();
+    for (const Form form : {step.takes, step.gives}) {
+      if (form == Form::glsl_es || form == Form::wgsl) return std::string(name_of(form));
+    }
+  }
+  return "";
+}
+
 Result<Way> find_way(const WayOptions& options, std::span<const Form> driver_takes) {
   HN_TRY(auto choices, choices_of(options));
   std::vector<const Conversion*> found;
