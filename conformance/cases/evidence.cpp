@@ -144,7 +144,7 @@ class Examiner {
     if (wrong != 0) add_pictures(evidence, wrong);
     if (session_.evaluator->context()) {
       add_shader(evidence, at);
-    } else {
+    } else if (!session_.evaluator->way()) {
       evidence.note += kNoShader;
     }
     return evidence;
@@ -279,10 +279,11 @@ std::optional<Evidence> evidence_of(Session& session, const Case& test, const Bu
   const Mismatch& wrong = outcome.examples.front();
   const BugPoint& point = bug.points.at(wrong.point);
   const Evaluation evaluation = evaluation_of(bug, *kind.profile);
+  const double allowed = bug.rule_in(*kind.profile).allowed;
   ShaderFacts facts{
-      .id = test.id, .renderer = renderer_of(session.info()), .inputs = wrong.words, .every_bit = bug.allowed == 0.0};
+      .id = test.id, .renderer = renderer_of(session.info()), .inputs = wrong.words, .every_bit = allowed == 0.0};
   std::ranges::copy(point.expected, facts.expected.begin());
-  facts.allowed.fill(bug.allowed);
+  facts.allowed.fill(allowed);
   const auto got = evaluate(session, evaluation, wrong.words);
   if (got) facts.got = *got;
   Evidence evidence;

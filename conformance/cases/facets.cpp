@@ -69,7 +69,7 @@ std::string language_of(std::string_view profile) {
 std::string_view rule_of_bug(std::string_view id) {
   const auto bugs = all_bugs();
   const auto bug = std::ranges::find(bugs, id, [](const Bug& b) { return b.function.id; });
-  return bug == bugs.end() ? std::string_view{} : bug->specification;
+  return bug == bugs.end() ? std::string_view{} : bug->rule.text;
 }
 
 }  // namespace

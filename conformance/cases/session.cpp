@@ -21,7 +21,8 @@ Result<Evaluable*> Session::evaluable(const Evaluation& evaluation) {
   // The programs of a function and a configuration: each version and stage, and a variant.
   constexpr std::size_t kKept = 8;
   const std::string shader = evaluation_shader(evaluation);
-  const std::string key = fmt::format("{} {}", evaluation.profile.name, shader);
+  // Bugs that only WGSL can express have no text here.
+  const std::string key = fmt::format("{} {} {}", evaluation.profile.name, evaluation.function.id, shader);
   const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const CacheEntry& kept) { return kept.key == key; });
   if (found != kept_.end()) {
     kept_.splice(kept_.begin(), kept_, found);

@@ -85,7 +85,7 @@ TEST_F(Ways, TheFirstFaultyStepIsNamed) {
   }
 }
 
-// OpenGL runs no SPIR-V, so what the first step gives is seen only through the second.
+// OpenGL runs no SPIR-V, so the first step's result is seen only through the second.
 TEST_F(Ways, AFaultyStepIsNamedWhereItsResultCannotBeRun) {
   auto context = create_osmesa();
   ASSERT_TRUE(context) << context.error().text();

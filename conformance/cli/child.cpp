@@ -1,7 +1,6 @@
 // The process that runs the cases of one driver.
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -112,12 +111,6 @@ int describe_in_browser(const Browser& browser) {
   return EXIT_SUCCESS;
 }
 
-Result<std::string> wgsl_of(const SourceSet& sources, const Evaluation& evaluation) {
-  const auto pieces = wgsl_shader(sources, evaluation);
-  if (!pieces) return fail(pieces.error().message);
-  return fmt::format("{}", fmt::join(*pieces, ""));
-}
-
 // The evaluator, behind the way to its driver. An error: this one, unlike others of its kind, takes no such shader.
 Result<std::unique_ptr<Evaluator>> through_way(const Job& job, const Driver& driver,
                                                std::unique_ptr<Evaluator> evaluator,
@@ -128,7 +121,7 @@ Result<std::unique_ptr<Evaluator>> through_way(const Job& job, const Driver& dri
     return fail(fmt::format("{}, {} takes no {}, which comes out of {}", evaluator->info().renderer,
                             evaluator->info().gl_version, name_of(last), way.text()));
   }
-  return evaluator_through(std::move(way), std::move(evaluator), reference, wgsl_of,
+  return evaluator_through(std::move(way), std::move(evaluator), reference, wgsl_text,
                            {std::chrono::milliseconds(job.step_limit), job.kept});
 }
 

@@ -43,7 +43,7 @@ TEST(Options, HelpAndVersionAreNoErrors) {
 
 TEST(Options, HelpIsACommandToo) {
   EXPECT_EQ(parse({"help"}).error().out, parse({"--help"}).error().out);
-  for (const char* const command : {"drivers", "list", "run", "merge", "bench", "paper", "web", "help"}) {
+  for (const char* const command : {"drivers", "list", "run", "check", "merge", "bench", "paper", "web", "help"}) {
     const auto help = parse({"help", command});
     ASSERT_FALSE(help);
     EXPECT_EQ(help.error().status, 0);

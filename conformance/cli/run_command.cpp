@@ -67,7 +67,7 @@ Result<void> find_ways(const WayOptions& options, DriverChoice& choice) {
   for (const std::string& name : choice.names) {
     const std::vector<Form> takes = find_driver(name)->takes();
     if (takes.empty() && !choice.named.contains(name)) continue;
-    auto way = takes.empty() ? fail("it takes no shader from a translator; Vulkan, OpenGL and metal-stand-in do")
+    auto way = takes.empty() ? fail("it takes no shader from a translator; all but browsers and glslang do")
                              : by_forms.try_emplace(takes, find_way(options, takes)).first->second;
     if (way) {
       choice.ways.emplace(name, *way);
@@ -148,7 +148,7 @@ std::optional<DealtDriver> describe_for_deal(const std::string& name, const WayO
 
 using Profiles = std::set<std::string, std::less<>>;
 
-// The profiles in which a driver may run shaders: those that the way to it takes, or those of its platform.
+// The profiles in which a driver may run shaders: the sources of the way to it, or all of its platform.
 Profiles profiles_for(const Driver& driver, const DriverChoice& choice) {
   Profiles names;
   if (const auto way = choice.ways.find(driver.name); way != choice.ways.end()) {
@@ -380,18 +380,21 @@ std::string reason_to_end(const Journal& journal, int signal) {
   return journal.problem().empty() ? "" : journal.problem() + "; ";
 }
 
-// Puts what the faulty steps got into the results, so that their page has it wherever it is made.
+// Puts the inputs of faulty steps into the results, so that their page has it wherever it is made.
 void keep_inputs(Run& run, const std::filesystem::path& out) {
   constexpr std::size_t kMostOfOne = 20'000;
   constexpr std::size_t kMostOfAll = 2'000'000;
   std::size_t all = 0;
   for (CaseResult& result : run.cases) {
     if (!result.outcome.step || result.outcome.step->input.empty() || all > kMostOfAll) continue;
-    const auto bytes = read_file(out / result.outcome.step->input);
-    if (!bytes) continue;
-    const std::string text = spirv_text(*bytes).value_or(*bytes);
-    result.outcome.step->text = clean_text(shortened(text, kMostOfOne));
-    all += result.outcome.step->text.size();
+    FaultyStep& step = *result.outcome.step;
+    const auto bytes = read_file(out / step.input);
+    if (bytes) {
+      step.text = clean_text(shortened(spirv_text(*bytes).value_or(*bytes), kMostOfOne));
+      all += step.text.size();
+    } else {
+      step.input.clear();  // of a step that never works, the shader of the first case is kept alone
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 // with the same mistake. glsl/ stays as it is.
 #pragma once
 
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -47,5 +48,9 @@ std::vector<Fault> flow_faults();
 // + - and * of every type go through these functions, which return results x of `floats`, `ints` and `uints`.
 inline const Rules::Names kArithmetic = {{"+", "hn_fault_add"}, {"-", "hn_fault_subtract"}, {"*", "hn_fault_multiply"}};
 std::vector<Shim> arithmetic(std::string_view floats, std::string_view ints, std::string_view uints);
+
+// A function of two operands whose code, of a and b, differs between scalars, two vectors, and a vector and a scalar.
+std::string by_shape(std::string_view name, std::initializer_list<std::string_view> types, std::string_view scalars,
+                     std::string_view vectors, std::string_view mixed);
 
 }  // namespace hn

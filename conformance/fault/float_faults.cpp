@@ -1,6 +1,8 @@
 // Faults of floats, of built-in functions and of conversions.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "fault/faults.hpp"
 
 namespace hn {
@@ -46,6 +48,22 @@ constexpr std::string_view kFused =
 std::optional<std::string> converted(const Expression& node, const Rules::Render& render, Place& place) {
   if (called_with_one(node) != "float" || place.highp_by_default) return std::nullopt;
   return fmt::format("hn_fault_float({})", render(node.parts[1]).whole());
+}
+
+bool has_constant(const Expression& arguments) {
+  return is_constant(arguments) ||
+         (arguments.kind == Kind::comma && std::ranges::any_of(arguments.parts, has_constant));
+}
+
+// A vec4 of numbers and others that is multiplied has its first component everywhere.
+std::optional<std::string> constants_spread(const Expression& node, const Rules::Render& render, Place&) {
+  if (!node.is(Kind::binary, "*")) return std::nullopt;
+  const Expression& vector = bare(node.parts[0]);
+  const bool concerned = vector.kind == Kind::call && vector.parts[0].token.text == "vec4" &&
+                         vector.parts.size() == 2 && vector.parts[1].kind == Kind::comma &&
+                         has_constant(vector.parts[1]);
+  if (!concerned) return std::nullopt;
+  return fmt::format("{}.xxxx{}*{}", render(vector).code, node.token.space, render(node.parts[1]).whole());
 }
 
 // hn_fault_float: what stands for the constructor of a float, with that result of an argument a.
@@ -178,6 +196,11 @@ std::vector<Fault> float_faults() {
                    "#else\n#define HN_FAULT_COARSE(x) (x)\n#endif\n",
        .shims = folded_coarsely(),
        .rules = {.operators = kArithmetic, .only_constants = true}},
+      {.name = "constants_spread",
+       .fault = "a vec4 of constants and one value wrong behind a product",
+       .reported = "MangoHud 2081 (RADV of Mesa 26.0)",
+       .injected = "a vec4 with numbers among its components has the first in all, where it is multiplied",
+       .rules = {.pattern = constants_spread}},
   };
 }
 

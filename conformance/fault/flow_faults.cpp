@@ -43,23 +43,29 @@ std::optional<std::string> array_in_loop(const Expression& node, const Rules::Re
                      render(node.parts[1]).whole());
 }
 
-// In a loop a scalar is added to the first component of a vector; everything else is added as it should be.
-std::string added() {
+// Of two nested ?: the inner one's first expression is taken.
+std::optional<std::string> selection_nested(const Expression& node, const Rules::Render& render, Place&) {
+  if (node.kind != Kind::ternary || bare(node.parts[2]).kind != Kind::ternary) return std::nullopt;
+  return fmt::format("{} ?{} :{}", render(node.parts[0]).code, render(node.parts[1]).whole(),
+                     render(bare(node.parts[2]).parts[1]).whole());
+}
+
+}  // namespace
+
+std::string by_shape(std::string_view name, std::initializer_list<std::string_view> types, std::string_view scalars,
+                     std::string_view vectors, std::string_view mixed) {
   std::string text;
-  for (const std::string_view type : {"float", "int", "uint"}) {
+  for (const std::string_view type : types) {
     const std::string_view prefix = type == "float" ? "" : type.substr(0, 1);
-    text += fmt::format("highp {0} hn_fault_added(highp {0} a, highp {0} b) {{ return a + b; }}\n", type);
+    text += fmt::format("highp {0} {1}(highp {0} a, highp {0} b) {{ {2} }}\n", type, name, scalars);
     for (int size = 2; size <= 4; ++size) {
-      text += fmt::format(
-          "highp {0}vec{2} hn_fault_added(highp {0}vec{2} a, highp {0}vec{2} b) {{ return a + b; }}\n"
-          "highp {0}vec{2} hn_fault_added(highp {0}vec{2} a, highp {1} b) {{ a.x += b; return a; }}\n",
-          prefix, type, size);
+      const std::string vector = fmt::format("{}vec{}", prefix, size);
+      text += fmt::format("highp {0} {1}(highp {0} a, highp {0} b) {{ {2} }}\n", vector, name, vectors);
+      text += fmt::format("highp {0} {1}(highp {0} a, highp {2} b) {{ {3} }}\n", vector, name, type, mixed);
     }
   }
   return text;
 }
-
-}  // namespace
 
 std::vector<Fault> flow_faults() {
   return {
@@ -97,13 +103,32 @@ std::vector<Fault> flow_faults() {
        .fault = "vector += scalar in a loop",
        .reported = "crbug 772651",
        .injected = "in a loop, a scalar is added to the first component alone",
-       .declared = added(),
+       .declared = by_shape("hn_fault_added", {"float", "int", "uint"}, "return a + b;", "return a + b;",
+                            "a.x += b; return a;"),
        .rules = {.pattern = add_in_loop}},
       {.name = "swizzle_written_twice",
        .fault = "swizzle written twice in a function",
        .reported = "crbug 798117",
        .injected = "of the assignments to swizzles of a variable in a function, only the first stores",
        .rules = {.pattern = swizzle_once}},
+      {.name = "third_nested_loop",
+       .fault = "three nested loops give 4 of 8 steps",
+       .reported = "wgpu 5067 (Metal on AMD); gpuweb/cts 3063 (Intel, DXC)",
+       .injected = "a loop within two others ends after a turn",
+       .declared = "highp int hn_fault_depth = 0;\nhighp int hn_fault_inner_turns = 0;\n",
+       .rules = {.before_loop = "++hn_fault_depth; hn_fault_inner_turns = 0;",
+                 .after_loop = "--hn_fault_depth;",
+                 .condition = "&& (hn_fault_depth < 3 || hn_fault_inner_turns++ < 1)"}},
+      {.name = "selection_nested",
+       .fault = "nested selections wrong",
+       .reported = "Halide 7072 (FXC)",
+       .injected = "`a ? b : (c ? d : e)` is `a ? b : d`",
+       .rules = {.pattern = selection_nested}},
+      {.name = "switch_default",
+       .fault = "the default of a switch skipped, or taken where a later case has the value",
+       .reported = "SPIRV-Cross 1402, SPIRV-Tools 3445 and wgpu 5656 (FXC); naga 2181",
+       .injected = "the default of a switch does nothing",
+       .rules = {.behind_default = " break;"}},
   };
 }
 

@@ -52,6 +52,45 @@ std::optional<std::string> bits_lost(const Expression& node, const Rules::Render
   return fmt::format("hn_fault_bits(floatBitsToUint({}))", render(node.parts[1]).whole());
 }
 
+// (-x) / n becomes x / (-n), and so does -(x / n).
+std::optional<std::string> negation_moved(const Expression& node, const Rules::Render& render, Place&) {
+  const bool outside = node.is(Kind::prefix, "-");
+  const Expression& quotient = outside ? bare(node.parts[0]) : node;
+  if (!quotient.is(Kind::binary, "/") || !is_constant(quotient.parts[1])) return std::nullopt;
+  const Expression& dividend = bare(quotient.parts[0]);
+  if (dividend.is(Kind::prefix, "-") == outside) return std::nullopt;
+  return fmt::format("({} / (-({})))", render(outside ? dividend : dividend.parts[0]).code,
+                     render(quotient.parts[1]).whole());
+}
+
+// x + n > x becomes true.
+std::optional<std::string> overflow_ignored(const Expression& node, const Rules::Render& render, Place&) {
+  if (!node.is(Kind::binary, ">") || !bare(node.parts[0]).is(Kind::binary, "+")) return std::nullopt;
+  if (render(bare(node.parts[0]).parts[0]).code != render(node.parts[1]).code) return std::nullopt;
+  return "true";
+}
+
+// An int that becomes a float counts as a uint.
+std::optional<std::string> int_as_uint(const Expression& node, const Rules::Render& render, Place&) {
+  const std::string_view outer = called_with_one(node);
+  if (outer == "float") return fmt::format("hn_fault_float({})", render(node.parts[1]).whole());
+  if (!outer.starts_with("vec") || called_with_one(bare(node.parts[1])) != fmt::format("i{}", outer))
+    return std::nullopt;
+  return fmt::format("{}(u{})", outer, render(node.parts[1]).code.substr(1));
+}
+
+// The conversion of numbers to an int is one too large.
+std::optional<std::string> literal_converted(const Expression& node, const Rules::Render& render, Place&) {
+  if (called_with_one(node) != "int" || !is_constant(node.parts[1])) return std::nullopt;
+  return fmt::format("(int({}) + 1)", render(node.parts[1]).whole());
+}
+
+// The carry of a sum, uint(low < x), is lost.
+std::optional<std::string> carry_lost(const Expression& node, const Rules::Render&, Place&) {
+  if (called_with_one(node) != "uint" || !bare(node.parts[1]).is(Kind::binary, "<")) return std::nullopt;
+  return "0u";
+}
+
 }  // namespace
 
 std::vector<Fault> integer_faults() {
@@ -123,6 +162,73 @@ std::vector<Fault> integer_faults() {
        .injected = "floatBitsToUint loses the low 16 bits, but not where the suite itself looks at results",
        .shims = {{"hn_fault_bits", {"uint"}, "return a & 0xFFFF0000u;"}},
        .rules = {.pattern = bits_lost, .in_macros = false}},
+      {.name = "vectors_anded",
+       .fault = "`&` of integer vectors wrong",
+       .reported = "dolphin 9636 (Mali)",
+       .injected = "`&` of integer vectors returns the first one",
+       .declared = by_shape("hn_fault_and", {"int", "uint"}, "return a & b;", "return a;", "return a;"),
+       .rules = {.operators = {{"&", "hn_fault_and"}}}},
+      {.name = "literals_multiplied",
+       .fault = "a product of two literals near 2^31 wrong",
+       .reported = "found here, in FXC",
+       .injected = "a product of two numbers loses its highest bit",
+       .shims = {{"hn_fault_product", {"float", "float"}, "return a * b;"},
+                 {"hn_fault_product", {"int", "int"}, "return a * b;"},
+                 {"hn_fault_product", {"uint", "uint"}, "return (a * b) & 0x7FFFFFFFu;"}},
+       .rules = {.operators = {{"*", "hn_fault_product"}}, .only_constants = true}},
+      {.name = "modulo_by_large",
+       .fault = "`%` by a large constant folded wrong",
+       .reported = "SPIRV-Tools 5499",
+       .injected = "`%` by more than 10^9 is too large by the divisor",
+       .shims = {{"hn_fault_modulo", {"int", "int"}, "return b > 1000000000 ? a % b + b : a % b;"},
+                 {"hn_fault_modulo", {"uint", "uint"}, "return b > 1000000000u ? a % b + b : a % b;"}},
+       .rules = {.operators = {{"%", "hn_fault_modulo"}}}},
+      {.name = "negation_moved",
+       .fault = "a negation moved across a division",
+       .reported = "SPIRV-Tools 4456, 4487 and 5822; DXC 8094",
+       .injected = "-(x / n) and (-x) / n are x / (-n)",
+       .rules = {.pattern = negation_moved}},
+      {.name = "int_as_uint",
+       .fault = "an int taken for a uint in a conversion",
+       .reported = "DXC 3396 and 6975; SPIRV-Tools 6377; found here, in vkd3d",
+       .injected = "an int that becomes a float counts as a uint",
+       .declared = "highp float hn_fault_float(highp float a) { return a; }\n"
+                   "highp float hn_fault_float(highp int a) { return float(uint(a)); }\n"
+                   "highp float hn_fault_float(highp uint a) { return float(a); }\n"
+                   "highp float hn_fault_float(bool a) { return float(a); }\n",
+       .rules = {.pattern = int_as_uint}},
+      {.name = "unary_minus",
+       .fault = "unary minus ignored",
+       .reported = "yuzu 7629 (NVIDIA 495)",
+       .injected = "-x of an int is x",
+       .shims = {{"hn_fault_minus", {"float"}, "return -a;"},
+                 {"hn_fault_minus", {"int"}, "return a;"},
+                 {"hn_fault_minus", {"uint"}, "return 0u - a;"}},
+       .rules = {.minus = "hn_fault_minus"}},
+      {.name = "negative_shifted_left",
+       .fault = "a negative int shifted to the left",
+       .reported = "SPIRV-Cross 1947 (Metal leaves it open)",
+       .injected = "a negative int shifted to the left stays as it is",
+       .shims = {{"hn_fault_left", {"int", "int"}, "return a < 0 ? a : a << b;"},
+                 {"hn_fault_left", {"int", "uint"}, "return a < 0 ? a : a << b;"},
+                 {"hn_fault_left", {"uint", "int"}, "return a << b;"},
+                 {"hn_fault_left", {"uint", "uint"}, "return a << b;"}},
+       .rules = {.operators = {{"<<", "hn_fault_left"}}}},
+      {.name = "overflow_ignored",
+       .fault = "overflow of ints taken for impossible",
+       .reported = "wgpu 6666 (Metal leaves it open)",
+       .injected = "x + n > x is true",
+       .rules = {.pattern = overflow_ignored}},
+      {.name = "literal_converted",
+       .fault = "int(1048576.0) refused",
+       .reported = "wgpu 7312 (naga 22)",
+       .injected = "int of a number is one too large",
+       .rules = {.pattern = literal_converted}},
+      {.name = "carry_lost",
+       .fault = "a hash of pairs of words wrong under register pressure",
+       .reported = "intel-graphics-compiler 416 (Arc B580)",
+       .injected = "the carry of a sum, uint(low < x), is 0",
+       .rules = {.pattern = carry_lost}},
   };
 }
 

@@ -170,8 +170,11 @@ class ShaderRewriter {
     if (next.is("for") || next.is("while") || next.is("do")) return loop();
     if (next.is("if") || next.is("switch")) return branch();
     if (next.is("case") || next.is("default")) {
+      const bool is_default = next.is("default");
       while (!at_end() && !parser_.peek().is(":")) copy();
-      return copy(":");
+      copy(":");
+      if (is_default) out_ += rules_.behind_default;
+      return;
     }
     simple_statement();
   }

@@ -45,8 +45,9 @@ struct Rules {
   std::string before_loop = {};
   std::string in_loop = {};
   std::string after_loop = {};
-  std::string condition = {};    // is added to the condition of each loop: "&& ..."
-  std::string initializer = {};  // is added to the value that a for loop starts with: "+ 1"
+  std::string condition = {};       // is added to the condition of each loop: "&& ..."
+  std::string initializer = {};     // is added to the value that a for loop starts with: "+ 1"
+  std::string behind_default = {};  // a statement behind the default of a switch
   // Whether the bodies of macros with parameters are code as well; not what the suite itself looks at values with.
   bool in_macros = true;
 };

@@ -38,7 +38,9 @@ struct Profile {
 // Every targeted version of GLSL, oldest first, GLSL before GLSL ES before Vulkan.
 std::span<const Profile> all_profiles();
 
-// Other languages, by the version of each: shader model 6.0 is hlsl60. Metal's language, msl, has none here.
+// Other languages, by the version of each: shader model 6.0 is hlsl60, and hlsl2021 the language itself, which glslang
+// does not have. Metal's language, msl, and Slang have none here. No driver takes Slang or hlsl2021 but by a
+// translator.
 std::span<const Profile> other_languages();
 
 // The profiles whose shaders are run, not only compiled: the oldest arithmetic path, the current one, and ES.

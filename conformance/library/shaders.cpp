@@ -73,10 +73,12 @@ constexpr std::string_view kUnseeded = "#define SEEDED(s)\n#define SEED(s) s\n";
 
 // The suite's names of types and bit casts, behind the library's own names for them.
 constexpr std::string_view kVectorNames = "#include \"detail/vectors_begin.h\"\n";
-constexpr std::string_view kNamesInHlsl = "#define float_of(u) asfloat(u)\n#define bits_of(f) asuint(f)\n";
+constexpr std::string_view kNamesInHlsl =
+    "#define float_of(u) asfloat(u)\n#define bits_of(f) asuint(f)\n#define floatBitsToUint asuint\n#define fract "
+    "frac\n";
 constexpr std::string_view kNamesInMetal =
     "using namespace metal;\nusing namespace hashnoise;\n"
-    "#define float_of(u) as_type<float>(u)\n#define bits_of(f) as_type<uint>(f)\n";
+    "#define float_of(u) as_type<float>(u)\n#define bits_of(f) as_type<uint>(f)\n#define floatBitsToUint bits_of\n";
 
 std::string running_preamble(const Profile& profile) {
   if (!profile.in_glsl()) return "";
@@ -320,7 +322,7 @@ std::string evaluation_shader(const Evaluation& evaluation) {
   text += fmt::format("{}{}{}{}", knobs_of(configuration), variant.knobs, included(function.file, profile),
                       seeding_of(variant, profile));
   if (variant.shape == Shape::in_loop && !in_buffers(profile)) text += "uniform hn_int trips;\n";
-  text += declared_inputs(evaluation) + of_stage.declaration;
+  text += declared_inputs(evaluation) + of_stage.declaration + std::string(variant.declarations);
   if (variant.shape != Shape::inlined) text += declared_evaluate(function, "evaluate", variant.periods);
   return text +
          fmt::format("{} {{\n{}{}{}}}\n", of_stage.head, of_stage.beginning, result_of(evaluation), of_stage.end);
@@ -362,9 +364,9 @@ std::string calling_shader(std::string_view file, const Configuration& configura
 }
 
 std::string shader_that_evaluates(const Evaluation& evaluation, std::string_view rest) {
-  return fmt::format("{}{}{}{}#include \"{}\"\n{}{}{}", running_preamble(evaluation.profile), case_names(evaluation),
+  return fmt::format("{}{}{}{}#include \"{}\"\n{}{}{}{}", running_preamble(evaluation.profile), case_names(evaluation),
                      knobs_of(evaluation.configuration), evaluation.variant.knobs, evaluation.function.file,
-                     evaluation.variant.seeded ? kSeeded : kUnseeded,
+                     evaluation.variant.seeded ? kSeeded : kUnseeded, evaluation.variant.declarations,
                      declared_evaluate(evaluation.function, "evaluate", evaluation.variant.periods), rest);
 }
 

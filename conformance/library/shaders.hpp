@@ -34,8 +34,9 @@ inline constexpr std::uint32_t kLoopTrips = 4;
 inline constexpr std::uint32_t kVariantSeed = 0xC2B2AE35u;
 
 struct ShaderVariant {
-  bool seeded = true;           // else the overload without a seed
-  std::string_view knobs = "";  // further definitions, before the include
+  bool seeded = true;                  // else the overload without a seed
+  std::string_view knobs = "";         // further definitions, before the include
+  std::string_view declarations = "";  // functions of the row's own, before evaluate
   Shape shape = Shape::called;
   SeedFrom seed_from = SeedFrom::point;
   std::span<const std::uint32_t> constants = {};  // of Shape::constant: kInputWords per point, of a row of the grid

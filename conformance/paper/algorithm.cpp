@@ -80,7 +80,8 @@ std::vector<Entry> all_entries() {
     } else if (!algorithm.printed) {
       entries.push_back({&algorithm, AlgorithmForm::ours});
     } else {
-      for (const AlgorithmForm form : {AlgorithmForm::published, AlgorithmForm::intended, AlgorithmForm::ours}) entries.push_back({&algorithm, form});
+      for (const AlgorithmForm form : {AlgorithmForm::published, AlgorithmForm::intended, AlgorithmForm::ours})
+        entries.push_back({&algorithm, form});
     }
   }
   return entries;

@@ -1,5 +1,6 @@
 // The parts of the report that show single cases.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -75,7 +76,7 @@ std::string_view fault_of_step(const Outcome& outcome) {
   return outcome.mismatches != 0 ? "makes a right shader wrong" : "refuses a valid shader, or writes an invalid one";
 }
 
-// What the cases showed: rule, place and values.
+// The rule that a case breaks, the place and the values.
 std::string findings_of(const CaseResult& result) {
   const Outcome& outcome = result.outcome;
   const std::string rule = outcome.mismatches == 0 ? "" : rule_of(result.id);
@@ -95,18 +96,11 @@ std::string quoted(const std::vector<std::string>& words) {
   return command_line(words.front(), static_cast<int>(arguments.size()), arguments.data());
 }
 
-// The command of a step, with the names of its files, as one who has what is kept can call it.
+// The command of a step, as one who has its kept input can call it.
 std::string command_of(const Step& step, const FaultyStep& fault) {
-  std::string text = step.spec.find("{in}") == std::string::npos ? quoted(step.command) : step.spec;
-  const std::string input = std::filesystem::path(fault.input).filename();
-  const std::string output = fmt::format("out{}", ending_of(step.gives));
-  for (const auto& [place, name] :
-       {std::pair("'{in}'", input), {"{in}", input}, {"'{out}'", output}, {"{out}", output}}) {
-    const std::string_view from = place;
-    for (auto at = text.find(from); at != text.npos; at = text.find(from, at + name.size()))
-      text.replace(at, from.size(), name);
-  }
-  return text;
+  const auto words = step.command_for(std::filesystem::path(fault.input.empty() ? "in" : fault.input).filename(),
+                                      fmt::format("out{}", ending_of(step.gives)));
+  return step.spec.find("{in}") == std::string::npos ? quoted(words) : words.back();
 }
 
 // The command that runs a case again: steps as a run takes them, with the program that it found.
@@ -132,10 +126,18 @@ std::string renderer_of(const ContextInfo& info) {
 // One text for those who make the translator.
 std::string report_of_step(const Run& run, const CaseResult& result, const Step& step) {
   const FaultyStep& fault = *result.outcome.step;
-  return fmt::format(
-      "{} {}.\n\ncommand   {}\nrun on    {}\n{}\nTo see it: {}, of {}.\n\nThe shader that it got, {}:\n\n{}\n",
-      step.text(), fault_of_step(result.outcome), command_of(step, fault), renderer_of(run.info), findings_of(result),
-      rerun_of(run, result), library_text(run.library), fault.input, shortened(fault.text, kMostOfInput));
+  std::string text = fmt::format("{} {}.\n\ncommand   {}\nrun on    {}\n{}\nTo see it: {}, of {}.\n", step.text(),
+                                 fault_of_step(result.outcome), command_of(step, fault), renderer_of(run.info),
+                                 findings_of(result), rerun_of(run, result), library_text(run.library));
+  if (fault.input.empty()) return text;
+  text += fmt::format("\nThe shader that it got is {}.", fault.input);
+  if (!result.outcome.examples.empty()) {
+    text += fmt::format(
+        " It writes {} words for each point to the buffer at binding 0, of {} words of the one at binding 1; the first "
+        "here:\n{:08x}",
+        kOutputWords, kInputWords, fmt::join(result.outcome.examples.front().words, " "));
+  }
+  return text + fmt::format("\n\n{}\n", shortened(fault.text, kMostOfInput));
 }
 
 // One text for those who write the driver: a shader that stands alone begins with all of it.
@@ -164,7 +166,7 @@ Json page_case(const Run& run, const CaseResult& result, PageBudget& shown) {
     step = {{"text", clean_text(fmt::format("Step {} of the way, {},", outcome.step->number, faulty->text()))},
             {"fault", fault_of_step(outcome)},
             {"command", clean_text(command_of(*faulty, *outcome.step))},
-            {"input", clean_text(outcome.step->input)}};
+            {"input", outcome.step->input.empty() ? Json(false) : Json({{"file", clean_text(outcome.step->input)}})}};
   }
   Json evidence = false;
   std::string left_out;
@@ -178,10 +180,11 @@ Json page_case(const Run& run, const CaseResult& result, PageBudget& shown) {
     }
   }
   const Json examples = examples_of(outcome);
-  // With examples the message only repeats the first of them.
+  // With examples the message only repeats the first of them, or also states that the driver is wrong without a way.
+  const bool without_way = !run.way.empty() && !faulty;
   return {{"id", result.id},
           {"measure", outcome.samples == 0 ? "" : measure_of(outcome) + "."},
-          {"message", examples.empty() ? Json({{"text", cleaned(outcome.message)}}) : Json(false)},
+          {"message", examples.empty() || without_way ? Json({{"text", cleaned(outcome.message)}}) : Json(false)},
           {"has_examples", !examples.empty()},
           {"examples", examples},
           {"step", std::move(step)},

@@ -81,12 +81,10 @@ TEST(Page, HasOneTextForTheMakersOfATranslator) {
   CaseResult wrong = failed("bugs.abs_of_int.any.exact.compute.vulkan.defined");
   wrong.outcome.step = {1, "ways/bugs.abs/1-spirv-opt.spv", "%1 = OpTypeVoid"};
   CaseResult refused = result("a.b.refused", Status::fail);
-  refused.outcome.step = {1, "ways/a.b.refused/1-spirv-opt.spv", ""};
   CaseResult crash = result("a.b.crash", Status::crash);
-  crash.outcome.step = {1, "ways/a.b.crash/1-spirv-opt.spv", ""};
-  CaseResult elsewhere = result("a.b.elsewhere", Status::fail);
-  elsewhere.outcome.message = "another why";
-  elsewhere.outcome.step = {2, "", ""};
+  refused.outcome.step = crash.outcome.step = {1, "", ""};
+  CaseResult elsewhere = failed("f.g.elsewhere");
+  elsewhere.outcome.message = "wrong without a translator, too";
   hn::Run run = run_of({wrong, refused, crash, elsewhere});
   run.way = short_way();
   const std::string page = page_of({run});
@@ -97,6 +95,7 @@ TEST(Page, HasOneTextForTheMakersOfATranslator) {
         "1-spirv-opt.spv -o out.spv</code>",
         "<td class=\"wide\">through <strong>spirv-opt 2023.1</strong><br>on r<br>",
         "<a href=\"ways/bugs.abs/1-spirv-opt.spv\">", "Copy a report for the vendor",
+        "<pre>wrong without a translator, too</pre>",
         "spirv-opt 2023.1 refuses a valid shader, or writes an invalid one.", "spirv-opt 2023.1 crashes.",
         R"(<pre class="code">spirv-opt 2023.1 makes a right shader wrong.
 
@@ -111,7 +110,8 @@ expected  3 (00000003)
 4 of 10 values are wrong.
 
 To see it: hn-conform run --driver osmesa --through spirv-opt --filter bugs.abs_of_int.any.exact.compute.vulkan.defined, of )",
-        "The shader that it got, ways/bugs.abs/1-spirv-opt.spv:\n\n%1 = OpTypeVoid\n"}) {
+        "The shader that it got is ways/bugs.abs/1-spirv-opt.spv. It writes 4 words for each point to the buffer at "
+        "binding 0, of 16 words of the one at binding 1; the first here:\n00000001\n\n%1 = OpTypeVoid\n"}) {
     EXPECT_TRUE(has(page, part));
   }
 }

@@ -48,6 +48,26 @@ constexpr FaultAndBug kCaught[] = {
     {"array_in_loop", "bugs.array_initialized_in_loop"},
     {"vector_plus_scalar_in_loop", "bugs.vector_plus_scalar_in_loop"},
     {"swizzle_written_twice", "bugs.swizzle_written_twice"},
+    {"loop_condition", "bugs.do_while"},
+    {"third_nested_loop", "bugs.three_nested_loops"},
+    {"selection_nested", "bugs.nested_selections"},
+    {"switch_default", "bugs.switch_in_loop"},
+    {"switch_default", "bugs.switch_default_in_middle"},
+    {"switch_default", "bugs.switch_of_constant"},
+    {"vectors_anded", "bugs.and_of_vectors"},
+    {"literals_multiplied", "bugs.products_of_literals"},
+    {"modulo_by_large", "bugs.remainder_of_constant"},
+    {"negation_moved", "bugs.negated_quotient"},
+    {"negation_moved", "bugs.division_by_large_negative"},
+    {"int_as_uint", "bugs.int_of_uint_vector"},
+    {"int_as_uint", "bugs.float_beside_uint"},
+    {"int_as_uint", "bugs.bits_of_constants"},
+    {"unary_minus", "bugs.unary_minus"},
+    {"negative_shifted_left", "bugs.negative_shifted_left"},
+    {"overflow_ignored", "bugs.ints_overflow"},
+    {"literal_converted", "bugs.literals_converted"},
+    {"carry_lost", "bugs.hash_of_pairs"},
+    {"constants_spread", "bugs.vector_of_constants"},
 };
 
 TEST(Faults, EachHasABugThatCatchesIt) {
@@ -112,8 +132,9 @@ TEST_P(Injected, TheBugFailsAndWithoutPasses) {
   EXPECT_GT(faulty.mismatches, 0u) << faulty.message;  // a value is wrong; it did compile
 }
 
-INSTANTIATE_TEST_SUITE_P(Faults, Injected, testing::ValuesIn(kCaught),
-                         [](const auto& instance) { return std::string(instance.param.fault); });
+INSTANTIATE_TEST_SUITE_P(Faults, Injected, testing::ValuesIn(kCaught), [](const auto& instance) {
+  return fmt::format("{}_{}", instance.param.fault, instance.param.bug.substr(5));
+});
 
 }  // namespace
 }  // namespace hn

@@ -105,8 +105,10 @@ std::string excuse_for(const std::vector<Expectation>& expectations, const std::
 void apply_expectations(const std::vector<Expectation>& expectations, Run& run) {
   for (CaseResult& result : run.cases) {
     result.excuse = excuse_for(expectations, run.driver, run.info.renderer, result);
-    // Behind translators a driver runs another shader, which may avoid its fault.
-    if (!run.way.empty() && !is_bad(result.outcome.status)) result.excuse.clear();
+    // Behind translators a driver runs another shader, which may avoid its fault; and it is no excuse of a translator
+    // that refuses the shader.
+    const bool refused = result.outcome.step && result.outcome.mismatches == 0;
+    if (!run.way.empty() && (refused || !is_bad(result.outcome.status))) result.excuse.clear();
   }
 }
 

@@ -83,6 +83,10 @@ TEST(Expectations, OfWhatIsRightAreWrongThemselves) {
   run.way = short_way();
   apply_expectations(*rows, run);
   EXPECT_TRUE(run.as_expected()) << "the driver has another shader";
+  run.cases = {result("a1", Status::fail)};
+  run.cases[0].outcome.step = {1, "", ""};
+  apply_expectations(*rows, run);
+  EXPECT_FALSE(as_expected(run.cases[0])) << "a translator refused the shader";
 }
 
 TEST(Expectations, OfNoCaseAreAnError) {

@@ -10,7 +10,11 @@ int main() {
   for (const hn::Bug& bug : hn::all_bugs()) {
     const auto profiles = hn::split(bug.profiles, ' ');
     if (std::ranges::find(profiles, "wgsl") == profiles.end()) continue;
-    rows.push_back({{"id", bug.function.id}, {"body", bug.function.body}, {"declarations", bug.declarations}});
+    rows.push_back({{"id", bug.function.id},
+                    {"body", bug.function.body},
+                    {"declarations", bug.declarations},
+                    {"wgsl", bug.wgsl},
+                    {"wgsl_declarations", bug.wgsl_declarations}});
   }
   std::puts(rows.dump().c_str());
 }

@@ -191,6 +191,7 @@ class SuiteWriter {
 
   Part part(const BugKind& kind) {
     const Bug& bug = *kind.bug;
+    const Rule& rule = bug.rule_in(*kind.profile);
     HN_TRY(const auto evaluated, program(evaluation_of(bug, *kind.profile)));
     std::vector<std::uint32_t> inputs;
     std::vector<std::uint32_t> expected;
@@ -198,9 +199,9 @@ class SuiteWriter {
       inputs.insert(inputs.end(), point.inputs.begin(), point.inputs.end());
       expected.insert(expected.end(), point.expected.begin(), point.expected.end());
     }
-    return Json{{"check", "bug"},         {"program", evaluated},       {"columns", columns_of(bug.function)},
-                {"inputs", data(inputs)}, {"expected", data(expected)}, {"allowed", bug.allowed},
-                {"defined", bug.defined}, {"note", bug.note()}};
+    return Json{{"check", "bug"},          {"program", evaluated},           {"columns", columns_of(bug.function)},
+                {"inputs", data(inputs)},  {"expected", data(expected)},     {"allowed", rule.allowed},
+                {"defined", rule.defined}, {"note", bug.note(*kind.profile)}};
   }
 
   // The words that the function's columns use.

@@ -23,18 +23,33 @@ std::vector<std::uint32_t> grid_of(const Bug& bug) {
   return words;
 }
 
+bool is_among(std::string_view names, std::string_view name) {
+  const auto all = split(names, ' ');
+  return std::ranges::find(all, name) != all.end();
+}
+
+// Every driver runs its own languages. Processes of compilers cost more than the rest, so that a row is compiled by one
+// of them, in turn.
+Extent extent_of(const Bug& bug, const Profile& profile) {
+  if (profile.in_glsl()) return Extent::every_driver;
+  const bool turn = (&bug - all_bugs().data()) % 2 == 0;
+  const bool other_turn = profile.name == (turn ? "msl" : "hlsl50");
+  return other_turn ? Extent::thorough : Extent::one_driver;
+}
+
 void add_cases(std::vector<Case>& cases, const Bug& bug) {
   for (const std::string_view name : split(bug.profiles, ' ')) {
     const Profile& profile = profile_named(name);
-    cases.push_back({{.function = std::string(bug.function.id),
-                      .configuration = "any",
-                      .arithmetic = std::string(bug.arithmetic()),
-                      .stage = evaluation_of(bug, profile).stage,
-                      .profile = std::string(profile.name),
-                      .check = std::string(bug.check())},
-                     BugKind{&bug, &profile},
-                     Extent::every_driver,
-                     fmt::format("  reported in: {}\n  specification: {}\n", bug.reference, bug.specification)});
+    cases.push_back(
+        {{.function = std::string(bug.function.id),
+          .configuration = "any",
+          .arithmetic = std::string(bug.arithmetic()),
+          .stage = evaluation_of(bug, profile).stage,
+          .profile = std::string(profile.name),
+          .check = std::string(bug.check(profile))},
+         BugKind{&bug, &profile},
+         extent_of(bug, profile),
+         fmt::format("  reported in: {}\n  specification: {}\n", bug.reference, bug.rule_in(profile).text)});
   }
 }
 
@@ -46,7 +61,7 @@ std::string distance_of(std::uint32_t got, std::uint32_t expected) {
 std::vector<Bug>& kept_bugs() {
   static std::vector<Bug> bugs = [] {
     std::vector<Bug> all;
-    for (const auto& part : {integer_bugs(), float_bugs(), flow_bugs(), position_bugs()}) {
+    for (const auto& part : {integer_bugs(), float_bugs(), flow_bugs(), position_bugs(), language_bugs()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;
@@ -56,12 +71,19 @@ std::vector<Bug>& kept_bugs() {
 
 }  // namespace
 
+const Rule& Bug::rule_in(const Profile& profile) const { return is_among(exceptions, profile.name) ? exception : rule; }
+
+std::string Bug::code_in(const Profile& profile) const {
+  const bool in_wgsl = profile.language == Language::wgsl && !wgsl.empty();
+  return in_wgsl ? fmt::format("{}{}", wgsl_declarations, wgsl) : fmt::format("{}{}", declarations, function.body);
+}
+
 std::span<const Bug> all_bugs() { return kept_bugs(); }
 
 const Bug& give(const GivenFunction& function) {
   // The row refers to these texts.
   static const GivenFunction kept = function;
-  static const std::string rule = fmt::format("the expected values are those of {}", kept.expected_from);
+  static const std::string rule = fmt::format("The expected values are those of {}", kept.expected_from);
   const auto columns = [](const std::vector<GivenColumn>& given) {
     std::vector<Column> all;
     for (const GivenColumn& column : given) all.push_back({column.name, column.type});
@@ -75,22 +97,21 @@ const Bug& give(const GivenFunction& function) {
                        .outputs = columns(kept.outputs),
                        .plain = {}},
           .reference = {},
-          .specification = rule,
-          .defined = true,
-          .allowed = kept.tolerance,
+          .rule = {rule, true, kept.tolerance},
           .profiles = kept.profiles,
           .points = kept.points,
           .given = true};
   return kept_bugs().emplace_back(std::move(row));
 }
 
-std::string Bug::note() const {
-  return given ? std::string(specification) : fmt::format("{}. Reported in: {}", specification, reference);
+std::string Bug::note(const Profile& profile) const {
+  const std::string_view text = rule_in(profile).text;
+  return given ? std::string(text) : fmt::format("{}. Reported in: {}", text, reference);
 }
 
 Evaluation evaluation_of(const Bug& bug, const Profile& profile) {
   const Stage stage = profile.platform() == Platform::opengl ? Stage::fragment : Stage::compute;
-  return {bug.function, default_configuration(), profile, {.knobs = bug.declarations}, stage};
+  return {bug.function, default_configuration(), profile, {.declarations = bug.declarations}, stage};
 }
 
 tl::expected<std::vector<std::uint32_t>, Outcome> outputs_of(Session& session, const Bug& bug, const Profile& profile) {
@@ -108,13 +129,14 @@ tl::expected<std::vector<std::uint32_t>, Outcome> outputs_of(Session& session, c
 
 Outcome check_bug(Session& session, const Bug& bug, const Profile& profile) {
   const auto outputs = outputs_of(session, bug, profile);
-  return outputs ? judge_bug(bug, *outputs) : outputs.error();
+  return outputs ? judge_bug(bug, profile, *outputs) : outputs.error();
 }
 
-Outcome judge_bug(const Bug& bug, std::span<const std::uint32_t> outputs) {
+Outcome judge_bug(const Bug& bug, const Profile& profile, std::span<const std::uint32_t> outputs) {
+  const Rule& rule = bug.rule_in(profile);
   const auto grid = grid_of(bug);
   Comparison comparison(bug.function, grid);
-  std::vector<std::string> distances;  // of wrong floats from the right ones
+  std::vector<std::string> distances;  // of the examples from the right values
   std::size_t wrong_points = 0;
   for (std::size_t i = 0; i < bug.points.size(); ++i) {
     const auto inputs = std::span(grid).subspan(i * kInputWords, kInputWords);
@@ -125,11 +147,12 @@ Outcome judge_bug(const Bug& bug, std::span<const std::uint32_t> outputs) {
       const std::uint32_t expected = bug.points[i].expected[column];
       const bool is_float = bug.function.outputs[column].type == WordType::f32;
       if (is_float) {
-        comparison.number(inputs, std::bit_cast<float>(got), number_of(expected), bug.allowed, column);
+        comparison.number(inputs, std::bit_cast<float>(got), number_of(expected), rule.allowed, column);
       } else {
         comparison.bits(inputs, got, expected, column);
       }
-      if (comparison.mismatches() != before) distances.push_back(is_float ? distance_of(got, expected) : "");
+      const bool is_example = comparison.mismatches() != before && before < kExamplesKept;
+      if (is_example) distances.push_back(is_float ? distance_of(got, expected) : "");
     }
     wrong_points += comparison.mismatches() != wrong_before ? 1 : 0;
   }
@@ -137,14 +160,14 @@ Outcome judge_bug(const Bug& bug, std::span<const std::uint32_t> outputs) {
   if (outcome.status != Status::fail) return outcome;
   if (bug.given) {
     for (std::size_t i = 0; i < outcome.examples.size(); ++i) outcome.examples[i].expected += distances[i];
-    outcome.message = fmt::format("differs {}{}, and at {} of {} points; {}", outcome.message, distances.front(),
-                                  wrong_points, bug.points.size(), bug.note());
+    outcome.message = fmt::format("differs {}{}, and at {} of {} points. {}", outcome.message, distances.front(),
+                                  wrong_points, bug.points.size(), bug.note(profile));
     return outcome;
   }
-  if (!bug.defined) outcome.status = Status::warning;
+  if (!rule.defined) outcome.status = Status::warning;
   outcome.message =
-      fmt::format("{}: {}. {}. The shader has:\n{}{}", bug.defined ? "wrong" : "not the usual value, but allowed",
-                  outcome.message, bug.note(), bug.declarations, bug.function.body);
+      fmt::format("{}: {}. {}. The shader has:\n{}", rule.defined ? "wrong" : "not the usual value, but allowed",
+                  outcome.message, bug.note(profile), bug.code_in(profile));
   return outcome;
 }
 

@@ -22,19 +22,21 @@ std::vector<Bug> position_bugs() {
   return {
       bug("bugs.position_of_cell", {{"units", i32}}, {{"cell", i32}, {"fraction", f32}, {"eighths", f32}},
           "hn_int units = int(a.x);\n"
-          "hn_float fraction = float(units & 1023) * 0.0009765625;\n"
-          "return uvec4(uint(units >> 10), bits_of(fraction), bits_of(float(units) * 0.125), 0u);",
+          "hn_float fraction = float(units & 1023) * 0.0009765625f;\n"
+          "return uvec4(uint(units >> 10), bits_of(fraction), bits_of(float(units) * 0.125f), 0u);",
           kReports,
-          defined("GLSL 4.60 sections 5.9 and 4.7.1: >> repeats the sign, and a product that is a float is exact"),
+          defined("GLSL 4.60 sections 5.9 and 4.7.1, and every other language: >> repeats the sign, and a product that "
+                  "is a "
+                  "float is exact"),
           whole_points([](int units) {
             return words(units >> 10, static_cast<float>(units & 1023) * 0x1p-10f, static_cast<float>(units) * 0.125f);
           })),
       bug("bugs.position_in_eighths", {{"units", i32}}, {{"position", f32}},
-          "return uvec4(bits_of(float(int(a.x)) / 8.0), 0u, 0u, 0u);", kReports,
+          "return uvec4(bits_of(float(int(a.x)) / 8.0f), 0u, 0u, 0u);", kReports,
           left_open("GLSL 4.60 section 4.7.1: a quotient may be off by 2.5 units in the last place, even this one"),
           whole_points([](int units) { return words(static_cast<float>(units) / 8.0f); })),
       bug("bugs.position_in_sevenths", {{"units", i32}}, {{"position", f32}},
-          "return uvec4(bits_of(float(int(a.x)) / 7.0), 0u, 0u, 0u);", kReports,
+          "return uvec4(bits_of(float(int(a.x)) / 7.0f), 0u, 0u, 0u);", kReports,
           left_open("GLSL 4.60 section 4.7.1: a quotient may be off by 2.5 units in the last place"),
           whole_points([](int units) { return words(static_cast<float>(units) / 7.0f); })),
   };

@@ -18,23 +18,22 @@ std::vector<Bug> integer_bugs();
 std::vector<Bug> float_bugs();
 std::vector<Bug> flow_bugs();
 std::vector<Bug> position_bugs();
+std::vector<Bug> language_bugs();
 
-// The rule of the specification on a bug, and how far a float may be off by it.
-struct Rule {
-  std::string_view text;
-  bool defined;
-  double allowed;
-};
 constexpr Rule defined(std::string_view text, double allowed = 0.0) { return {text, true, allowed}; }
 constexpr Rule left_open(std::string_view text, double allowed = 0.0) { return {text, false, allowed}; }
 
 using enum WordType;
 using Points = std::vector<BugPoint>;
-inline const std::string_view kUsualProfiles = Bug{}.profiles;
+// OpenGL, and all other languages; and those in which a name or a statement of GLSL alone has its meaning.
+constexpr std::string_view kEverywhere = "gl330 es300 vulkan hlsl60 hlsl50 msl wgsl";
+constexpr std::string_view kInGlsl = "gl330 es300 vulkan";
+constexpr std::string_view kWithoutMetal = "gl330 es300 vulkan hlsl60 hlsl50 wgsl";
+constexpr std::string_view kHlsl = "hlsl60 hlsl50";
 
 // A bug, whose function needs only the library's names of types.
 inline Bug bug(std::string_view id, std::vector<Column> inputs, std::vector<Column> outputs, std::string_view body,
-               std::string_view reference, const Rule& rule, Points points, std::string_view profiles = kUsualProfiles,
+               std::string_view reference, const Rule& rule, Points points, std::string_view profiles = kEverywhere,
                std::string_view declarations = "") {
   return {.function = {.id = id,
                        .file = "config.glsl",
@@ -44,12 +43,24 @@ inline Bug bug(std::string_view id, std::vector<Column> inputs, std::vector<Colu
                        .outputs = std::move(outputs),
                        .plain = {}},
           .reference = reference,
-          .specification = rule.text,
-          .defined = rule.defined,
-          .allowed = rule.allowed,
+          .rule = rule,
           .profiles = profiles,
           .declarations = declarations,
           .points = std::move(points)};
+}
+
+// The bug with another rule in these profiles.
+inline Bug but_in(std::string_view profiles, const Rule& rule, Bug bug) {
+  bug.exceptions = profiles;
+  bug.exception = rule;
+  return bug;
+}
+
+// The bug with a text of its own in WGSL.
+inline Bug in_wgsl(std::string_view body, Bug bug, std::string_view declarations = "") {
+  bug.wgsl = body;
+  bug.wgsl_declarations = declarations;
+  return bug;
 }
 
 constexpr std::uint32_t word(std::uint32_t value) { return value; }

@@ -63,7 +63,7 @@ TEST_F(MetalStandIn, EvaluatesTheKernelsOfTranslators) {
                                   by_spirv_cross(R"(
     uvec4 f(uvec4 p) {
       int some[3] = int[3](5, 6, trips);
-      vec3 v = fract(vec3(p.yzx) * 0.25);
+      precise vec3 v = fract(mat3(0.25) * vec3(p.yzx));
       v = mix(v.zyx, vec3(9.0), equal(p.xyz, uvec3(6u)));
       uint x = uint(some[p.x % 3u]) + (any(lessThan(p.xy, uvec2(6u))) ? 100u : 0u);
       uint z = bitfieldInsert(bitfieldExtract(p.z, 4, 8), variant_seed, 16, 16) ^ uint(findMSB(p.w));
@@ -109,7 +109,8 @@ TEST_F(MetalStandIn, FindsWhatMetalLeavesUndefined) {
     return results ? "" : results.error().log.substr(results.error().log.find(' ') + 1);
   };
   EXPECT_EQ(log_of(7, 0x2AAAAAAAu), "");
-  EXPECT_EQ(log_of(0xFFFFFFF9u, 0), "a shift of a negative int to the left is undefined (point 1)");
+  EXPECT_EQ(log_of(0xFFFFFFF9u, 0),
+            "a shift to the left of an int that is negative or gets too large is undefined (point 1)");
   EXPECT_EQ(log_of(7, 0x2AAAAAABu), "a product of ints that overflows is undefined (point 1)");
   // The line is that of the text, in operators of vectors too.
   const auto lines = results_of(*evaluator_, Form::msl,

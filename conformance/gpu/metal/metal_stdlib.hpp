@@ -229,6 +229,9 @@ HN_FUNCTION(round, (float x), __builtin_roundf(x))
 HN_FUNCTION(rint, (float x), __builtin_rintf(x))
 HN_FUNCTION(sin, (float x), __builtin_sinf(x))
 HN_FUNCTION(cos, (float x), __builtin_cosf(x))
+HN_FUNCTION(tan, (float x), __builtin_tanf(x))
+HN_FUNCTION(acos, (float x), __builtin_acosf(x))
+HN_FUNCTION(atan, (float x), __builtin_atanf(x))
 HN_FUNCTION(exp, (float x), __builtin_expf(x))
 HN_FUNCTION(exp2, (float x), __builtin_exp2f(x))
 HN_FUNCTION(log, (float x), __builtin_logf(x))
@@ -246,7 +249,7 @@ HN_FUNCTION(mix, (float a, float b, float t), a + (b - a) * t)
 HN_FUNCTION(abs, (float x), __builtin_fabsf(x))
 #undef HN_FUNCTION
 
-// Of ints those of bits, too (section 6.4).
+// Functions of bits take ints alone (section 6.4).
 #define HN_FUNCTIONS(T)                                                     \
   inline T min(T a, T b) { return b < a ? b : a; }                          \
   inline T max(T a, T b) { return b > a ? b : a; }                          \
@@ -320,6 +323,46 @@ vec<float, N> normalize(vec<float, N> v) {
   return v / length(v);
 }
 
+template <int N>
+float distance(vec<float, N> a, vec<float, N> b) {
+  return length(a - b);
+}
+inline float3 cross(float3 a, float3 b) {
+  return float3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+}
+
+// By its columns (section 2.3).
+template <typename T, int C, int R>
+struct matrix {
+  vec<T, R> columns[C];
+
+  matrix() = default;
+  template <typename... Others>
+  explicit matrix(vec<T, R> first, Others... others) : columns{first, others...} {}
+  vec<T, R>& operator[](int i) { return columns[i]; }
+  const vec<T, R>& operator[](int i) const { return columns[i]; }
+  vec<T, R> operator*(vec<T, C> v) const {
+    vec<T, R> sum;
+    for (int i = 0; i < C; ++i) sum += columns[i] * v[i];
+    return sum;
+  }
+  template <int D>
+  matrix<T, D, R> operator*(const matrix<T, D, C>& by) const {
+    matrix<T, D, R> product;
+    for (int i = 0; i < D; ++i) product[i] = *this * by[i];
+    return product;
+  }
+  friend vec<T, C> operator*(vec<T, R> v, const matrix& m) {
+    vec<T, C> result;
+    for (int i = 0; i < C; ++i) result[i] = dot(v, m[i]);
+    return result;
+  }
+  friend vec<T, C>& operator*=(vec<T, C>& v, const matrix& m) { return v = v * m; }
+};
+using float2x2 = matrix<float, 2, 2>;
+using float3x3 = matrix<float, 3, 3>;
+using float4x4 = matrix<float, 4, 4>;
+
 namespace fast {
 using namespace metal;
 }
@@ -363,5 +406,5 @@ HN_UNDEFINED(sub_overflow, "a difference of ints that overflows")
 HN_UNDEFINED(mul_overflow, "a product of ints that overflows")
 HN_UNDEFINED(divrem_overflow, "a quotient of ints that overflows")
 HN_UNDEFINED(negate_overflow, "the negation of the least int")
-HN_UNDEFINED(shift_out_of_bounds, "a shift of a negative int to the left")
+HN_UNDEFINED(shift_out_of_bounds, "a shift to the left of an int that is negative or gets too large")
 #undef HN_UNDEFINED

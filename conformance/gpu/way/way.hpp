@@ -47,6 +47,7 @@ struct Step {
   bool repeats_decorations = false;  // in its SPIR-V, where valid SPIR-V has each once
 
   std::string text() const;  // "spirv-opt 2023.1"
+  std::vector<std::string> command_for(const std::string& in, const std::string& out) const;
 };
 
 // How a step ends that does not do its work. not_completed: it may have done it, but the way has no form for the
@@ -60,8 +61,8 @@ struct Way {
   std::string text() const;  // "spirv-opt 2023.1, spirv-cross 2021-01-15 to glsl-es"
   // The profiles of the cases that it takes: the suite writes their shaders in the form that the first step takes.
   std::vector<std::string> sources() const;
-  // What it goes through that does not keep operations apart: GLSL ES 3.10, WGSL, or naga, to which `precise` means
-  // nothing. Empty if it keeps them.
+  // The form or translator that does not keep operations apart: GLSL ES 3.10, WGSL, or naga, to which `precise` means
+  // nothing. Empty if all do.
   std::string contracts() const;
 };
 

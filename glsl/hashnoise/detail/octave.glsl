@@ -298,7 +298,8 @@ HN_FN hn_int hn_i_resolved_part(hn_int footprint) {
 HN_FN hn_int hn_i_next_footprint(hn_int footprint, hn_float lacunarity) {
   hn_ivec2 next = hn_i_times_ratio(ivec2(footprint >> 24, footprint & (HN_I_UNITS_POSITION - 1)),
                                    max(hn_i_ratio(lacunarity), 8388608u));
-  return hn_i_select(next.x > 1, 2 * HN_I_UNITS_POSITION, (next.x << 24) + next.y);
+  // The mask: a word beyond 127, which is not selected, may not be shifted so far in Metal.
+  return hn_i_select(next.x > 1, 2 * HN_I_UNITS_POSITION, ((next.x & 1) << 24) + next.y);
 }
 
 #endif

@@ -21,18 +21,14 @@ sys.path.insert(0, str(ROOT / "tools" / "lib"))
 
 from base.debian import Missing  # noqa: E402
 from base.debian import program as from_debian  # noqa: E402
+from base.testing import skipped_without  # noqa: E402
 
-SKIPPED = 77
 OLDEST = (4, 4)
 # Godot prints this when it starts with a renderer. It goes on with OpenGL where there is no Vulkan.
 RENDERERS = {"gl_compatibility": re.compile(r"^OpenGL API .* - Compatibility - Using Device: (.*)$", re.MULTILINE),
              "forward_plus": re.compile(r"^Vulkan .* - Forward\+ - Using Device #\d+: (.*)$", re.MULTILINE),
              "mobile": re.compile(r"^Vulkan .* - Forward Mobile - Using Device #\d+: (.*)$", re.MULTILINE)}
 WRONG = re.compile(r"^(?:\w+ )?ERROR:.*(?:\n .*)*", re.MULTILINE)
-
-
-class Absent(Exception):
-    """Why there is no Godot here."""
 
 
 class Failure(Exception):
@@ -46,17 +42,17 @@ def find() -> tuple[str, str]:
         try:
             program = str(from_debian("godot"))
         except Missing as why:
-            raise Absent(f"there is no godot in the PATH, HN_GODOT names none, and {why}") from why
+            raise Missing(f"there is no godot in the PATH, HN_GODOT names none, and {why}") from why
     try:
         done = subprocess.run([program, "--version"], capture_output=True, text=True, check=False, timeout=60)
     except (OSError, subprocess.TimeoutExpired) as error:
-        raise Absent(f"{program} cannot be run: {error}") from error
+        raise Missing(f"{program} cannot be run: {error}") from error
     version = done.stdout.strip()
     number = re.match(r"(\d+)\.(\d+)", version)
     if not number:
-        raise Absent(f"{program} --version prints no version, but {version or done.stderr.strip()!r}")
+        raise Missing(f"{program} --version prints no version, but {version or done.stderr.strip()!r}")
     if (int(number[1]), int(number[2])) < OLDEST:
-        raise Absent(f"{program} is Godot {version}; the add-on is for 4.4 and later")
+        raise Missing(f"{program} is Godot {version}; the add-on is for 4.4 and later")
     return program, version
 
 
@@ -67,7 +63,7 @@ def display() -> Iterator[str]:
         yield os.environ["DISPLAY"]
         return
     if not shutil.which("Xvfb"):
-        raise Absent("there is no display (DISPLAY is not set), and no Xvfb to make one")
+        raise Missing("there is no display (DISPLAY is not set), and no Xvfb to make one")
     reading, writing = os.pipe()
     server = subprocess.Popen(
         ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1280x720x24", "-nolisten", "tcp"],
@@ -77,7 +73,7 @@ def display() -> Iterator[str]:
         with os.fdopen(reading) as pipe:
             number = pipe.readline().strip()
         if not number:
-            raise Absent("Xvfb does not start")
+            raise Missing("Xvfb does not start")
         yield f":{number}"
     finally:
         server.terminate()
@@ -123,22 +119,16 @@ class Engine:
 
 def main(*cases: type[unittest.TestCase]) -> None:
     """Runs tests that have an `engine`; 77 where there is none."""
-    try:
+    with skipped_without(), tempfile.TemporaryDirectory() as home:
         program, version = find()
-        with display() as shown_on, tempfile.TemporaryDirectory() as home:
+        with display() as shown_on:
             print(f"Godot {version}")
             for case in cases:
                 case.engine = Engine(program, shown_on, Path(home))
             suite = unittest.TestSuite(unittest.defaultTestLoader.loadTestsFromTestCase(case) for case in cases)
             sys.exit(not unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful())
-    except Absent as reason:
-        print(f"skipped: {reason}")
-        sys.exit(SKIPPED)
 
 
 if __name__ == "__main__":
-    try:
+    with skipped_without():
         print(*find())
-    except Absent as reason:
-        print(f"skipped: {reason}")
-        sys.exit(SKIPPED)

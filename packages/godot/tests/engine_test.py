@@ -8,7 +8,9 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from engine import WRONG, Absent, find
+from engine import WRONG, find
+
+from base.debian import Missing
 
 
 class Find(unittest.TestCase):
@@ -25,15 +27,15 @@ class Find(unittest.TestCase):
         self.assertEqual(self.with_program("echo 4.10.stable")[1], "4.10.stable")
         for command, said in (("echo 4.3.stable", "is Godot 4.3.stable; the add-on is for 4.4 and later"),
                               ("echo 3.5.2.stable", "for 4.4 and later"), ("echo what", "prints no version, but 'what'")):
-            with self.subTest(command=command), self.assertRaisesRegex(Absent, said):
+            with self.subTest(command=command), self.assertRaisesRegex(Missing, said):
                 self.with_program(command)
 
     def test_absent(self):
-        with mock.patch.dict(os.environ, {"HN_GODOT": "/no/such/godot"}), self.assertRaisesRegex(Absent, "cannot be run"):
+        with mock.patch.dict(os.environ, {"HN_GODOT": "/no/such/godot"}), self.assertRaisesRegex(Missing, "cannot be run"):
             find()
         with mock.patch.dict(os.environ, {"PATH": "/no/such"}):
             os.environ.pop("HN_GODOT", None)
-            with self.assertRaisesRegex(Absent, "no godot in the PATH, HN_GODOT names none, and there is no apt-get"), \
+            with self.assertRaisesRegex(Missing, "no godot in the PATH, HN_GODOT names none, and there is no apt-get"), \
                     mock.patch("base.debian.find", return_value=None):
                 find()
 

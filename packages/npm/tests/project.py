@@ -1,12 +1,11 @@
 """A project of Vite with the package in it, as a user makes one: the folder `npm` of that of the JavaScript packages.
 
-    project.py make FOLDER                       makes FOLDER/npm
-    project.py run FOLDER PROGRAM [ARGUMENT]...    runs a program of Node.js in it, by tools/lib/base/node
+    project.py FOLDER      makes FOLDER/npm, in which tools/lib/base/javascript/environment.py then runs programs
 
 The package is what tools/pack npm makes, installed by npm. The code blocks of docs/guide/javascript.md become modules
 of the project: blocks/NAME.js as they are printed, and faulty/NAME.js with a mistake that a test has to notice. picked/
 has what tools/pick writes, and the page of that document which needs no build step: page.html and wrong.html. Exit
-status: that of the program, 0 made, 1 it could not be made, 77 npm's packages or the compiler are not here.
+status: 0 made, 1 it could not be made, 77 npm's packages or the compiler are not here.
 """
 
 from __future__ import annotations
@@ -108,25 +107,10 @@ def make(packages: Path) -> int:
     done = subprocess.run([ROOT / "tools" / "lib" / "base" / "node", "npm", "install", "--offline", "--no-audit", "--no-fund", packed],
                           cwd=project, capture_output=True, text=True, check=False)
     print(done.stdout + done.stderr)
+    if done.returncode == 0:
+        (project / "made").touch()
     return done.returncode and 1
 
 
-def run(packages: Path, command: list[str]) -> int:
-    project = packages / "npm"
-    if not (project / "node_modules").exists():
-        print(f"{project} has no package in it: npm.package was skipped, or did not run")
-        return SKIPPED
-    return subprocess.run([ROOT / "tools" / "lib" / "base" / "node", *command], cwd=project, check=False).returncode
-
-
-def main(arguments: list[str]) -> int:
-    if len(arguments) == 2 and arguments[0] == "make":
-        return make(Path(arguments[1]).resolve())
-    if len(arguments) > 2 and arguments[0] == "run":
-        return run(Path(arguments[1]).resolve(), arguments[2:])
-    print(__doc__, file=sys.stderr)
-    return 2
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(make(Path(sys.argv[1]).resolve()))

@@ -11,10 +11,9 @@ import venv
 from collections.abc import Callable
 from pathlib import Path
 
-from base.debian import Missing
+from base.debian import SKIPPED, Missing
 from base.tree import ROOT
 
-SKIPPED = 77
 # pip's messages if it reaches no registry.
 OFFLINE = re.compile("NewConnectionError|ConnectTimeout|ReadTimeout|NameResolutionError|ProxyError|"
                      "Max retries exceeded|connection broken", re.I)

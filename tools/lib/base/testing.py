@@ -11,7 +11,7 @@ import unittest
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
-from base.debian import SKIPPED
+from base.debian import SKIPPED, Missing
 
 
 class Case(unittest.TestCase):
@@ -41,9 +41,9 @@ def called(main: Callable[[Sequence[str]], int], *arguments: object) -> tuple[in
 
 @contextlib.contextmanager
 def skipped_without(*absent: type[Exception]) -> Iterator[None]:
-    """Ends a program of tests as skipped where something that it needs is not here."""
+    """Ends a program of tests as skipped where something that it needs is Missing, or absent otherwise."""
     try:
         yield
-    except absent as reason:
+    except (Missing, *absent) as reason:
         print(f"skipped: {reason}")
         sys.exit(SKIPPED)

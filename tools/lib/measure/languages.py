@@ -20,6 +20,7 @@ import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
+from base.debian import Missing
 from base.tree import GLSL
 from base.twin import NotBuilt
 from base.usage import Parser, whole
@@ -27,7 +28,7 @@ from base.versions import version_of
 from measure import record, stamps
 from translate.pick.command import Choice, picker, read_library
 from translate.pick.comparison import compile_words
-from translate.pick.runners import RUNNERS, NotInstalled, NotRun, Runner, ran
+from translate.pick.runners import RUNNERS, NotRun, Runner, ran
 
 FUNCTIONS = ("hn_perlin2", "hn_perlin3", "hn_simplex2", "hn_simplex3", "hn_value2", "hn_value3", "hn_cellular2",
              "hn_cellular3", "hn_fbm2", "hn_random2")
@@ -87,7 +88,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         runner.optimizes = True
         try:
             runner.check()
-        except NotInstalled as reason:
+        except Missing as reason:
             print(f"tools/measure languages: {language} is left out: {reason}", file=sys.stderr)
         else:
             runners[language] = runner

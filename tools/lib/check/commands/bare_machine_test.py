@@ -20,9 +20,9 @@ import sys
 import unittest
 from pathlib import Path
 
+from base.testing import SKIPPED
 from base.tree import ROOT, TOOLS
 
-SKIPPED = 77
 # Certificates of a network that has its own; programs find them by the variables.
 CERTIFICATES = Path("/etc/ssl/certs/ca-certificates.crt")
 VARIABLES = ("CURL_CA_BUNDLE", "GIT_SSL_CAINFO", "NODE_EXTRA_CA_CERTS", "PIP_CERT", "REQUESTS_CA_BUNDLE",

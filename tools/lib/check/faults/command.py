@@ -1,13 +1,13 @@
 """Injects every fault that drivers have had, and writes down which cases notice: docs/measured/faults.md.
 
-    tools/make faults [--check] [--sample N] [--program PATH] [--out FILE] [--jobs N] [NAME]...
+    tools/make faults [--check] [--rows] [--program PATH] [--out FILE] [--jobs N] [NAME]...
 
 First the healthy driver must pass the cases, or else everything would count as noticed. Then hn-conform runs them with
 --inject for each fault (or for those named; then the file stays). A fault is noticed if the run is red, exit status 1,
 and a case failed because a value is wrong; a shader that does not compile notices nothing. Each fault prints a line.
 
 --check compares with the file instead of writing it. With names it injects these faults, and takes from the file what
-the others turned red. With --sample N it injects N faults, and compares the notices of a few functions of each kind.
+the others turned red. With --rows it injects none, and compares what hn-conform prints of each without a run.
 
 Exit status: 0 all were noticed (and the file is up to date), 1 some were not (or it is not), 2 bad usage, 3 the
 unchanged driver does not pass, or hn-conform did not run.
@@ -41,14 +41,10 @@ FILTERS = ("bugs*", "hash.*.lattice.*.gl330.golden", "hash.*.any.*.gl330.golden"
            "noise?d.simplex*.lattice.*.gl330.golden", "fbm.fbm3.lattice.*.gl330.golden",
            "hash.lattice2.lattice.*.es300.golden", "hash.unorm.any.*.es300.golden",
            "noise2d.perlin.lattice.*.es300.golden")
-# The cases of a sample: compiling the others is nearly all that it would cost.
-FEW = ("bugs*", "hash.*.lattice.*.gl330.golden", "hash.*.any.*.gl330.golden", "noise2d.perlin.lattice.*.gl330.golden",
-       "noise2d.value.lattice.*.gl330.golden", "noise2d.simplex.lattice.*.gl330.golden",
-       "noise3d.perlin.lattice.*.gl330.golden")
 
 HEAD = """# Faults of drivers, and what notices them
 
-`tools/make faults` writes this page. It makes a healthy driver (llvmpipe, by OSMesa) behave as if it had each fault that
+`tools/make faults` writes this table. It makes a healthy driver (llvmpipe, by OSMesa) behave as if it had each fault that
 drivers have had: `hn-conform run --inject NAME` rewrites the code of every shader, but not `glsl/`. Each fault fails the
 run, and the table names the functions whose cases fail. If only cases of `bugs` fail, the library avoids the faulty
 operation on purpose.
@@ -95,11 +91,11 @@ def entries(program: Path, *arguments: str) -> list[Told]:
     return names
 
 
-def judge(program: Path, name: str, filters: tuple[str, ...]) -> Verdict:
+def judge(program: Path, name: str) -> Verdict:
     """Runs the cases with a fault, or with none if the name is empty."""
     with tempfile.TemporaryDirectory() as out:
         command = [program, "run", "--driver", "osmesa", "--thorough", "--out", out]
-        for glob in filters:
+        for glob in FILTERS:
             command += ["--filter", glob]
         if name:
             command += ["--inject", name]
@@ -172,30 +168,21 @@ def kept_row(fault: Told, path: Path) -> str:
     return next((line for line in lines if line.startswith(start_of_row(fault))), f"| `{fault.name}` has no row |\n")
 
 
-def agrees(kept: str, made: str, run: list[str]) -> bool:
-    """Whether two rows of a fault state the same of the functions of these cases: in what fails, and in what warns."""
-    ran = named(functions(run))
-    one, other = ([named(cell) & ran for cell in row.split(" | ")[-2:]] for row in (kept, made))
-    return one == other
-
-
-def sample(faults: list[Told], count: int) -> list[Told]:
-    """So many of them, as far from each other in the list as can be."""
-    count = min(count, len(faults))
-    return [faults[i * len(faults) // count] for i in range(count)]
+def by_hand(path: Path) -> str:
+    """What stands below the table: finds in translators, which nothing here makes."""
+    found = re.search(r"\n## .*", path.read_text(encoding="utf-8"), re.DOTALL) if path.exists() else None
+    return found[0] if found else ""
 
 
 HEALTHY = re.compile(r"^On the healthy driver, warnings are given by (.*)\.$", re.MULTILINE)
 
 
-def warnings_of_some_machine(healthy: Verdict, path: Path, sampled: bool) -> str:
+def warnings_of_some_machine(healthy: Verdict, path: Path) -> str:
     """The functions that warn here without a fault, and those of the file that ran. Warnings are what specifications
     leave open, and llvmpipe compiles for the processor that it runs on: on some a negative float becomes another uint.
-    So a machine that warns of less changes nothing, nor does a sample; a warning that the file lacks is a difference."""
+    So a machine that warns of less changes nothing; a warning that the file lacks is a difference."""
     kept = HEALTHY.search(path.read_text(encoding="utf-8")) if path.exists() else None
     before, here = named(kept[1]) if kept else set(), named(functions(healthy.warned))
-    if kept and sampled and here <= before:
-        return kept[1]
     return functions([case for case in healthy.run if named(functions([case])) <= here | before])
 
 
@@ -214,23 +201,26 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = Parser("tools/make faults", __doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help="only these faults; the file stays")
     parser.add_argument("--check", action="store_true", help="compare with the file instead of writing it")
-    parser.add_argument("--sample", type=int, metavar="N", help="with --check: inject so many of them")
+    parser.add_argument("--rows", action="store_true", help="with --check: inject none, compare what needs no run")
     parser.add_argument("--program", type=Path, default=PROGRAM)
     parser.add_argument("--out", type=Path, default=TABLE)
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     options = parser.parse_args(arguments)
-    if options.sample is not None and (options.sample < 1 or not options.check or options.names):
-        parser.error("--sample takes a number from 1 on, with --check and without names")
+    if options.rows and (not options.check or options.names):
+        parser.error("--rows goes with --check, and without names")
     try:
         faults = entries(options.program, "run", "--inject", "list")
         unknown = set(options.names) - {fault.name for fault in faults}
         if unknown:
             parser.error(f"there is no fault {', '.join(sorted(unknown))}; hn-conform run --inject list prints them")
         chosen = [fault for fault in faults if not options.names or fault.name in options.names]
-        chosen = sample(chosen, options.sample or len(chosen))
+        kept = {fault.name: kept_row(fault, options.out) for fault in faults}
+        if options.rows:
+            missing = [name for name, text in kept.items() if "has no row" in text]
+            print(f"{options.out} lacks the rows of {missing}: run tools/make faults" * bool(missing))
+            return int(bool(missing))
         with ThreadPoolExecutor(max(1, options.jobs)) as pool:
-            filters = FEW if options.sample else FILTERS
-            healthy, *verdicts = pool.map(lambda name: judge(options.program, name, filters),
+            healthy, *verdicts = pool.map(lambda name: judge(options.program, name),
                                           ["", *(fault.name for fault in chosen)])
     except (NotRun, OSError, subprocess.TimeoutExpired) as error:
         print(f"tools/make faults: hn-conform did not run: {error}", file=sys.stderr)
@@ -246,11 +236,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.names and not options.check:
         return 0
     rows = {fault.name: row(fault, verdict, healthy) for fault, verdict in zip(chosen, verdicts)}
-    kept = {fault.name: kept_row(fault, options.out) for fault in faults}
-    if options.sample:
-        rows = {name: made for name, made in rows.items() if not agrees(kept[name], made, healthy.run)}
     text = table([rows.get(fault.name) or kept[fault.name] for fault in faults],
-                 warnings_of_some_machine(healthy, options.out, bool(options.sample)))
+                 warnings_of_some_machine(healthy, options.out)) + by_hand(options.out)
     return settle(text, options.out, options.check)
 
 

@@ -27,6 +27,7 @@ from base.tree import ROOT, TOOLS, version
 from ship import command
 from ship.isf import files
 from translate.pick.command import Choice
+from translate.tools import own
 
 PARSER = "interactive-shader-format@2.9.0"
 SIDE = 64
@@ -192,9 +193,7 @@ if __name__ == "__main__":
     Looks.folder = Path(sys.argv.pop(1)).resolve()
     with skipped_without(NoRenderer):
         Renderer(SIDE)
-    if not shutil.which("glslangValidator"):
-        print("skipped: Debian's package glslang-tools is missing")
-        sys.exit(SKIPPED)
+        own("glslangValidator")
     if status := fetched(Looks.folder):
         sys.exit(status)
     unittest.main(defaultTest="Looks", verbosity=2)

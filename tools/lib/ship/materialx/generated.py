@@ -16,13 +16,13 @@ from typing import NamedTuple
 
 from base.debian import Missing
 from base.pypi import installed
-from base.renderer import NoRenderer, Renderer
+from base.renderer import Renderer
 from base.tree import ROOT
 from proof.vectors.files import vectors_folder
 from ship.materialx import files
 from translate.pick import slang
 from translate.pick.osl_runner import OslRunner
-from translate.pick.runners import NotInstalled, ran
+from translate.pick.runners import ran
 from translate.tools import SLANG
 
 MATERIALX = "materialx==1.39.5"
@@ -269,11 +269,10 @@ class Osl(Language):
 LANGUAGES: tuple[type[Language], ...] = (Glsl, Metal, SlangLanguage, Osl)
 # Metal and Slang have the wrappers and the functions that GLSL has, by their names.
 RUN: tuple[type[Language], ...] = (Glsl, Osl)
-MISSING = (Missing, NoRenderer, NotInstalled)
 
 
 def needed() -> None:
-    """Raises one of MISSING if something is not here."""
+    """Raises Missing or NoRenderer if something is not here."""
     for program, package in (("glslangValidator", "glslang-tools"), ("clang++", "clang")):
         if not shutil.which(program):
             raise Missing(f"there is no {program}: apt-get install {package}")

@@ -16,13 +16,13 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from base.debian import Missing
 from base.testing import skipped_without
 from base.thorough import THOROUGH, in_thorough_runs
 from base.tree import ROOT, version
 from base.versions import folders, path_of
 from ship.packing import put
 from ship.rust.files import ALL, NEEDED, package
-from translate.pick.runners import NotInstalled
 
 SOME = (*NEEDED, "random")
 
@@ -30,7 +30,7 @@ SOME = (*NEEDED, "random")
 def check() -> None:
     missing = [program for program in ("cargo", "rustc") if not shutil.which(program)]
     if missing:
-        raise NotInstalled(f"there is no {' and no '.join(missing)}: apt-get install cargo")
+        raise Missing(f"there is no {' and no '.join(missing)}: apt-get install cargo")
 
 
 class Crate(unittest.TestCase):
@@ -130,6 +130,6 @@ def load_tests(loader: unittest.TestLoader, *_: object) -> unittest.TestSuite:
 
 
 if __name__ == "__main__":
-    with skipped_without(NotInstalled):
+    with skipped_without():
         check()
     unittest.main(verbosity=2)

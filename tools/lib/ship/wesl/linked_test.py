@@ -19,6 +19,7 @@ import unittest
 from collections.abc import Mapping
 from pathlib import Path
 
+from base.debian import Missing
 from base.golden_values import ids
 from base.testing import skipped_without
 from base.thorough import THOROUGH, in_thorough_runs
@@ -26,7 +27,7 @@ from base.tree import ROOT, TOOLS
 from base.versions import take_newest
 from ship.packing import put
 from ship.wesl.files import PACKAGE, imported, package
-from translate.wgsl.device import Absent, Device
+from translate.wgsl.device import Device
 from translate.wgsl.golden import differing, shaders_over
 
 SAMPLE = ("noise2d.perlin_cell_period", "fbm.clouds3", "hash.unorm")
@@ -44,9 +45,9 @@ class Linker:
         self.kind, self.folder = kind, folder.resolve()
         self.made = self.folder / ("wesl/package" if kind == "npm" else "package")
         if kind == "npm" and not (self.folder / "made").exists():
-            raise Absent(f"{folder} has no packages: javascript.packages was skipped, or did not run")
+            raise Missing(f"{folder} has no packages: javascript.packages was skipped, or did not run")
         if kind == "cargo" and not shutil.which("cargo"):
-            raise Absent("there is no cargo")
+            raise Missing("there is no cargo")
         take_newest("cargo")
         self.use(package())
         if kind == "npm":
@@ -62,7 +63,7 @@ class Linker:
             if done.returncode != 0:
                 if re.search("could not compile `(linker|hashnoise_wgsl)`", done.stderr):
                     raise RuntimeError(done.stderr)
-                raise Absent(f"wesl cannot be built: {done.stderr.strip().splitlines()[0]}")
+                raise Missing(f"wesl cannot be built: {done.stderr.strip().splitlines()[0]}")
 
     def cargo(self, command: str, *arguments: str) -> subprocess.CompletedProcess[str]:
         return subprocess.run(["cargo", command, "--manifest-path", self.folder / "linker" / "Cargo.toml", *arguments],
@@ -84,7 +85,7 @@ class Linker:
 
 def evaluation_of(rows: Mapping[str, str]) -> dict[str, str]:
     """For each row, a shader that imports the functions that it calls. Its variables may have names of the module."""
-    return shaders_over(rows, "HN_FIXED", lambda names: imported(names, "HN_FIXED"))
+    return shaders_over(rows, lambda names: imported(names, "HN_FIXED"))
 
 
 class Linked(unittest.TestCase):
@@ -164,7 +165,7 @@ class Linked(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    with skipped_without(Absent):
+    with skipped_without():
         Linked.device = Device()
         Linked.linker = Linker(sys.argv[1], Path(sys.argv[2]))
     del sys.argv[1:3]

@@ -22,17 +22,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple, Protocol
 
+from base.debian import SKIPPED, Missing
 from base.javascript.environment import NODE
 from base.thorough import THOROUGH
 from base.tree import GLSL, ROOT
 from translate.pick import command
 from translate.pick.osl_runner import OslRunner
 from translate.pick.program import read
-from translate.pick.runners import ARRAYS, RUNNERS, NotInstalled, NotRun, Runner, ran, written_to
+from translate.pick.runners import ARRAYS, RUNNERS, NotRun, Runner, ran, written_to
 from translate.pick.shading_runners import device, pairs_of
-from translate.wgsl.device import Absent
 
-SKIPPED = 77
 ARITHMETICS = ("fast", "fixed")
 # Locals had the names of parameters in these.
 PAIRS = (("hn_cellular3_nearest", "hn_cell_border3_nearest"),)
@@ -143,7 +142,7 @@ class WgslCompiler:
         for text in texts:
             try:
                 device().compile(text)
-            except Absent:
+            except Missing:
                 raise
             except Exception as error:  # what wgpu raises has no common type
                 raise NotRun(str(error)) from error
@@ -184,11 +183,11 @@ class JavaScriptCompiler(TypeScriptCompiler):
 
 
 def compiler(language: str) -> Compiler:
-    """The compiler of a language; raises NotInstalled or Absent if it is not there."""
+    """The compiler of a language; raises Missing if it is not there."""
     if language in ("typescript", "javascript"):
         RUNNERS["javascript"]().check()
         if not (TypeScriptCompiler.packages / "made").exists():
-            raise NotInstalled("TypeScript is not there: name the folder that lib/base/javascript/environment.py makes")
+            raise Missing("TypeScript is not there: name the folder that lib/base/javascript/environment.py makes")
         return TypeScriptCompiler() if language == "typescript" else JavaScriptCompiler()
     if language == "wgsl":
         device()
@@ -253,7 +252,7 @@ if __name__ == "__main__":
         try:
             of_language = type(f"Compiled_{name}", (Compiled,), {"language": name, "compiler": compiler(name)})
             suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(of_language))
-        except (NotInstalled, Absent) as reason:
+        except Missing as reason:
             absent.append(f"skipped: {name}: {reason}")
     right = unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful()
     print("\n".join(absent))

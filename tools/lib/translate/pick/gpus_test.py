@@ -11,17 +11,15 @@ from __future__ import annotations
 import functools
 import re
 import shutil
-import tempfile
 import unittest
 from collections.abc import Sequence
-from pathlib import Path
 
 from base import cuda
 from base.debian import Missing
-from base.testing import skipped_without
+from base.testing import Case, skipped_without
 from translate.pick import command
 from translate.pick.languages_test import module
-from translate.pick.runners import NotInstalled, NotRun, OpenClRunner, ran, written_to
+from translate.pick.runners import NotRun, OpenClRunner, ran, written_to
 
 RUNNER = OpenClRunner()
 AS_CUDA = '#define __global\n#define __kernel extern "C" __global__\n'  # a kernel of OpenCL
@@ -71,12 +69,7 @@ def source(arithmetic: str, names: Sequence[str] = PICKED) -> str:
     return text(arithmetic, names) + RUNNER.kernels([RUNNER.call(of, of.forms[name], 8) for name in names])
 
 
-class Kernels(unittest.TestCase):
-    def setUp(self) -> None:
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
-
+class Kernels(Case):
     def of_nvidia(self, name: str, *arguments: str) -> str:
         return ran(self.folder, cuda.toolkit() / "bin" / name, *arguments)
 
@@ -180,9 +173,9 @@ class Kernels(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    with skipped_without(Missing, NotInstalled):
+    with skipped_without():
         cuda.toolkit()
         RUNNER.check()
         if missing := [one for one in ("hipcc", "ocloc") if not shutil.which(one)]:
-            raise NotInstalled(f"there is no {' and no '.join(missing)}")
+            raise Missing(f"there is no {' and no '.join(missing)}")
     unittest.main(verbosity=2)

@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from base.debian import Missing
 from base.pypi import environment
 from base.thorough import THOROUGH
 from base.tree import ROOT, TOOLS
@@ -23,10 +24,6 @@ from translate.pick.evaluate import Module
 from translate.pick.javascript import JavaScript
 from translate.pick.scalars import Part, Piece, Syntax, fields_of, pascal, results_of
 from translate.pick.values import AXES, SIZES, scalar_of
-
-
-class NotInstalled(Exception):
-    pass
 
 
 class NotRun(Exception):
@@ -80,7 +77,7 @@ class Runner:
         programs = (*self.programs, *self.linters) if lints else self.programs
         missing = [program for program in programs if not shutil.which(program)]
         if missing:
-            raise NotInstalled(f"there is no {' and no '.join(missing)}: apt-get install {self.packages}")
+            raise Missing(f"there is no {' and no '.join(missing)}: apt-get install {self.packages}")
 
     def few(self, module: Module, function: Function, rows: Sequence[bytes]) -> Sequence[int]:
         """The points at which it is called: all."""
@@ -360,7 +357,7 @@ __device__ inline float sqrtf(float x) { return __nvvm_sqrt_rn_f(x); }
     def check(self, lints: bool = False) -> None:
         super().check(lints)
         if subprocess.run(["/usr/bin/python3", "-c", "import pyopencl; pyopencl.get_platforms()"], check=False).returncode:
-            raise NotInstalled(f"there is no driver of OpenCL: apt-get install {self.packages}")
+            raise Missing(f"there is no driver of OpenCL: apt-get install {self.packages}")
 
     def kernels(self, calls: Sequence[str]) -> str:
         return "".join(self.KERNEL.format(number=i, calls="\n".join(calls[i:i + self.IN_KERNEL]))
@@ -656,7 +653,7 @@ class JaxRunner(PythonRunner):
     def check(self, lints: bool = False) -> None:
         super().check(lints)
         if environment(ROOT / "build" / f"python-{self.package}", self.DRIVER.with_name(f"{self.package}.txt")):
-            raise NotInstalled(f"{self.package} cannot be installed: PyPI cannot be reached")
+            raise Missing(f"{self.package} cannot be installed: PyPI cannot be reached")
 
     def python(self) -> Sequence[str | Path]:
         return [ROOT / "build" / f"python-{self.package}" / "bin" / "python"]

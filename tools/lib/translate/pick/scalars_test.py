@@ -7,6 +7,7 @@ import re
 import unittest
 from collections.abc import Callable
 
+from base.debian import Missing
 from base.tree import GLSL
 from translate.parsing.syntax import Parser
 from translate.parsing.tokens import Unknown, tokens_of
@@ -15,7 +16,7 @@ from translate.pick.c import C
 from translate.pick.evaluate import Module
 from translate.pick.javascript import JavaScript, TypeScript
 from translate.pick.program import Program, chosen, read
-from translate.pick.runners import RUNNERS, NotInstalled
+from translate.pick.runners import RUNNERS
 from translate.pick.scalars import Syntax, text
 
 
@@ -172,7 +173,7 @@ class InAll(unittest.TestCase):
     def test_a_compiler_that_is_missing_is_named_with_its_package(self) -> None:
         class Absent(RUNNERS["javascript"]):
             programs = ("hn-no-such-compiler",)
-        with self.assertRaisesRegex(NotInstalled, "no hn-no-such-compiler: apt-get install nodejs"):
+        with self.assertRaisesRegex(Missing, "no hn-no-such-compiler: apt-get install nodejs"):
             Absent().check()
 
 

@@ -12,18 +12,17 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from base.debian import Missing
 from base.tree import ROOT
-from translate.hlsl.compilers import compiled
 from translate.library_file import ARITHMETICS
 from translate.parsing.syntax import Function
-from translate.pick import slang
 from translate.pick.calling import Form
 from translate.pick.comparison import OTHER_KNOBS
 from translate.pick.evaluate import Module
-from translate.pick.runners import NotRun, ran
+from translate.pick.runners import ran
 from translate.pick.shading import LANGUAGES
 from translate.tools import DXC, SLANG
-from translate.wgsl.device import Absent, Device
+from translate.wgsl.device import Device
 from translate.wgsl.wgpu_program import GROUP
 
 
@@ -127,35 +126,35 @@ class HlslRunner(WgslRunner):
 }}
 """
 
+    def __init__(self) -> None:
+        super().__init__()
+        self.words()
+
+    def words(self) -> Sequence[str | Path]:
+        """The command that makes SPIR-V; raises Missing."""
+        return "glslangValidator", "-D", "-V", "-S", "comp", "-e", "main", "-o", "made", "shader.hlsl"
+
     def compiled(self, text: str) -> str | bytes:
         with tempfile.TemporaryDirectory() as folder:
-            (Path(folder) / "shader.comp").write_text(text, encoding="ascii")
-            ran(Path(folder), "glslangValidator", "-D", "-V", "-e", "main", "-o", "spirv", "shader.comp")
-            return (Path(folder) / "spirv").read_bytes()
+            (Path(folder) / "shader.hlsl").write_text(text, encoding="ascii")
+            ran(Path(folder), *self.words())
+            return (Path(folder) / "made").read_bytes()
 
 
 class DxcRunner(HlslRunner):
-    def __init__(self) -> None:
-        super().__init__()
-        DXC.path()
-
-    def compiled(self, text: str) -> str | bytes:
-        with tempfile.TemporaryDirectory() as folder:
-            file = Path(folder) / "shader.hlsl"
-            file.write_text(text, encoding="ascii")
-            made, = compiled(DXC, [file], "cs_6_0", "main", "-spirv", "-fspv-target-env=vulkan1.1")
-        if not made.code:
-            raise NotRun(made.messages)
-        return made.code
+    def words(self) -> Sequence[str | Path]:
+        return (DXC.path(), "-spirv", "-fspv-target-env=vulkan1.1", "-T", "cs_6_0", "-E", "main", "-Fo", "made", "shader.hlsl")
 
 
 class SlangRunner(HlslRunner):
-    def __init__(self) -> None:
-        super().__init__()
-        SLANG.path()
+    """To WGSL."""
+
+    def words(self) -> Sequence[str | Path]:
+        return (SLANG.path(), "-lang", "slang", "shader.hlsl", "-target", "wgsl", "-entry", "main", "-stage", "compute", "-o",
+                "made")
 
     def compiled(self, text: str) -> str | bytes:
-        return slang.compiled(text).decode()
+        return super().compiled(text).decode()
 
 
 class MetalRunner(Runner):
@@ -184,7 +183,7 @@ int run(std::FILE* read, std::FILE* written) {{
 
     def __init__(self) -> None:
         if not shutil.which("clang++"):
-            raise Absent("there is no clang++: apt-get install clang")
+            raise Missing("there is no clang++: apt-get install clang")
 
     def run(self, cases: Sequence[Case], points: int) -> list[bytes]:
         runs = "".join(f"namespace text{number} {{\n{case.text}{self.entry_of(case, points)}}}\n"

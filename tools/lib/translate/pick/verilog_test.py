@@ -18,6 +18,7 @@ from pathlib import Path
 
 from base.png import read_png
 from base.renderer import Renderer
+from base.testing import skipped_without
 from base.tree import GLSL, ROOT
 from translate.parsing.tokens import Unknown
 from translate.pick import command, verilog, verilog_bench
@@ -25,6 +26,7 @@ from translate.pick.runners import ran
 from translate.pick.verilog import FunctionCircuit
 from translate.pick.verilog_bench import LINT, SUM
 from translate.single_file import files
+from translate.tools import own
 
 POINTS = 1_000_000
 # Functions, the vectors of each, its constants, and the noise of a sum.
@@ -33,7 +35,6 @@ ALL = (*FEW, ("hn_random2", "noise2d.random_cell", "", ""), ("hn_perlin2", "nois
        ("hn_simplex3", "noise3d.simplex_cell", "", ""), ("hn_value2", "noise2d.value_cell", "", ""),
        ("hn_cellular2", "noise2d.cellular_cell", "", ""), ("hn_fbm2", "fbm.fbm2_cell", "octaves=2,lacunarity=1,gain=0.7", ""),
        ("hn_fbm2", "", SUM, ""), ("hn_fbm2", "", SUM, "hn_simplex2"))
-SKIPPED = 77
 EXAMPLE = ROOT / "examples" / "silicon"
 
 
@@ -165,7 +166,7 @@ class Whole(Simulated):
 if __name__ == "__main__":
     Simulated.folder = Path(sys.argv[1]).resolve()
     cases = sys.argv[2:] or ["Texts", "Simulated"]
-    if missing := [one for one in ("iverilog", *(["verilator"] if cases == ["Whole"] else [])) if not shutil.which(one)]:
-        print(f"skipped: there is no {missing[0]}: apt-get install {missing[0]}")
-        sys.exit(SKIPPED)
+    with skipped_without():
+        for name in ("iverilog", *(["verilator"] if cases == ["Whole"] else [])):
+            own(name)
     unittest.main(argv=[sys.argv[0], *cases], verbosity=2)

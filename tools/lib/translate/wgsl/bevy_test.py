@@ -17,10 +17,11 @@ import unittest
 from collections.abc import Collection
 from pathlib import Path
 
+from base.debian import Missing
 from base.testing import skipped_without
 from base.tree import ROOT, TOOLS
 from base.versions import take_newest
-from translate.wgsl.device import Absent, Device
+from translate.wgsl.device import Device
 from translate.wgsl.golden import differing, shaders_over
 
 COMPOSER = Path(__file__).resolve().parent / "composer"
@@ -43,7 +44,7 @@ class Refused(Exception):
 
 def build(folder: Path) -> Path:
     if not shutil.which("cargo"):
-        raise Absent("there is no cargo")
+        raise Missing("there is no cargo")
     take_newest("cargo")
     done = subprocess.run(["cargo", "build", "--locked", "--quiet", "--manifest-path", COMPOSER / "Cargo.toml",
                            "--target-dir", folder], capture_output=True, text=True, check=False)
@@ -51,7 +52,7 @@ def build(folder: Path) -> Path:
         # Our lines are wrong, or this machine lacks something: a network, or a newer Rust.
         if "could not compile `composer`" in done.stderr or "lock file" in done.stderr:
             raise RuntimeError(done.stderr)
-        raise Absent(f"naga_oil cannot be built: {done.stderr.strip().splitlines()[0]}")
+        raise Missing(f"naga_oil cannot be built: {done.stderr.strip().splitlines()[0]}")
     return folder / "debug" / "composer"
 
 
@@ -66,8 +67,7 @@ def library(*options: str) -> str:
 
 def evaluation_of(rows: Collection[str]) -> dict[str, str]:
     """For each row, a shader that imports the functions that it calls."""
-    return shaders_over(rows, "HN_FIXED",
-                        lambda names: "".join(f"#import hashnoise::{name}\n" for name in names))
+    return shaders_over(rows, lambda names: "".join(f"#import hashnoise::{name}\n" for name in names))
 
 
 class Bevy(unittest.TestCase):
@@ -136,7 +136,7 @@ class Bevy(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    with skipped_without(Absent):
+    with skipped_without():
         Bevy.composer = build(Path(sys.argv.pop(1)))
         Bevy.device = Device()
     unittest.main()

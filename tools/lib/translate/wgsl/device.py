@@ -15,7 +15,6 @@ from translate.wgsl import wgpu_program
 WGPU = "wgpu==0.32.0"
 INPUT_WORDS = 16
 OUTPUT_WORDS = 4
-Absent = Missing  # why there is no wgpu here
 
 
 def find_wgpu() -> ModuleType:
@@ -30,17 +29,17 @@ def find_wgpu() -> ModuleType:
     try:
         return importlib.import_module("wgpu")
     except ImportError as error:
-        raise Absent(f"{WGPU} cannot be imported from {folder}: {error}") from error
+        raise Missing(f"{WGPU} cannot be imported from {folder}: {error}") from error
 
 
 class Device(wgpu_program.Device):
     def __init__(self) -> None:
         try:
             super().__init__(find_wgpu())
-        except Absent:
+        except Missing:
             raise
         except Exception as error:  # its errors have no common type
-            raise Absent(f"wgpu finds no device here: {error}") from error
+            raise Missing(f"wgpu finds no device here: {error}") from error
 
     def compile_glsl(self, text: str) -> None:
         """Compiles a fragment shader in GLSL, which naga reads as well."""
