@@ -1,6 +1,6 @@
 // Evaluates shaders by npm's package webgpu, which is Dawn with Tint, by the page's own webgpu.js.
 //
-//   node dawn.mjs FD    first writes what it is into that file, and then an answer for each line that it reads, as lines
+//   node dawn.mjs FD    first writes its device into that file, and then an answer for each line that it reads, as lines
 //                       of JSON: as tools/lib/translate/wgsl/wgpu_program.py
 import { readFileSync, writeFileSync, writeSync } from "node:fs";
 import { createRequire } from "node:module";

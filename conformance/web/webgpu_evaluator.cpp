@@ -66,7 +66,7 @@ class DeviceProgram {
   std::string path(std::string_view file) const { return (folder_.path() / file).string(); }
   bool is_lost() const { return lost_; }
 
-  // An error has what the program printed meanwhile.
+  // An error has the output of the program meanwhile.
   Result<nlohmann::json> ask(const nlohmann::json& question) {
     const std::string line = question.dump() + "\n";
     send(questions_.get(), line.data(), line.size(), MSG_NOSIGNAL);
@@ -109,7 +109,7 @@ class DeviceProgram {
   Process process_;
   int status_ = 0;  // of the process that has ended
   FileDescriptor questions_;
-  std::string answers_;      // what is not read yet
+  std::string answers_;      // the bytes that are not read yet
   std::size_t printed_ = 0;  // of the log, so far
   bool lost_ = false;
 };

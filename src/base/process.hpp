@@ -26,7 +26,7 @@ struct ProcessOptions {
   std::vector<std::string> arguments = {};
   std::optional<std::vector<std::string>> environment = {};  // NAME=VALUE; ours if there is none
   std::filesystem::path output = "/dev/null";                // of its standard output and error
-  int input = -1;                                            // what it has as standard input; nothing if this is -1
+  int input = -1;                                            // its standard input, as a file; -1 for none
   bool is_server = false;  // it cleans up at its end, so it gets SIGTERM when we end, and is not killed
   bool own_group = false;  // it leads a group, in which all are that it starts
 };

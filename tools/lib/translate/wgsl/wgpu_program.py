@@ -1,7 +1,7 @@
 """Evaluates shaders by PyPI's wgpu, which is naga and a driver of Vulkan, Metal or DirectX, of any version from 0.9.5 on.
 hn-conform has this file inside, as its driver wgpu (conformance/web/webgpu_evaluator.hpp).
 
-    wgpu_program.py FD     first writes what it is into that file, and then an answer for each line that it reads, as
+    wgpu_program.py FD     first writes its device into that file, and then an answer for each line that it reads, as
                            lines of JSON
 """
 

@@ -20,6 +20,7 @@ from base.testing import skipped_without
 from base.thorough import THOROUGH
 from base.tree import GLSL, ROOT, TOOLS
 from translate.settings import ARITHMETICS, Settings
+from translate.tools import BY_NAME
 from translate.wgsl.device import Device, find_wgpu
 from translate.wgsl.module import Module
 
@@ -69,16 +70,22 @@ class Wgpu(unittest.TestCase):
                         self.device.compile_glsl(shader)
 
     def test_the_suite_is_right(self):
-        """By default the cases of a run; thoroughly all functions with floats and HN_FIXED."""
+        """By default the cases of a run; thoroughly, and on Dawn as well, all functions with floats and HN_FIXED."""
         which = ("--thorough", "--filter", "*.lattice.*.wgsl.*", "--filter", "bugs.*.wgsl.*") if THOROUGH else (
             "--filter", "*.wgsl.*")
+        folders = {"HN_WGPU": str(Path(find_wgpu().__file__).parents[1])}
+        if THOROUGH:
+            folders["HN_DAWN"] = str(BY_NAME["dawn-0.6.2"].path())
         with tempfile.TemporaryDirectory() as out:
-            done = subprocess.run([self.program, "run", "--driver", "wgpu", *which, "--out", out], capture_output=True, text=True,
-                                  env={**os.environ, "HN_WGPU": str(Path(find_wgpu().__file__).parents[1])}, check=False)
+            drivers = [f"--driver={name.removeprefix('HN_').lower()}" for name in folders]
+            done = subprocess.run([self.program, "run", *drivers, *which, "--out", out], capture_output=True, text=True,
+                                  env={**os.environ, **folders}, check=False)
             self.assertEqual(done.returncode, 0, f"{done.stdout}{done.stderr}")
-            run, = json.loads((Path(out) / "results.json").read_text())["runs"]
-        self.assertGreater(run["totals"]["pass"], 600 if THOROUGH else 40)
-        self.assertEqual(run["totals"]["unsupported"], 0)
+            runs = json.loads((Path(out) / "results.json").read_text())["runs"]
+        self.assertEqual(len(runs), len(folders))
+        for run in runs:
+            self.assertGreater(run["totals"]["pass"], 600 if THOROUGH else 100)
+            self.assertEqual(run["totals"]["unsupported"], 0)
 
 
 if __name__ == "__main__":

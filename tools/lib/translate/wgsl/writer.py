@@ -285,7 +285,7 @@ class RowWriter(FunctionWriter):
 
     def _number(self, text: str) -> Constant:
         found = number(text)
-        if found.type == "int":  # without the i its type is that of what stands around it
+        if found.type == "int":  # without the i it takes the type of its neighbours
             return Constant("int", found.value, f"{text}i")
         return number(f"{text}f") if found.type == "float" and text[-1] not in "fF" else found
 
