@@ -28,9 +28,15 @@ struct Parts {
   std::string expression;
 };
 
+bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool is_word(std::string_view name) {
-  return std::ranges::all_of(
-      name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_'; });
+  return std::ranges::all_of(name, [](char c) { return is_of_word(c) || c == '-'; });
+}
+
+std::string first_word(const std::string& expression) {
+  const auto begin = std::ranges::find_if(expression, is_of_word);
+  const std::string word(begin, std::find_if_not(begin, expression.end(), is_of_word));
+  return word.empty() ? "function" : word;
 }
 
 bool is_file(const std::filesystem::path& path) {
@@ -40,17 +46,17 @@ bool is_file(const std::filesystem::path& path) {
 
 Result<Parts> split(const std::string& argument, std::string_view option) {
   const auto wrong = [&](std::string_view what) {
-    return fail(fmt::format("{} {}: {}; write NAME=FILE:EXPRESSION, as in simplex=other.glsl:snoise(p)", option,
-                            argument, what));
+    return fail(fmt::format("{} {}: {}; write FILE:EXPRESSION, as in other.glsl:snoise(p), or NAME=FILE:EXPRESSION",
+                            option, argument, what));
   };
-  const auto equals = argument.find('=');
-  const auto at = argument.find('@');
-  if (equals == std::string::npos || std::min(equals, at) == 0) return wrong("there is no name");
-  Parts parts{.name = argument.substr(0, std::min(equals, at)), .version = {}, .file = {}, .expression = {}};
-  if (at < equals) parts.version = argument.substr(at + 1, equals - at - 1);
-  if (!is_word(parts.name)) return wrong("a name is a word of letters, digits, - and _");
-  if (parts.name == "empty") return wrong("the empty shaders have that name");
-  const std::string place = argument.substr(equals + 1);
+  Parts parts;
+  const auto end = argument.find_first_of("=@:");
+  const bool is_named = end != 0 && end != argument.npos && argument[end] != ':' && is_word(argument.substr(0, end));
+  const auto equals = is_named ? argument.find('=', end) : argument.npos;
+  if (is_named && equals == argument.npos) return wrong("there is no =");
+  if (is_named) parts.name = argument.substr(0, end);
+  if (is_named && end < equals) parts.version = argument.substr(end + 1, equals - end - 1);
+  const std::string place = is_named ? argument.substr(equals + 1) : argument;
   auto colon = place.find(':');
   while (colon != std::string::npos && !is_file(place.substr(0, colon))) colon = place.find(':', colon + 1);
   if (colon == std::string::npos) {
@@ -60,6 +66,8 @@ Result<Parts> split(const std::string& argument, std::string_view option) {
   parts.file = place.substr(0, colon);
   parts.expression = place.substr(colon + 1);
   if (parts.expression.find_first_not_of(" \t\r\n") == std::string::npos) return wrong("there is no expression");
+  if (!is_named) parts.name = first_word(parts.expression);
+  if (parts.name == "empty") return wrong("the empty shaders have that name");
   return parts;
 }
 
@@ -214,16 +222,6 @@ Result<std::vector<Subject>> subjects_that_compile(const Foreign& foreign, std::
 }
 
 }  // namespace
-
-std::string named(const std::string& argument) {
-  const auto end = argument.find_first_of("=@:");
-  if (end != std::string::npos && argument[end] != ':' && is_word(argument.substr(0, end))) return argument;
-  const std::string expression = argument.substr(argument.rfind(':') + 1);
-  const auto is_part = [](char c) { return is_word({&c, 1}); };
-  const auto begin = std::ranges::find_if(expression, is_part);
-  const std::string name(begin, std::find_if_not(begin, expression.end(), is_part));
-  return fmt::format("{}={}", name.empty() ? "function" : name, argument);
-}
 
 Result<Foreign> read_foreign(const std::string& argument, SourceSet& sources, std::string_view option) {
   HN_TRY(const auto parts, split(argument, option));

@@ -18,12 +18,11 @@ struct Foreign {
   std::string_view profile = "gl330";  // its version of GLSL
 };
 
-// Reads NAME[@VERSION]=FILE:EXPRESSION. Adds the file and its includes to the sources: an include is a file beside the
-// including one, or else a file of the library. The version is VERSION, or that of the file's #version line if it is
-// later than GLSL 3.30. option: for messages, before the argument.
+// Reads [NAME[@VERSION]=]FILE:EXPRESSION; the name is else the first word of the expression. Adds the file and its
+// includes to the sources: an include is a file beside the including one, or else a file of the library. The version is
+// VERSION, or that of the file's #version line if it is later than GLSL 3.30. option: for messages, before the
+// argument.
 Result<Foreign> read_foreign(const std::string& argument, SourceSet& sources, std::string_view option = "--against");
-// The argument behind a name: its own, or else the first word of its expression, as in FILE:snoise(p).
-std::string named(const std::string& argument);
 
 // Its subjects: of a position in the plane, in space, or both, whichever compiles. An error if neither does.
 Result<std::vector<Subject>> foreign_subjects(Workbench& workbench, const Foreign& foreign);

@@ -49,47 +49,28 @@ std::string type_name(const Scalar& scalar, std::size_t components) {
 
 struct Row {
   std::string place;  // "grid.csv:7"
-  std::vector<std::string_view> fields;
+  std::vector<std::string> fields;
 };
 
-struct Table {
-  std::string text;
-  Row header;
+// The header, then the others. Lines that begin with # are comments, as in a record.
+Result<std::vector<Row>> read_table(const std::string& path) {
+  HN_TRY(const auto text, read_file(path));
   std::vector<Row> rows;
-};
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \t\r";
-  const auto begin = std::min(text.find_first_not_of(kSpace), text.size());
-  return text.substr(begin, text.find_last_not_of(kSpace) + 1 - begin);
-}
-
-// Lines that begin with # are comments, as in a record.
-Result<std::unique_ptr<Table>> read_table(const std::string& path) {
-  HN_TRY(auto text, read_file(path));
-  auto table = std::make_unique<Table>();  // its rows point into its text
-  table->text = std::move(text);
   std::size_t number = 0;
-  for (const std::string_view line : split(table->text, '\n')) {
+  for (const std::string_view line : split(text, '\n')) {
     ++number;
-    if (trimmed(line).empty() || line.starts_with('#')) continue;
-    Row row{fmt::format("{}:{}", path, number), split(line, ',')};
-    std::ranges::transform(row.fields, row.fields.begin(), trimmed);
-    if (table->header.fields.empty()) {
-      table->header = std::move(row);
-      continue;
+    if (line.find_first_not_of(" \t\r") == line.npos || line.starts_with('#')) continue;
+    Row& row = rows.emplace_back(Row{fmt::format("{}:{}", path, number), {}});
+    for (const std::string_view field : split(line, ',')) {
+      row.fields.emplace_back(field);
+      std::erase_if(row.fields.back(), [](char c) { return c == ' ' || c == '\t' || c == '\r'; });
     }
-    if (row.fields.size() != table->header.fields.size()) {
-      return fail(fmt::format("{}: it has {} fields, and the header has {}", row.place, row.fields.size(),
-                              table->header.fields.size()));
-    }
-    table->rows.push_back(std::move(row));
+    if (row.fields.size() == rows.front().fields.size()) continue;
+    return fail(fmt::format("{}: it has {} fields, and the header has {}", row.place, row.fields.size(),
+                            rows.front().fields.size()));
   }
-  if (table->rows.empty() || table->rows.size() > kMostRows) {
-    return fail(
-        fmt::format("{}: it has {} rows below its header; there must be 1 to {}", path, table->rows.size(), kMostRows));
-  }
-  return table;
+  if (rows.size() > 1 && rows.size() <= kMostRows + 1) return rows;
+  return fail(fmt::format("{}: there must be a header, and 1 to {} rows below it", path, kMostRows));
 }
 
 template <typename Number>
@@ -101,7 +82,7 @@ std::optional<std::uint32_t> word_of(std::string_view field) {
 }
 
 Result<std::uint32_t> word_of(const Row& row, std::size_t i, const GivenColumn& column) {
-  const std::string_view field = row.fields[i];
+  const std::string& field = row.fields[i];
   const auto word = column.type == WordType::f32   ? word_of<float>(field)
                     : column.type == WordType::i32 ? word_of<std::int32_t>(field)
                                                    : word_of<std::uint32_t>(field);
@@ -110,9 +91,11 @@ Result<std::uint32_t> word_of(const Row& row, std::size_t i, const GivenColumn& 
                           scalar_of(column.type).name, column.name));
 }
 
-Result<std::vector<std::vector<std::uint32_t>>> words_of(const Table& table, const std::vector<GivenColumn>& columns) {
+// Of the rows below the header.
+Result<std::vector<std::vector<std::uint32_t>>> words_of(std::span<const Row> rows,
+                                                         const std::vector<GivenColumn>& columns) {
   std::vector<std::vector<std::uint32_t>> words;
-  for (const Row& row : table.rows) {
+  for (const Row& row : rows.subspan(1)) {
     std::vector<std::uint32_t>& of_row = words.emplace_back();
     for (std::size_t i = 0; i < columns.size(); ++i) {
       HN_TRY(const auto word, word_of(row, i, columns[i]));
@@ -137,11 +120,6 @@ struct Argument {
   std::string text() const { return fmt::format("{} {}", type_name(*scalar, components), name); }
 };
 
-bool is_identifier(std::string_view name) {
-  const auto is_part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-  return !name.empty() && std::ranges::all_of(name, is_part) && std::isdigit(static_cast<unsigned char>(name[0])) == 0;
-}
-
 // Appends NAME[.COMPONENT][:TYPE]. The components of a vector stand side by side.
 Result<void> add_argument(std::vector<Argument>& arguments, std::string_view field, const std::string& place) {
   const auto wrong = [&](std::string_view what) {
@@ -151,7 +129,8 @@ Result<void> add_argument(std::vector<Argument>& arguments, std::string_view fie
   const auto scalar = parts.size() == 1 ? kScalars.begin() : std::ranges::find(kScalars, parts[1], &Scalar::name);
   if (parts.size() > 2 || scalar == kScalars.end()) return wrong("has no type of float, int and uint behind its colon");
   const auto names = split(parts[0], '.');
-  if (!is_identifier(names[0])) return wrong("is not a name, or a name and a component as in p.x");
+  // glslang refuses other words that are no names.
+  if (names[0].find_first_of("0123456789-.") == 0 || names[0].empty()) return wrong("is no name of an argument");
   const std::string name(names[0]);
   const bool first = names.size() == 1 || (names.size() == 2 && names[1] == "x");
   const auto continues = [&](const Argument& last) {
@@ -198,10 +177,9 @@ std::string parameters_of(const std::vector<Argument>& arguments) {
 // A function of our own keeps the user's names apart from ours. As in tools/measure noise, a noise may set `slope`.
 std::string function_text(const SourceSet& sources, const Foreign& foreign, const std::vector<Argument>& arguments,
                           std::string_view result, std::string_view returned) {
-  const auto named = [&](std::string_view name) { return std::ranges::find(arguments, name, &Argument::name); };
-  const auto p = named("p");
-  const bool has_slope = p != arguments.end() && named("slope") == arguments.end() &&
-                         sources.find(foreign.expression)->text.find("slope") != std::string::npos;
+  const auto p = std::ranges::find(arguments, "p", &Argument::name);
+  const bool has_slope =
+      p != arguments.end() && sources.find(foreign.expression)->text.find("slope") != std::string::npos;
   return fmt::format(
       "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n#include \"{}\"\n#include \"config.glsl\"\n"
       "{} hn_check_value({}) {{\n{}  {}(\n#include \"{}\"\n  );\n}}\n",
@@ -263,9 +241,9 @@ Result<Argument> result_of(const SourceSet& sources, const Foreign& foreign, con
 
 Result<GivenFunction> read_function(const CheckCommand& command) {
   HN_TRY(const auto points, read_table(command.points));
-  HN_TRY(const auto arguments, arguments_in(points->header));
+  HN_TRY(const auto arguments, arguments_in(points.front()));
   SourceSet sources = SourceSet::embedded();
-  HN_TRY(const auto foreign, read_foreign(named(command.function), sources, "check"));
+  HN_TRY(const auto foreign, read_foreign(command.function, sources, "check"));
   HN_TRY(const auto value, result_of(sources, foreign, arguments));
   GivenFunction function{
       .id = fmt::format("check.{}", foreign.name),
@@ -282,22 +260,19 @@ Result<GivenFunction> read_function(const CheckCommand& command) {
   }
   for (const Argument& argument : arguments) add_columns(function.inputs, argument);
   add_columns(function.outputs, value);
-  HN_TRY(auto words, words_of(*points, function.inputs));
+  HN_TRY(auto words, words_of(points, function.inputs));
   for (auto& of_point : words) function.points.push_back({std::move(of_point), {}});
   return function;
 }
 
-Result<void> read_expected(const std::string& path, const CheckCommand& command, GivenFunction& function) {
+Result<void> read_expected(const std::string& path, GivenFunction& function) {
   HN_TRY(const auto table, read_table(path));
-  if (table->header.fields.size() != function.outputs.size()) {
-    return fail(fmt::format("{}: there are {} columns, and the function returns {} numbers", table->header.place,
-                            table->header.fields.size(), function.outputs.size()));
-  }
-  if (table->rows.size() != function.points.size()) {
-    return fail(fmt::format("{}: it has {} rows, and {} has {}", path, table->rows.size(), command.points,
+  if (table.front().fields.size() != function.outputs.size() || table.size() != function.points.size() + 1) {
+    return fail(fmt::format("{}: it has {} columns and {} rows; the function returns {} numbers at each of {} points",
+                            path, table.front().fields.size(), table.size() - 1, function.outputs.size(),
                             function.points.size()));
   }
-  HN_TRY(const auto words, words_of(*table, function.outputs));
+  HN_TRY(const auto words, words_of(table, function.outputs));
   for (std::size_t i = 0; i < words.size(); ++i) function.points[i].expected = words[i];
   function.expected_from = path;
   return {};
@@ -336,19 +311,6 @@ Result<ContextInfo> record(const CheckCommand& command, const DriverChoice& choi
   return fail(fmt::format("no driver returns values that others could be compared with:{}", refusals));
 }
 
-// Nothing can be compared with NaN and infinity.
-Result<void> require_finite(const CheckCommand& command, const GivenFunction& function) {
-  for (std::size_t i = 0; i < function.points.size(); ++i) {
-    for (std::size_t column = 0; column < function.outputs.size(); ++column) {
-      const auto number = std::bit_cast<float>(function.points[i].expected[column]);
-      if (function.outputs[column].type != WordType::f32 || std::isfinite(number)) continue;
-      return fail(fmt::format("{}: the function returns {} at row {} below the header, by {}; leave that point out",
-                              command.points, number, i + 1, function.expected_from));
-    }
-  }
-  return {};
-}
-
 Result<void> write_record(const CheckCommand& command, const GivenFunction& function, const ContextInfo& info) {
   std::vector<std::string> header;
   for (const GivenColumn& column : function.outputs) {
@@ -373,7 +335,7 @@ tl::expected<GivenFunction, int> prepare(const CheckCommand& command, int stop_f
   auto function = read_function(command);
   if (!function) return tl::unexpected(usage_error(function.error().text()));
   if (!command.expect.empty()) {
-    const auto read = read_expected(command.expect, command, *function);
+    const auto read = read_expected(command.expect, *function);
     if (!read) return tl::unexpected(usage_error(read.error().text()));
     return *std::move(function);
   }
@@ -385,13 +347,14 @@ tl::expected<GivenFunction, int> prepare(const CheckCommand& command, int stop_f
     complain(printable(info.error().text()));
     return tl::unexpected(kNoDriver);
   }
-  auto done = require_finite(command, *function);
-  if (done && !command.record.empty()) done = write_record(command, *function, *info);
-  if (!done) {
-    complain(done.error().text());
+  if (command.record.empty()) return *std::move(function);
+  if (const auto written = write_record(command, *function, *info); !written) {
+    complain(written.error().text());
     return tl::unexpected(kNotAsExpected);
   }
-  return *std::move(function);
+  say(fmt::format("{} values of {}: {}\n", function->points.size() * function->outputs.size(), function->expected_from,
+                  command.record));
+  return tl::unexpected(0);
 }
 
 }  // namespace
@@ -404,11 +367,6 @@ int run(const CheckCommand& command, Interruption& interruption) {
     return kSignalled + signal;
   }
   if (!function) return function.error();
-  if (!command.record.empty()) {
-    say(fmt::format("{} values of {}: {}\n", function->points.size() * function->outputs.size(),
-                    function->expected_from, command.record));
-    return 0;
-  }
   RunCommand cases = command.run;
   if (cases.selection.filters.empty()) cases.selection.filters = {fmt::format("{}.*", function->id)};
   give(*function);

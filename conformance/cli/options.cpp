@@ -59,7 +59,7 @@ void add_against(CLI::App& command, std::vector<std::string>& against, const std
                   what +
                       ": the expression is a float from p, a vec2 or a vec3, as in s=other.glsl:snoise(p); s@420=... "
                       "requires GLSL 4.20; may be repeated")
-      ->type_name("NAME=FILE:EXPRESSION")
+      ->type_name("[NAME[@VERSION]=]FILE:EXPRESSION")
       ->allow_extra_args(false);
 }
 

@@ -78,7 +78,7 @@ struct BenchCommand {
   std::vector<std::string> filters;
   std::string out = "out";
   std::string glsl;
-  std::vector<std::string> against;  // NAME=FILE:EXPRESSION
+  std::vector<std::string> against;  // [NAME[@VERSION]=]FILE:EXPRESSION
   int rounds = 9;
   bool dump = false;
   std::string line;  // the command line, for the record
@@ -88,7 +88,7 @@ struct SpirvCommand {
   std::vector<std::string> filters;
   std::string out = "out";
   std::string glsl;
-  std::vector<std::string> against;  // NAME=FILE:EXPRESSION
+  std::vector<std::string> against;  // [NAME[@VERSION]=]FILE:EXPRESSION
 };
 
 struct PaperCommand {

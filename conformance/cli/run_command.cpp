@@ -148,7 +148,7 @@ std::optional<DealtDriver> describe_for_deal(const std::string& name, const WayO
 
 using Profiles = std::set<std::string, std::less<>>;
 
-// The profiles in which a driver may run shaders: those that the way to it takes, or those of its platform.
+// The profiles in which a driver may run shaders: the sources of the way to it, or all of its platform.
 Profiles profiles_for(const Driver& driver, const DriverChoice& choice) {
   Profiles names;
   if (const auto way = choice.ways.find(driver.name); way != choice.ways.end()) {

@@ -14,9 +14,6 @@
 namespace hn {
 namespace {
 
-// The most failures that a case lists; further ones add nothing.
-constexpr std::size_t kMostExamples = 8;
-
 // Such a part of the values of a case may be left out; with more it would be no test.
 constexpr double kMostLeftOut = 1.0 / 8.0;
 
@@ -109,7 +106,7 @@ void Comparison::require(bool right, std::span<const std::uint32_t> inputs, floa
 
 void Comparison::note(std::span<const std::uint32_t> inputs, std::optional<std::size_t> column, std::string_view got,
                       std::string expected) {
-  if (outcome_.mismatches++ >= kMostExamples) return;
+  if (outcome_.mismatches++ >= kExamplesKept) return;
   const auto point = before_ + static_cast<std::size_t>(inputs.data() - grid_.data()) / kInputWords;
   const bool named = column && function_.outputs.size() > 1;
   Mismatch mismatch{point,

@@ -18,6 +18,9 @@ std::uint64_t ulp_distance(float a, float b);
 // Stands for the tolerance of a value that jumps so near that two ways of rounding need not agree (cellular.hpp).
 inline constexpr double kUndecided = -1.0;
 
+// The most failures that a case lists; further ones add nothing.
+inline constexpr std::size_t kExamplesKept = 8;
+
 // Adds up comparisons; the first value that is off becomes the message, and the first few are kept.
 class Comparison {
  public:

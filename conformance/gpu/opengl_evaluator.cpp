@@ -24,7 +24,7 @@ class LinkedProgram final : public Evaluable {
   Program program_;
 };
 
-// A compute shader of others, whose results the grid has in buffer 0.
+// A compute shader from a translator. The grid has its results in buffer 0.
 class LoadedShader final : public Evaluable {
  public:
   LoadedShader(const GladGLContext& gl, GridRenderer& grid, Program program)

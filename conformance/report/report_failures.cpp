@@ -96,18 +96,11 @@ std::string quoted(const std::vector<std::string>& words) {
   return command_line(words.front(), static_cast<int>(arguments.size()), arguments.data());
 }
 
-// The command of a step, with the names of its files, as one who has what is kept can call it.
+// The command of a step, as one who has its kept input can call it.
 std::string command_of(const Step& step, const FaultyStep& fault) {
-  std::string text = step.spec.find("{in}") == std::string::npos ? quoted(step.command) : step.spec;
-  const std::string input = std::filesystem::path(fault.input).filename();
-  const std::string output = fmt::format("out{}", ending_of(step.gives));
-  for (const auto& [place, name] :
-       {std::pair("'{in}'", input), {"{in}", input}, {"'{out}'", output}, {"{out}", output}}) {
-    const std::string_view from = place;
-    for (auto at = text.find(from); at != text.npos; at = text.find(from, at + name.size()))
-      text.replace(at, from.size(), name);
-  }
-  return text;
+  const auto words = step.command_for(std::filesystem::path(fault.input.empty() ? "in" : fault.input).filename(),
+                                      fmt::format("out{}", ending_of(step.gives)));
+  return step.spec.find("{in}") == std::string::npos ? quoted(words) : words.back();
 }
 
 // The command that runs a case again: steps as a run takes them, with the program that it found.
@@ -187,10 +180,11 @@ Json page_case(const Run& run, const CaseResult& result, PageBudget& shown) {
     }
   }
   const Json examples = examples_of(outcome);
-  // With examples the message only repeats the first of them.
+  // With examples the message only repeats the first of them, or also states that the driver is wrong without a way.
+  const bool without_way = !run.way.empty() && !faulty;
   return {{"id", result.id},
           {"measure", outcome.samples == 0 ? "" : measure_of(outcome) + "."},
-          {"message", examples.empty() ? Json({{"text", cleaned(outcome.message)}}) : Json(false)},
+          {"message", examples.empty() || without_way ? Json({{"text", cleaned(outcome.message)}}) : Json(false)},
           {"has_examples", !examples.empty()},
           {"examples", examples},
           {"step", std::move(step)},

@@ -51,7 +51,7 @@ struct Job {
   SuiteOptions suite;
   std::vector<std::string> ids;            // of cases, in the order in which they are to be run
   std::vector<std::string> examined = {};  // of cases that have had their evidence made, or tried
-  std::string kept = {};                   // the folder for what the steps of a way get wrong
+  std::string kept = {};                   // a folder for inputs of the steps of a way
   std::int64_t step_limit = 30000;         // milliseconds for a step
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Job, task, driver, suite, ids, examined, kept, step_limit)

@@ -136,7 +136,7 @@ Outcome judge_bug(const Bug& bug, const Profile& profile, std::span<const std::u
   const Rule& rule = bug.rule_in(profile);
   const auto grid = grid_of(bug);
   Comparison comparison(bug.function, grid);
-  std::vector<std::string> distances;  // of wrong floats from the right ones
+  std::vector<std::string> distances;  // of the examples from the right values
   std::size_t wrong_points = 0;
   for (std::size_t i = 0; i < bug.points.size(); ++i) {
     const auto inputs = std::span(grid).subspan(i * kInputWords, kInputWords);
@@ -151,7 +151,8 @@ Outcome judge_bug(const Bug& bug, const Profile& profile, std::span<const std::u
       } else {
         comparison.bits(inputs, got, expected, column);
       }
-      if (comparison.mismatches() != before) distances.push_back(is_float ? distance_of(got, expected) : "");
+      const bool is_example = comparison.mismatches() != before && before < kExamplesKept;
+      if (is_example) distances.push_back(is_float ? distance_of(got, expected) : "");
     }
     wrong_points += comparison.mismatches() != wrong_before ? 1 : 0;
   }

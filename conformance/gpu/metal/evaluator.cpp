@@ -57,7 +57,7 @@ class CompiledKernel final : public Evaluable {
     Words results(points * kOutputWords, kNothing);
     Words copied(inputs.begin(), inputs.end());
     std::array<std::uint32_t, 2> shared = {uniforms.trips, uniforms.variant_seed};
-    Words sizes(kMostSizes, static_cast<std::uint32_t>(inputs.size_bytes()));  // of the largest
+    Words sizes(kMostSizes, static_cast<std::uint32_t>(inputs.size_bytes()));  // as if each were the largest
     const std::array<void*, kSizes + 1> buffers = {results.data(), copied.data(), shared.data(), sizes.data()};
     const std::string undefined = call_(buffers.data(), static_cast<std::uint32_t>(points));
     if (!undefined.empty())
@@ -85,8 +85,8 @@ std::string with_called_parts(const std::string& text) {
   return called.append(from, text.end());
 }
 
-// What the call gives to a parameter of a kernel. Names come before numbers: naga writes none, and SPIRV-Cross those of
-// its own order by default.
+// The argument for a parameter of a kernel. Names come before numbers: naga writes no numbers, and SPIRV-Cross counts
+// in its own order by default.
 Result<std::string> argument_for(const std::string& parameter) {
   static const std::array<std::regex, kSizes + 1> kNames = {
       std::regex("results|outputs", std::regex::icase), std::regex("points|inputs", std::regex::icase),

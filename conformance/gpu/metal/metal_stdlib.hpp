@@ -249,7 +249,7 @@ HN_FUNCTION(mix, (float a, float b, float t), a + (b - a) * t)
 HN_FUNCTION(abs, (float x), __builtin_fabsf(x))
 #undef HN_FUNCTION
 
-// Of ints those of bits, too (section 6.4).
+// Functions of bits take ints alone (section 6.4).
 #define HN_FUNCTIONS(T)                                                     \
   inline T min(T a, T b) { return b < a ? b : a; }                          \
   inline T max(T a, T b) { return b > a ? b : a; }                          \

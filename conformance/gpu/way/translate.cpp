@@ -23,19 +23,6 @@ int signal_of(int status) {
   return std::ranges::find(kCrashes, signal) == kCrashes.end() ? 0 : signal;
 }
 
-std::vector<std::string> filled(const std::vector<std::string>& command, const std::string& in,
-                                const std::string& out) {
-  std::vector<std::string> words = command;
-  for (std::string& word : words) {
-    for (const auto& [place, file] : {std::pair{std::string("{in}"), in}, std::pair{std::string("{out}"), out}}) {
-      for (auto at = word.find(place); at != word.npos; at = word.find(place, at + file.size())) {
-        word.replace(at, place.size(), file);
-      }
-    }
-  }
-  return words;
-}
-
 // vkd3d prints a line for every #line otherwise.
 std::vector<std::string> environment() {
   constexpr std::array<std::string_view, 1> kOwn = {"VKD3D_SHADER_DEBUG="};
@@ -54,7 +41,7 @@ tl::expected<Code, StepError> translate(const Step& step, const Code& code, std:
   const auto output = folder.path() / "printed";
   if (const auto written = write_file(in, code.bytes); !written)
     return failed(StepEnd::refused, written.error().text());
-  std::vector<std::string> words = filled(step.command, in.string(), out.string());
+  std::vector<std::string> words = step.command_for(in.string(), out.string());
   const std::string program = words.front();
   words.erase(words.begin());
   const auto status = run_within(

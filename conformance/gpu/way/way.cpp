@@ -309,6 +309,18 @@ std::optional<Form> form_named(std::string_view name) {
 
 std::string Step::text() const { return version.empty() ? name : fmt::format("{} {}", name, version); }
 
+std::vector<std::string> Step::command_for(const std::string& in, const std::string& out) const {
+  std::vector<std::string> words = command;
+  for (std::string& word : words) {
+    for (const auto& [place, file] : {std::pair{std::string("{in}"), in}, std::pair{std::string("{out}"), out}}) {
+      for (auto at = word.find(place); at != word.npos; at = word.find(place, at + file.size())) {
+        word.replace(at, place.size(), file);
+      }
+    }
+  }
+  return words;
+}
+
 std::string Way::text() const {
   std::string text;
   for (const Step& step : steps) {

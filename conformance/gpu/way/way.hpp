@@ -47,6 +47,7 @@ struct Step {
   bool repeats_decorations = false;  // in its SPIR-V, where valid SPIR-V has each once
 
   std::string text() const;  // "spirv-opt 2023.1"
+  std::vector<std::string> command_for(const std::string& in, const std::string& out) const;
 };
 
 // How a step ends that does not do its work. Or what it gives may be right, but cannot be completed for the driver.

@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-import tempfile
-import unittest
-from pathlib import Path
-
 from base.cache import cached
+from base.testing import Case
 
 
-class Cached(unittest.TestCase):
+class Cached(Case):
     def setUp(self) -> None:
-        self.root = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        self.root = self.folder
         self.source = self.root / "source"
         self.source.write_text("one")
         self.made = 0

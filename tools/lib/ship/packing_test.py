@@ -12,8 +12,8 @@ from pathlib import Path
 from unittest import mock
 
 from base.pieces import was_deleted
+from base.testing import Case
 from base.tree import ROOT, address, version
-from base.usage import Parser
 from ship import command, packing, page
 from ship.packing_support import lost_links
 from ship.recipes import RECIPES
@@ -98,19 +98,9 @@ class Usage(unittest.TestCase):
             for name in PACKED:
                 self.assert_refused((name, "folder"), "SOURCE_DATE_EPOCH is a number of seconds, not now")
 
-    def test_a_word_that_is_near_nothing_is_told_alone(self) -> None:
-        with contextlib.redirect_stderr(io.StringIO()) as error, self.assertRaises(SystemExit):
-            Parser("tools/some", "").parse_args(["--other", "word"])
-        self.assertEqual(error.getvalue(), "tools/some: there is no option --other; see tools/some --help\n")
 
-
-class Writing(unittest.TestCase):
+class Writing(Case):
     """Whatever the files are."""
-
-    def setUp(self) -> None:
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
 
     def made(self, name: str, *options: str, **variables: str) -> Path:
         content = {"page.md": "# Page\n", "src/library": b"\0"}

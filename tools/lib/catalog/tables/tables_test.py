@@ -9,6 +9,7 @@ import unittest
 from collections.abc import Callable
 from pathlib import Path
 
+from base.testing import Case
 from catalog.model import CATALOG, CatalogError
 from catalog.tables import glsl
 from catalog.tables.configurations import read_configurations
@@ -63,12 +64,7 @@ class Tables(unittest.TestCase):
             self.refused(read_configurations, "configurations.toml", old, new, message)
 
 
-class Library(unittest.TestCase):
-    def setUp(self) -> None:
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class Library(Case):
     def test_finds_overloads_and_their_comments(self) -> None:
         (self.folder / "a.glsl").write_text("""
 // A noise.

@@ -11,12 +11,11 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
 from base.pieces import is_deleted
-from base.testing import skipped_without
+from base.testing import Case, skipped_without
 from base.tree import ROOT, TOOLS
 from ship.recipes import RECIPES
 
@@ -32,26 +31,23 @@ OF_CONFORM = (["run", "--filter", "noise2d.perlin.lattice.fast.*", "--out", "{}/
 OUTWARD = re.compile(r"connect\(.*AF_INET6?,(?!.*(?:\"127\.|\"::1\")).*")
 
 
-def connections(command: list[str | Path], folder: str) -> tuple[int, list[str]]:
+def connections(command: list[str | Path], folder: Path) -> tuple[int, list[str]]:
     """The exit status of a command, and the hosts beyond this machine to which it and its processes connect."""
-    record = Path(folder, "strace")
+    record = folder / "strace"
     traced = ["strace", "-f", "--seccomp-bpf", "-qq", "-e", "trace=connect", "-o", record, *command]
     done = subprocess.run(traced, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
     return done.returncode, OUTWARD.findall(record.read_text(encoding="utf-8", errors="replace"))
 
 
-class Network(unittest.TestCase):
+class Network(Case):
     program: str
-
-    def setUp(self) -> None:
-        self.folder = self.enterContext(tempfile.TemporaryDirectory())
 
     def test_it_is_not_used(self) -> None:
         commands = [[TOOLS / name, *options] for name, *options in COMMANDS]
         commands += [[self.program, *options] for options in OF_CONFORM]
         for number, command in enumerate(commands):
             with self.subTest(command=command):
-                made = Path(self.folder, str(number))
+                made = self.folder / str(number)
                 made.mkdir()
                 filled = [str(part).replace("{}", str(made)) for part in command]
                 self.assertEqual(connections(filled, self.folder), (0, []))

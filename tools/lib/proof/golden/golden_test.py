@@ -10,14 +10,13 @@ import functools
 import io
 import itertools
 import math
-import tempfile
 import unittest
 from dataclasses import replace
 from fractions import Fraction
-from pathlib import Path
 from unittest import mock
 
 from base.golden_values import Golden, ids
+from base.testing import Case
 from base.thorough import THOROUGH, in_thorough_runs
 from catalog.model import AXES, CatalogError
 from catalog.tables.configurations import read_configurations
@@ -264,18 +263,15 @@ class GoldenContents(unittest.TestCase):
                 self.assertEqual(values, [" ".join(f"{word:016x}" for word in words) for words in right])
 
 
-class GoldenReader(unittest.TestCase):
+class GoldenReader(Case):
     """golden_values.py: files that it reads, and files that it refuses."""
 
     def setUp(self) -> None:
-        directory = tempfile.TemporaryDirectory()
-        self.addCleanup(directory.cleanup)
-        self.directory = Path(directory.name)
         self.text = (golden.GOLDEN / "noise2d.simplex.golden").read_text()
 
     def read(self, text: str, setting: str = "lattice+fixed") -> Golden:
-        (self.directory / "noise2d.simplex.golden").write_text(text)
-        return Golden("noise2d.simplex", setting, self.directory)
+        (self.folder / "noise2d.simplex.golden").write_text(text)
+        return Golden("noise2d.simplex", setting, self.folder)
 
     def test_it_reads_what_is_written(self) -> None:
         function = FUNCTIONS["noise2d.simplex"]
@@ -304,13 +300,11 @@ class GoldenReader(unittest.TestCase):
             self.assertFalse(no_float.expected)
 
 
-class GoldenCheck(unittest.TestCase):
+class GoldenCheck(Case):
     """Faults that --check must notice, on a few files in a directory of its own."""
 
     def setUp(self) -> None:
-        directory = tempfile.TemporaryDirectory()
-        self.addCleanup(directory.cleanup)
-        self.directory = Path(directory.name) / "golden"
+        self.directory = self.folder / "golden"
         self.files = {file.name: file.text() for file in FILES.values() if file.function.family == "independent"}
         golden.write(self.directory, self.files)
 

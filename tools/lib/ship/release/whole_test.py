@@ -9,11 +9,11 @@ from __future__ import annotations
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
 from base.debian import SKIPPED
+from base.testing import Case
 from base.tree import ROOT
 from ship.packing_support import lost_links
 from ship.recipes import RECIPES
@@ -32,14 +32,11 @@ def packages(folder: Path) -> list[Path]:
     return sorted([*folder.glob("*.zip"), *folder.glob("*.tgz")])
 
 
-class Whole(unittest.TestCase):
-    def setUp(self) -> None:
-        self.scratch = Path(self.enterContext(tempfile.TemporaryDirectory()))
-
+class Whole(Case):
     def test_two_folders_make_the_same_bytes(self) -> None:
         made = []
         for place in ("one", "another/with a longer name"):
-            clone, out = self.scratch / place, self.scratch / f"made {len(made)}"
+            clone, out = self.folder / place, self.folder / f"made {len(made)}"
             subprocess.run(["git", "clone", "--quiet", ROOT, clone], check=True)
             done = subprocess.run([clone / "tools" / "pack", "release", "--trial", "--without", OTHERS, out],
                                   capture_output=True, text=True, check=False)
@@ -51,26 +48,26 @@ class Whole(unittest.TestCase):
         self.assertGreater(len(packages(made[0])), len(RECIPES) - 2)
 
     def lost_links(self, path: Path) -> list[str]:
-        folder = self.scratch / f"unpacked {path.name}"
+        folder = self.folder / f"unpacked {path.name}"
         shutil.unpack_archive(path, folder)
         files = {file.relative_to(folder).as_posix(): file for file in folder.rglob("*") if file.is_file()}
         pages = {name: file.read_text(encoding="utf-8") for name, file in files.items() if name.endswith(".md")}
         return [f"{path.name}: {link}" for link in lost_links(pages, files)]
 
     def test_a_link_that_is_lost_is_told(self) -> None:
-        (self.scratch / "package").mkdir()
-        (self.scratch / "package" / "README.md").write_text("[It](it.md) is [there](README.md).\n", encoding="utf-8")
-        shutil.make_archive(str(self.scratch / "name-1.2.3"), "zip", self.scratch, "package")
-        path, = packages(self.scratch)
+        (self.folder / "package").mkdir()
+        (self.folder / "package" / "README.md").write_text("[It](it.md) is [there](README.md).\n", encoding="utf-8")
+        shutil.make_archive(str(self.folder / "name-1.2.3"), "zip", self.folder, "package")
+        path, = packages(self.folder)
         self.assertEqual(self.lost_links(path), ["name-1.2.3.zip: package/README.md: it.md"])
 
     def test_what_differs_is_told(self) -> None:
         for name in ("one", "other"):
-            (self.scratch / name).mkdir()
-            (self.scratch / name / "same").write_bytes(b"1")
-            (self.scratch / name / "changed").write_bytes(name.encode())
-            (self.scratch / name / f"only {name}").touch()
-        self.assertEqual(differences(self.scratch / "one", self.scratch / "other"),
+            (self.folder / name).mkdir()
+            (self.folder / name / "same").write_bytes(b"1")
+            (self.folder / name / "changed").write_bytes(name.encode())
+            (self.folder / name / f"only {name}").touch()
+        self.assertEqual(differences(self.folder / "one", self.folder / "other"),
                          ["only one is in one folder", "only other is in one folder", "changed"])
 
 

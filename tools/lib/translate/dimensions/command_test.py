@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import contextlib
-import io
 import re
 import shutil
-import tempfile
-import unittest
-from pathlib import Path
 
+from base.testing import Case, called
 from translate.dimensions import command
 
 # hashnoise.glsl includes these first.
@@ -18,21 +14,14 @@ NOISES = ["noise1d.glsl", "noise2d.glsl", "noise3d.glsl", "noise4d.glsl"]
 BUILT = command.INCLUDE.findall((command.GLSL / "hashnoise.glsl").read_text())[len(NOISES):]
 
 
-class Umbrella(unittest.TestCase):
+class Umbrella(Case):
     def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.glsl = Path(scratch.name, "glsl")
+        self.glsl = self.folder / "glsl"
         shutil.copytree(command.GLSL, self.glsl)
 
     def run_main(self, *arguments: str) -> tuple[int, list[str]]:
-        output = io.StringIO()
-        with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
-            try:
-                status = command.main([*arguments, "--glsl", str(self.glsl)])
-            except SystemExit as stop:
-                status = stop.code
-        return status, [line.split()[0] for line in output.getvalue().splitlines()]
+        status, printed = called(command.main, *arguments, "--glsl", self.glsl)
+        return status, [line.split()[0] for line in printed.splitlines()]
 
     def includes(self, file: str) -> list[str]:
         return command.INCLUDE.findall((self.glsl / file).read_text())
