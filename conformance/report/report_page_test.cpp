@@ -61,7 +61,7 @@ TEST(Page, HasOneTextForAVendor) {
   EXPECT_TRUE(has(page_of({run_of({bad})}), R"(<pre class="code">noise2d.perlin.lattice.precise.compute.gl430.twin
 fails on r, 4.5, GLSL 4.50 (v).
 
-rule      GLSL 4.00 section 4.9 (4.60 section 4.12), GLSL ES 3.20 section 4.9: with precise, operations are neither fused nor reassociated; so HLSL's precise
+rule      GLSL 4.00 section 4.9 (4.60 section 4.12), GLSL ES 3.20 section 4.9: with precise, operations are neither fused nor reassociated; so HLSL&apos;s precise
 at        x=1.5 (3fc00000)
 got       2 (00000002)
 expected  3 (00000003)
