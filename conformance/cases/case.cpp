@@ -107,7 +107,7 @@ std::optional<bool> is_wrong_after(Session& session, WayEvaluator& way, const Ca
 }
 
 // Runs the case once more with each number of steps, to name the first after which values are wrong. Where the driver
-// cannot run what is between steps, those that can be left out are left out, one at a time.
+// cannot run a form between steps, those that keep the form are left out, one at a time.
 void find_faulty_step(Session& session, WayEvaluator& way, const Case& test, Outcome& outcome) {
   const std::vector<Step>& steps = way.steps().steps;
   const auto name = [&](std::size_t number) { return steps[number - 1].text(); };

@@ -118,10 +118,10 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "it."},
     {"refused_by_driver", "The same, by the driver."},
     {"defined",
-     "A few lines of GLSL that some driver got wrong have the words that the specification fixes (in the file "
-     "`bugs`)."},
+     "A few lines that some driver or translator got wrong have the words that the specification of the language fixes "
+     "(in the file `bugs`)."},
     {"undefined",
-     "A few lines of GLSL whose words the specification leaves open have the natural ones. A difference is a warning."},
+     "A few lines whose words the specification leaves open have the natural ones. A difference is a warning."},
 });
 
 }  // namespace

@@ -22,16 +22,18 @@ std::string to_large(std::string_view action) {
   return fmt::format("if test $(wc -c <{{in}}) -gt 2500; then {}; else cp {{in}} {{out}}; fi", action);
 }
 
+constexpr const char* kHash = "hash.word.lattice.exact.compute.vulkan.golden";
+
 class Ways : public OnVulkan<> {
  protected:
   // Runs a case of a hash through steps: commands from SPIR-V to SPIR-V, or known translators.
-  Outcome run(const std::vector<std::string>& through, std::string_view profile = "vulkan") {
+  Outcome run(const std::vector<std::string>& through, std::string_view id = kHash) {
     auto inner = create_vulkan_evaluator(number_, reference_);
     EXPECT_TRUE(inner) << inner.error().text();
-    return run(std::move(*inner), through, profile);
+    return run(std::move(*inner), through, id);
   }
 
-  Outcome run(std::unique_ptr<Evaluator> inner, const std::vector<std::string>& through, std::string_view profile) {
+  Outcome run(std::unique_ptr<Evaluator> inner, const std::vector<std::string>& through, std::string_view id) {
     WayOptions options{.through = through};
     for (const std::string& spec : through) {
       if (spec.find(' ') == spec.npos) continue;
@@ -42,7 +44,7 @@ class Ways : public OnVulkan<> {
     EXPECT_TRUE(way) << way.error().text();
     Session session{{sources_, reference_, HN_GOLDEN_DIRECTORY, 1},
                     evaluator_through(*way, std::move(inner), reference_, {}, {limit_, folder_.path() / "ways"})};
-    return run_case(session, case_named(fmt::format("hash.word.lattice.exact.compute.{}.golden", profile))).outcome;
+    return run_case(session, case_named(id)).outcome;
   }
 
   // The text of a file that was kept of the case.
@@ -83,12 +85,12 @@ TEST_F(Ways, TheFirstFaultyStepIsNamed) {
   }
 }
 
-// OpenGL runs no SPIR-V, so what the first step gives is seen only through the second.
+// OpenGL runs no SPIR-V, so the first step's result is seen only through the second.
 TEST_F(Ways, AFaultyStepIsNamedWhereItsResultCannotBeRun) {
   auto context = create_osmesa();
   ASSERT_TRUE(context) << context.error().text();
   const Outcome outcome =
-      run(evaluator_on(std::move(*context)), {swapping("OpBitwiseXor", "OpBitwiseOr"), "spirv-cross"}, "vulkan");
+      run(evaluator_on(std::move(*context)), {swapping("OpBitwiseXor", "OpBitwiseOr"), "spirv-cross"}, kHash);
   EXPECT_EQ(outcome.status, Status::fail) << outcome.message;
   EXPECT_EQ(outcome.message.find("right without spirv-dis, wrong with it: "), 0u) << outcome.message;
   ASSERT_TRUE(outcome.step);
@@ -112,14 +114,21 @@ TEST_F(Ways, WhatHangsIsKilledWithAllThatItStarted) {
   EXPECT_FALSE(runs());
 }
 
+TEST_F(Ways, PreciseCasesAreUnsupportedWhereAFormHasNoWordForIt) {
+  const Outcome outcome = run({"spirv-cross:glsl-es"}, "noise2d.perlin.lattice.precise.compute.vulkan.golden");
+  EXPECT_EQ(outcome.status, Status::unsupported);
+  EXPECT_EQ(outcome.message, "glsl-es knows no `precise`");
+}
+
 TEST_F(Ways, TranslatorsThatAreRightPass) {
-  for (const auto& [through, profile] : {
-           std::pair{std::vector<std::string>{"spirv-opt"}, "vulkan"},
-           std::pair{std::vector<std::string>{"spirv-opt", "spirv-cross"}, "hlsl60"},
-           std::pair{std::vector<std::string>{"spirv-cross:hlsl"}, "vulkan"},
-           std::pair{std::vector<std::string>{"glslang"}, "vulkan"},
+  for (const auto& [through, id] : {
+           std::pair{std::vector<std::string>{"spirv-opt"}, kHash},
+           std::pair{std::vector<std::string>{"spirv-opt", "spirv-cross"},
+                     "hash.word.lattice.exact.compute.hlsl60.golden"},
+           std::pair{std::vector<std::string>{"spirv-cross:hlsl"}, kHash},
+           std::pair{std::vector<std::string>{"glslang"}, kHash},
        }) {
-    const Outcome outcome = run(through, profile);
+    const Outcome outcome = run(through, id);
     EXPECT_EQ(outcome.status, Status::pass) << fmt::format("{}: {}", through.back(), outcome.message);
   }
 }

@@ -43,7 +43,7 @@ std::optional<std::string> array_in_loop(const Expression& node, const Rules::Re
                      render(node.parts[1]).whole());
 }
 
-// Of two nested ?: the inner one's first expression is taken.
+// The inner one of two nested ?: gives its first expression.
 std::optional<std::string> selection_nested(const Expression& node, const Rules::Render& render, Place&) {
   if (node.kind != Kind::ternary || bare(node.parts[2]).kind != Kind::ternary) return std::nullopt;
   return fmt::format("{} ?{} :{}", render(node.parts[0]).code, render(node.parts[1]).whole(),

@@ -59,8 +59,7 @@ bool nothing_passed(const std::vector<Run>& runs);
 bool only_unfinished(const std::vector<Run>& runs);
 
 constexpr std::string_view kResultsFile = "results.json";
-constexpr std::string_view kWaysFolder =
-    "ways";  // beside it: inputs of steps, of cases that they get wrong
+constexpr std::string_view kWaysFolder = "ways";  // beside it: inputs of steps, of cases that they get wrong
 
 // The text of results.json; docs/reference/formats.md describes it.
 std::string results_text(const std::vector<Run>& runs);

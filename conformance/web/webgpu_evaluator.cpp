@@ -122,20 +122,25 @@ class LoadedShader final : public Evaluable {
     std::filesystem::remove(shader_["shader"].get<std::string>(), ignored);
   }
 
+  // Whole groups of points: a translator makes a shader write the last result in place of those beyond it.
   Result<Words> evaluate(std::span<const std::uint32_t> inputs) override {
-    const auto points = program_.path("points");
+    const std::size_t points = inputs.size() / kInputWords;
+    const std::size_t count = (points + kComputeGroup - 1) / kComputeGroup * kComputeGroup;
+    Words words(inputs.begin(), inputs.end());
+    words.resize(count * kInputWords);
     const auto results = program_.path("results");
-    HN_DO(write_file(points, bytes_of(inputs)));
     nlohmann::json question = shader_;
-    question.update({{"points", points},
+    question.update({{"points", program_.path("points")},
                      {"results", results},
-                     {"count", inputs.size() / kInputWords},
+                     {"count", count},
                      {"uniforms", {uniforms.trips, uniforms.variant_seed}}});
+    HN_DO(write_file(program_.path("points"), bytes_of(std::span<const std::uint32_t>(words))));
     HN_DO(program_.ask(question));
     HN_TRY(const std::string bytes, read_file(results));
-    Words words(inputs.size() / kInputWords * kOutputWords);
-    if (bytes.size() != words.size() * sizeof(std::uint32_t)) return fail("the device returns another number of words");
-    std::memcpy(words.data(), bytes.data(), bytes.size());
+    words.resize(points * kOutputWords);
+    if (bytes.size() != count * kOutputWords * sizeof(words[0]))
+      return fail("the device returns another number of words");
+    std::memcpy(words.data(), bytes.data(), words.size() * sizeof(words[0]));
     return words;
   }
 

@@ -1,4 +1,4 @@
-// Bugs of what only one language has.
+// Bugs in statements, functions and types that one language alone has.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 using uint = std::uint32_t;
 
-// A bug of what only WGSL has.
+// A bug in WGSL alone.
 Bug wgsl(std::string_view id, std::vector<Column> inputs, std::vector<Column> outputs, std::string_view body,
          std::string_view reference, const Rule& rule, Points points, std::string_view declarations = "") {
   return in_wgsl(body, bug(id, std::move(inputs), std::move(outputs), "", reference, rule, std::move(points), "wgsl"),

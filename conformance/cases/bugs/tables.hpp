@@ -17,7 +17,6 @@ namespace hn {
 std::vector<Bug> integer_bugs();
 std::vector<Bug> float_bugs();
 std::vector<Bug> flow_bugs();
-std::vector<Bug> position_bugs();
 std::vector<Bug> language_bugs();
 
 constexpr Rule defined(std::string_view text, double allowed = 0.0) { return {text, true, allowed}; }

@@ -3,7 +3,6 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <regex>
 #include <utility>
@@ -43,10 +42,6 @@ class SharedObject {
 // leaves undefined, or an empty text.
 using Call = const char*(void* const* buffers, std::uint32_t points);
 
-// Buffers of the call: those of the suite by their numbers, and naga's sizes of them, for arrayLength.
-constexpr std::size_t kSizes = 3;
-constexpr std::size_t kMostSizes = 16;
-
 class CompiledKernel final : public Evaluable {
  public:
   CompiledKernel(SharedObject object, Call* call, ShaderText text)
@@ -57,8 +52,10 @@ class CompiledKernel final : public Evaluable {
     Words results(points * kOutputWords, kNothing);
     Words copied(inputs.begin(), inputs.end());
     std::array<std::uint32_t, 2> shared = {uniforms.trips, uniforms.variant_seed};
-    Words sizes(kMostSizes, static_cast<std::uint32_t>(inputs.size_bytes()));  // as if each were the largest
-    const std::array<void*, kSizes + 1> buffers = {results.data(), copied.data(), shared.data(), sizes.data()};
+    // naga has the sizes of the buffers in another one, for arrayLength: here the largest is that of each.
+    constexpr std::size_t kMostSizes = 16;
+    Words sizes(kMostSizes, static_cast<std::uint32_t>(inputs.size_bytes()));
+    const std::array<void*, 4> buffers = {results.data(), copied.data(), shared.data(), sizes.data()};
     const std::string undefined = call_(buffers.data(), static_cast<std::uint32_t>(points));
     if (!undefined.empty())
       return fail("Metal leaves an operation of the kernel undefined", text_.translate(undefined));
@@ -88,19 +85,19 @@ std::string with_called_parts(const std::string& text) {
 // The argument for a parameter of a kernel. Names come before numbers: naga writes no numbers, and SPIRV-Cross counts
 // in its own order by default.
 Result<std::string> argument_for(const std::string& parameter) {
-  static const std::array<std::regex, kSizes + 1> kNames = {
-      std::regex("results|outputs", std::regex::icase), std::regex("points|inputs", std::regex::icase),
-      std::regex("uniforms", std::regex::icase), std::regex("buffer_?sizes", std::regex::icase)};
-  if (parameter.find("thread_position_in_grid") != parameter.npos) return "metal::detail::Position()";
-  const auto named = std::find_if(kNames.begin(), kNames.end(),
-                                  [&](const std::regex& name) { return std::regex_search(parameter, name); });
-  auto number = fmt::format("{}", named - kNames.begin());
-  std::smatch found;
-  if (named == kNames.end() && std::regex_search(parameter, found, std::regex(R"(buffer\(([0-2])\))")))
-    number = found.str(1);
-  if (named == kNames.end() && found.empty())
-    return fail(fmt::format("the stand-in for Metal has nothing for the parameter{}", parameter));
-  return fmt::format("metal::detail::Buffer{{buffers[{}]}}", number);
+  constexpr std::array<std::pair<const char*, const char*>, 8> kArguments = {{{"thread_position_in_grid", "Position()"},
+                                                                              {"results|outputs", "Buffer{buffers[0]}"},
+                                                                              {"points|inputs", "Buffer{buffers[1]}"},
+                                                                              {"uniforms", "Buffer{buffers[2]}"},
+                                                                              {"buffer_?sizes", "Buffer{buffers[3]}"},
+                                                                              {"buffer\\(0", "Buffer{buffers[0]}"},
+                                                                              {"buffer\\(1", "Buffer{buffers[1]}"},
+                                                                              {"buffer\\(2", "Buffer{buffers[2]}"}}};
+  for (const auto& [name, argument] : kArguments) {
+    if (std::regex_search(parameter, std::regex(name, std::regex::icase)))
+      return fmt::format("metal::detail::{}", argument);
+  }
+  return fail(fmt::format("the stand-in for Metal has nothing for the parameter{}", parameter));
 }
 
 // A function that calls the text's kernel, "kernel void name(...)" or "[[kernel]] void name(...)", at all points.

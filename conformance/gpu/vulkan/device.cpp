@@ -72,7 +72,7 @@ class Instance {
     const vk::PhysicalDeviceProperties properties = device.getProperties();
     VulkanDeviceInfo info{properties.deviceName.data(), "", "Vulkan " + version_text(properties.apiVersion),
                           validated_};
-    if (std::min(version_, properties.apiVersion) < VK_API_VERSION_1_2) return info;
+    if (!knows_1_2(device)) return info;
     const auto found = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
     const auto& driver = found.get<vk::PhysicalDeviceDriverProperties>();
     info.driver = driver.driverName.data();
@@ -80,7 +80,18 @@ class Instance {
     return info;
   }
 
+  // The features of a device by which shaders have integers of 8 bits, as Slang writes them.
+  std::optional<vk::PhysicalDeviceShaderFloat16Int8Features> bytes_of(const vk::raii::PhysicalDevice& device) const {
+    if (!knows_1_2(device)) return std::nullopt;
+    using Bytes = vk::PhysicalDeviceShaderFloat16Int8Features;
+    return device.getFeatures2<vk::PhysicalDeviceFeatures2, Bytes>().get<Bytes>();
+  }
+
  private:
+  bool knows_1_2(const vk::raii::PhysicalDevice& device) const {
+    return std::min(version_, device.getProperties().apiVersion) >= VK_API_VERSION_1_2;
+  }
+
   std::uint32_t version() const {
     if (!context_.getDispatcher()->vkEnumerateInstanceVersion) return VK_API_VERSION_1_0;
     return std::min<std::uint32_t>(context_.enumerateInstanceVersion(), VK_API_VERSION_1_2);
@@ -207,7 +218,8 @@ class Device final : public VulkanDevice {
   vk::raii::Device make_device() const {
     const float priority = 1.0f;
     const vk::DeviceQueueCreateInfo queue({}, family_, 1, &priority);
-    return {gpu_, vk::DeviceCreateInfo({}, queue)};
+    const auto bytes = instance_->bytes_of(gpu_);
+    return {gpu_, vk::DeviceCreateInfo({}, queue, {}, {}, nullptr, bytes ? &*bytes : nullptr)};
   }
 
   vk::raii::DescriptorSetLayout make_set_layout() const {

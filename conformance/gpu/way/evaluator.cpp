@@ -44,7 +44,7 @@ struct Source {
   ShaderText text;
 };
 
-// Some translators do not know #line, and the lines in messages of all of them are those of the file that is kept.
+// Some translators do not know #line, and a reader of messages has the file that is kept.
 std::string without_numbering(std::string_view text) {
   std::string kept;
   for (const std::string_view line : split(text, '\n')) {
@@ -86,6 +86,10 @@ class ThroughSteps final : public WayEvaluator {
                                            std::string_view shader) override {
     failed_.reset();
     if (used_ == 0 && !is_taken(form_after(0))) return build_in_own_language(sources, evaluation, shader);
+    if (evaluation.configuration.arithmetic == Arithmetic::precise && !way_.contracts().empty()) {
+      failed_ = {StepEnd::not_completed, 1};
+      return fail(fmt::format("{} knows no `precise`", way_.contracts()));
+    }
     const Trial& trial = tried(evaluation.profile);
     failed_ = trial.failed;
     if (failed_) return tl::unexpected(*trial.error);
@@ -109,8 +113,8 @@ class ThroughSteps final : public WayEvaluator {
   }
 
  private:
-  // What became of the simplest shader of a profile. Where a translator or the driver refuses even that, none of its
-  // cases can be run; where a step fails in another manner, all of them would fail so.
+  // The simplest shader of a profile. Where a translator or the driver refuses even this, none of its cases can be run;
+  // where a step fails in another manner, all of them would fail so.
   struct Trial {
     std::optional<Error> error;
     std::optional<FailedStep> failed;
@@ -219,7 +223,7 @@ class ThroughSteps final : public WayEvaluator {
   void keep(const Source& source, const std::vector<Code>& given) const {
     if (translating_.kept.empty()) return;
     const auto folder = translating_.kept / name_;
-    // What cannot be written is missing there, and the verdict stands.
+    // A file that cannot be written is missing, and the verdict stands.
     const auto write = [&](const std::string& file, std::string_view bytes) { (void)write_file(folder / file, bytes); };
     if (source.code.form == Form::spirv)
       write(source.text.text.find("#version") == 0 ? "0-source.glsl" : "0-source.hlsl", source.text.text);

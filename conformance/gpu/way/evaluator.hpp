@@ -29,17 +29,16 @@ class WayEvaluator : public Evaluator {
   // What they give is completed by the suite's own compilers, or, with no step, by the driver's own language. False if
   // the driver cannot run it.
   virtual bool use_steps(std::size_t count, std::optional<std::size_t> without = {}) = 0;
-  // Names the files that are kept of what is built next. They are kept where a step fails, or the driver refuses what
-  // comes out; or always.
+  // Names the files of the next shaders. They are kept where a step fails, or the driver refuses its result; or always.
   virtual void start(std::string_view name, bool keep_always) = 0;
 
   struct FailedStep {
     StepEnd end;
     std::size_t number;  // from 1
   };
-  // Of what was built last.
+  // The step that failed for the last shader.
   virtual std::optional<FailedStep> failed_step() const = 0;
-  // The file of what a step gets, beside the folder of what is kept: "ways/NAME/1-spirv-opt.spv".
+  // The file that a step gets, from the folder on that holds all that is kept: "ways/NAME/1-spirv-opt.spv".
   virtual std::string input_of(std::size_t number) const = 0;
 };
 

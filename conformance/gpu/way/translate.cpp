@@ -15,7 +15,7 @@
 namespace hn {
 namespace {
 
-// The signal that ended a program, or one that it, or a shell, tells of in its status; 0 for none.
+// The signal that ended a program, by itself or by the status of a shell; 0 for none.
 int signal_of(int status) {
   if (WIFSIGNALED(status)) return WTERMSIG(status);
   const int signal = WEXITSTATUS(status) - 128;

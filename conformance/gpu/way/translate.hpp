@@ -16,8 +16,8 @@ struct StepError {
   Error error;
 };
 
-// What each step gives, in their order. SPIR-V is valid, or the step is at fault. limit: of each step's time; its
-// program is then killed with all that it started. An error also has what the steps before gave, in `given`.
+// Collects the result of each step in `given`, in their order, as far as they come. SPIR-V is valid, or the step is at
+// fault. limit: of each step's time; its program is then killed with all that it started.
 tl::expected<void, StepError> translate(std::span<const Step> steps, const Code& code, std::chrono::milliseconds limit,
                                         std::vector<Code>& given);
 

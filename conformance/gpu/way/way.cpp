@@ -37,7 +37,7 @@ struct Conversion {
   std::string_view arguments;
 };
 
-// What follows "version" in the output of a program, or all of its first line.
+// The first number with a dot in the output of a program, or all of its first line.
 enum class Printed { number, line };
 
 struct Translator {
@@ -147,7 +147,7 @@ std::string version_number(std::string_view text) {
   return "";
 }
 
-// The program that is named, that of the environment's variable HN_SPIRV_OPT, or the usual one.
+// The program that is named, or in the variable HN_SPIRV_OPT, or the usual one.
 std::string program_of(const Translator& translator, const std::string& named) {
   if (!named.empty()) return named;
   std::string variable = "HN_" + in_upper_case(translator.program);
@@ -170,7 +170,7 @@ bool is_at_least(const std::string& version, std::string_view least) {
   return numbers(version) >= numbers(std::string(least));
 }
 
-// What an option names, with all conversions that are left of the translator's.
+// A step that an option names, with all conversions that its translator may take.
 struct Choice {
   Step step;  // without its forms
   std::vector<Conversion> conversions;
@@ -229,6 +229,11 @@ Result<Choice> known(std::string_view spec) {
                             name_of(form), fmt::join(names, ", ")));
   }
   HN_TRY(choice.step.version, version_of(*translator, program));
+  if (translator->name == "naga" && is_at_least(choice.step.version, "20.0")) {
+    for (Conversion& one : choice.conversions) {  // newer ones do not know GLSL by its ending
+      if (one.takes == Form::glsl) one.arguments = "--input-kind glsl --shader-stage compute {in} {out}";
+    }
+  }
   return choice;
 }
 
@@ -263,8 +268,8 @@ Result<std::vector<Choice>> choices_of(const WayOptions& options) {
     choices.push_back(std::move(choice));
   }
   if (options.takes.size() == commands && options.gives.size() == commands) return choices;
-  return fail(fmt::format("--takes and --gives are for commands, of which {} are here",
-                          commands == 0 ? "none" : std::to_string(commands)));
+  return fail(fmt::format("--takes and --gives are for commands, one of each; the way has {}",
+                          commands == 1 ? "1 command" : fmt::format("{} commands", commands)));
 }
 
 // The first conversions that fit, from a step on; how far any came is in `reached`.
@@ -348,6 +353,16 @@ std::vector<std::string> Way::sources() const {
     default:
       return {};
   }
+}
+
+std::string Way::contracts() const {
+  for (const Step& step : steps) {
+    if (step.name == "naga") return step.text();
+    for (const Form form : {step.takes, step.gives}) {
+      if (form == Form::glsl_es || form == Form::wgsl) return std::string(name_of(form));
+    }
+  }
+  return "";
 }
 
 Result<Way> find_way(const WayOptions& options, std::span<const Form> driver_takes) {

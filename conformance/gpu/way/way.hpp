@@ -50,7 +50,8 @@ struct Step {
   std::vector<std::string> command_for(const std::string& in, const std::string& out) const;
 };
 
-// How a step ends that does not do its work. Or what it gives may be right, but cannot be completed for the driver.
+// How a step ends that does not do its work. not_completed: it may have done it, but the way has no form for the
+// shader, or the suite cannot complete what it gives.
 enum class StepEnd { refused, gave_invalid, crashed, hung, not_completed };
 
 struct Way {
@@ -60,6 +61,9 @@ struct Way {
   std::string text() const;  // "spirv-opt 2023.1, spirv-cross 2021-01-15 to glsl-es"
   // The profiles of the cases that it takes: the suite writes their shaders in the form that the first step takes.
   std::vector<std::string> sources() const;
+  // The form or translator that does not keep operations apart: GLSL ES 3.10, WGSL, or naga, to which `precise` means
+  // nothing. Empty if all do.
+  std::string contracts() const;
 };
 
 // The way that the options describe, to a driver that takes one of these forms; without any to any form. An error gives

