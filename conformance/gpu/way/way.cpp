@@ -229,11 +229,6 @@ Result<Choice> known(std::string_view spec) {
                             name_of(form), fmt::join(names, ", ")));
   }
   HN_TRY(choice.step.version, version_of(*translator, program));
-  if (translator->name == "naga" && is_at_least(choice.step.version, "20.0")) {
-    for (Conversion& one : choice.conversions) {  // newer ones do not know GLSL by its ending
-      if (one.takes == Form::glsl) one.arguments = "--input-kind glsl --shader-stage compute {in} {out}";
-    }
-  }
   return choice;
 }
 
