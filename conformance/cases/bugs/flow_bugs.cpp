@@ -174,7 +174,7 @@ std::vector<Bug> flow_bugs() {
           "gfx-rs/wgpu 5656 and gpuweb/gpuweb 4430 (FXC)", kSwitch,
           points<uint>({1u, 2u, 3u, 8u, 12u, 16u},
                        [](uint count) {
-                         // Three turns for an element; the last one stays, and then counts what is left.
+                         // Three turns for an element; the last one stays, and then each turn counts.
                          const uint at = std::min(count / 3u, 3u);
                          const std::array<uint, 4> hashes = {7u * 3u, 21u * 3u + 1u, 64u * 3u + 2u, 194u};
                          uint h = 7;
