@@ -91,7 +91,7 @@ Result<std::uint32_t> word_of(const Row& row, std::size_t i, const GivenColumn& 
                           scalar_of(column.type).name, column.name));
 }
 
-// Of the rows below the header.
+// The rows below the header.
 Result<std::vector<std::vector<std::uint32_t>>> words_of(std::span<const Row> rows,
                                                          const std::vector<GivenColumn>& columns) {
   std::vector<std::vector<std::uint32_t>> words;

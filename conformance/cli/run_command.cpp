@@ -63,7 +63,7 @@ Devices find_devices(int stop_fd) {
 Result<void> find_ways(const WayOptions& options, DriverChoice& choice) {
   if (options.through.empty() && options.takes.empty() && options.gives.empty()) return {};
   choice.way = options;
-  std::map<std::vector<Form>, Result<Way>> by_forms;  // finding one asks its programs for their versions
+  std::map<std::vector<Form>, Result<Way>> by_forms;  // to find one starts its programs for their versions
   for (const std::string& name : choice.names) {
     const std::vector<Form> takes = find_driver(name)->takes();
     if (takes.empty() && !choice.named.contains(name)) continue;

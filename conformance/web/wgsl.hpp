@@ -9,7 +9,7 @@
 
 namespace hn {
 
-// The text of what evaluates a function, in pieces that shaders have in common. Of another text than the embedded one
+// The text of what evaluates a function, in pieces that shaders have in common. From another text than the embedded one
 // there is none.
 Result<std::vector<std::string>> wgsl_shader(const SourceSet& sources, const Evaluation& evaluation);
 // As one text.

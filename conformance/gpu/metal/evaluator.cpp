@@ -52,7 +52,7 @@ class CompiledKernel final : public Evaluable {
     Words results(points * kOutputWords, kNothing);
     Words copied(inputs.begin(), inputs.end());
     std::array<std::uint32_t, 2> shared = {uniforms.trips, uniforms.variant_seed};
-    // naga has the sizes of the buffers in another one, for arrayLength: here the largest is that of each.
+    // naga has the sizes of the buffers in another one, for arrayLength: here each is the largest.
     constexpr std::size_t kMostSizes = 16;
     Words sizes(kMostSizes, static_cast<std::uint32_t>(inputs.size_bytes()));
     const std::array<void*, 4> buffers = {results.data(), copied.data(), shared.data(), sizes.data()};

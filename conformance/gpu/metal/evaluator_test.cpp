@@ -112,7 +112,7 @@ TEST_F(MetalStandIn, FindsWhatMetalLeavesUndefined) {
   EXPECT_EQ(log_of(0xFFFFFFF9u, 0),
             "a shift to the left of an int that is negative or gets too large is undefined (point 1)");
   EXPECT_EQ(log_of(7, 0x2AAAAAABu), "a product of ints that overflows is undefined (point 1)");
-  // The line is that of the text, in operators of vectors too.
+  // The text's line, in operators of vectors too.
   const auto lines = results_of(*evaluator_, Form::msl,
                                 "using namespace metal;\nkernel void k(device int4* results) {\n"
                                 "  results[0] = int4(2147483647) +\n    int4(1);\n}\n",

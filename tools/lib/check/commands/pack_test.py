@@ -11,7 +11,7 @@ from base.pieces import is_deleted
 from base.testing import Case
 from base.tree import TOOLS
 
-# Of both packages, and of the wheel; ship.packing_test has what every package refuses. Where these are tried there is a
+# Tests of both packages, and of the wheel; ship.packing_test has what every package refuses. Where these are tried there is a
 # file named file, and old-python fails.
 BAD_USAGE = ((("file",), "file is a file; it must be a folder, or a name for a new one"),
              (("file/folder",), "the folder file/folder cannot be made"))

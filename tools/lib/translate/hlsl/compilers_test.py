@@ -66,7 +66,7 @@ class Hlsl(Case):
         return dict(zip(files, compiled(self.tool, list(files.values()), profile)))
 
     def run_suite(self, *steps: str) -> None:
-        """The tables of expected failures here are those of drivers that compile by other means."""
+        """The tables of expected failures here are for drivers that compile by other means."""
         (self.folder / "expect").mkdir()
         (self.folder / "expect" / "faults.csv").write_text("driver,renderer,case,status,reason\n" + "".join(
             f'vulkan:*,*,bugs.{case}.*.defined,fail,"{reason}"\n' for case, reason in self.faults.items()), encoding="ascii")

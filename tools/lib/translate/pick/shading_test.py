@@ -77,7 +77,7 @@ class Wgsl(unittest.TestCase):
     runner: WgslRunner
 
     def far(self, name: str, change: tuple[str, str] = ("", "")) -> float:
-        """Of how many points HN_FAST gives another number than the header, by more than it is rounded: 1 is all."""
+        """The part of the points at which HN_FAST gives another number than the header, by more than it is rounded: 1 is all."""
         of = split_module("fast")
         function, (passed, back) = functions(of, "fast")[name], words(Header.folder, "fast", of)[name]
         shown = text("wgsl", "fast", name)

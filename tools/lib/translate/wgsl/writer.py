@@ -279,7 +279,7 @@ class FunctionWriter(Typer):
 
 
 class RowWriter(FunctionWriter):
-    """Of rows of the suite, which are no text of the library's: they have more of GLSL than every language could
+    """Rows of the suite, which are no text of the library's: they have more of GLSL than every language could
     print."""
     builtins = {**BUILTINS, **dict.fromkeys(("sin", "cos", "fract"), (1, ("float",)))}
 
