@@ -129,6 +129,11 @@ std::string report_of_step(const Run& run, const CaseResult& result, const Step&
   std::string text = fmt::format("{} {}.\n\ncommand   {}\nrun on    {}\n{}\nTo see it: {}, of {}.\n", step.text(),
                                  fault_of_step(result.outcome), command_of(step, fault), renderer_of(run.info),
                                  findings_of(result), rerun_of(run, result), library_text(run.library));
+  const std::string& message = result.outcome.message;
+  const auto lines = message.find('\n');  // of a known bug the message has its few lines
+  if (result.id.starts_with("bugs.") && lines != message.npos) {
+    text += fmt::format("\nThe lines that go wrong, as the suite has them:\n{}\n", message.substr(lines + 1));
+  }
   if (fault.input.empty()) return text;
   text += fmt::format("\nThe shader that it got is {}.", fault.input);
   if (!result.outcome.examples.empty()) {

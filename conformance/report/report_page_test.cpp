@@ -61,7 +61,7 @@ TEST(Page, HasOneTextForAVendor) {
   EXPECT_TRUE(has(page_of({run_of({bad})}), R"(<pre class="code">noise2d.perlin.lattice.precise.compute.gl430.twin
 fails on r, 4.5, GLSL 4.50 (v).
 
-rule      GLSL 4.00 section 4.9 (4.60 section 4.12), GLSL ES 3.20 section 4.9: with precise, operations are neither fused nor reassociated; so HLSL's precise
+rule      GLSL 4.00 section 4.9 (4.60 section 4.12), GLSL ES 3.20 section 4.9: with precise, operations are neither fused nor reassociated; so HLSL&apos;s precise
 at        x=1.5 (3fc00000)
 got       2 (00000002)
 expected  3 (00000003)
@@ -80,6 +80,7 @@ To see it: hn-conform run --driver osmesa --filter noise2d.perlin.lattice.precis
 TEST(Page, HasOneTextForTheMakersOfATranslator) {
   CaseResult wrong = failed("bugs.abs_of_int.any.exact.compute.vulkan.defined");
   wrong.outcome.step = {1, "ways/bugs.abs/1-spirv-opt.spv", "%1 = OpTypeVoid"};
+  wrong.outcome.message = "wrong after it: first\nreturn abs(x);";
   CaseResult refused = result("a.b.refused", Status::fail);
   CaseResult crash = result("a.b.crash", Status::crash);
   refused.outcome.step = crash.outcome.step = {1, "", ""};
@@ -110,6 +111,7 @@ expected  3 (00000003)
 4 of 10 values are wrong.
 
 To see it: hn-conform run --driver osmesa --through spirv-opt --filter bugs.abs_of_int.any.exact.compute.vulkan.defined, of )",
+        "\nThe lines that go wrong, as the suite has them:\nreturn abs(x);\n\n"
         "The shader that it got is ways/bugs.abs/1-spirv-opt.spv. It writes 4 words for each point to the buffer at "
         "binding 0, of 16 words of the one at binding 1; the first here:\n00000001\n\n%1 = OpTypeVoid\n"}) {
     EXPECT_TRUE(has(page, part));

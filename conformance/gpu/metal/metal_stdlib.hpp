@@ -173,9 +173,10 @@ struct vec : detail::Parts<T, N> {
   }
 };
 
-#define HN_TYPES(type)          \
-  using type##2 = vec<type, 2>; \
-  using type##3 = vec<type, 3>; \
+#define HN_TYPES(type)              \
+  using type##2 = vec<type, 2>;     \
+  using type##3 = vec<type, 3>;     \
+  using packed_##type##3 = type##3; \
   using type##4 = vec<type, 4>;
 HN_TYPES(bool)
 HN_TYPES(float)

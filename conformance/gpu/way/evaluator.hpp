@@ -25,9 +25,9 @@ struct Translating {
 class WayEvaluator : public Evaluator {
  public:
   virtual const Way& steps() const = 0;
-  // Takes only the first steps from now on, without one of them that gives the form that it takes, if one is named.
-  // What they give is completed by the suite's own compilers, or, with no step, by the driver's own language. False if
-  // the driver cannot run it.
+  // Takes only the first steps from now on, without one of them that keeps the form, if one is named. The suite's own
+  // compilers complete their result, or, with no step, the driver's own language stands for it. False if the driver
+  // cannot run it.
   virtual bool use_steps(std::size_t count, std::optional<std::size_t> without = {}) = 0;
   // Names the files of the next shaders. They are kept where a step fails, or the driver refuses its result; or always.
   virtual void start(std::string_view name, bool keep_always) = 0;

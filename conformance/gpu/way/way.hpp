@@ -51,7 +51,7 @@ struct Step {
 };
 
 // How a step ends that does not do its work. not_completed: it may have done it, but the way has no form for the
-// shader, or the suite cannot complete what it gives.
+// shader, or the suite cannot complete its result.
 enum class StepEnd { refused, gave_invalid, crashed, hung, not_completed };
 
 struct Way {

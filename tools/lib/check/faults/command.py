@@ -44,10 +44,10 @@ FILTERS = ("bugs*", "hash.*.lattice.*.gl330.golden", "hash.*.any.*.gl330.golden"
 
 HEAD = """# Faults of drivers, and what notices them
 
-`tools/make faults` writes this table. It makes a healthy driver (llvmpipe, by OSMesa) behave as if it had each fault that
-drivers have had: `hn-conform run --inject NAME` rewrites the code of every shader, but not `glsl/`. Each fault fails the
-run, and the table names the functions whose cases fail. If only cases of `bugs` fail, the library avoids the faulty
-operation on purpose.
+`tools/make faults` writes this page, but for sections below its table. It makes a healthy driver (llvmpipe, by OSMesa)
+behave as if it had each fault that drivers have had: `hn-conform run --inject NAME` rewrites the code of every shader,
+but not `glsl/`. Each fault fails the run, and the table names the functions whose cases fail. If only cases of `bugs`
+fail, the library avoids the faulty operation on purpose.
 
 A case gives a warning where a specification leaves the result open; the last column has those that warn here but not on
 the healthy driver. If a specification allows the fault as it was reported, a worse fault is injected.
