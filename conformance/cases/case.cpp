@@ -136,7 +136,9 @@ void find_faulty_step(Session& session, WayEvaluator& way, const Case& test, Out
   }
   way.use_steps(steps.size());
   session.forget_evaluables();
-  outcome.message = fmt::format("{}: {}", text, outcome.message);
+  constexpr std::string_view kWrong = "wrong: ";  // of a row of bugs
+  const bool twice = wrong && outcome.message.starts_with(kWrong);
+  outcome.message = fmt::format("{}: {}", text, outcome.message.substr(twice ? kWrong.size() : 0));
 }
 
 void judge_way(Session& session, WayEvaluator& way, const Case& test, Outcome& outcome) {
