@@ -157,7 +157,7 @@ Profiles profiles_for(const Driver& driver, const DriverChoice& choice) {
   }
   for (const auto profiles : {all_profiles(), other_languages(), refused_profiles()}) {
     for (const Profile& profile : profiles) {
-      if (profile.platform() == driver.platform) names.emplace(profile.name);
+      if (profile.platform() == driver.platform && !profile.by_translator) names.emplace(profile.name);
     }
   }
   return names;

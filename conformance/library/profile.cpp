@@ -22,9 +22,12 @@ constexpr std::array kAll = {
 };
 
 constexpr std::array kOther = {
-    Profile{"hlsl50", "", 50, false, true, Language::hlsl},     Profile{"hlsl60", "", 60, false, true, Language::hlsl},
-    Profile{"hlsl2021", "", 2021, false, true, Language::hlsl}, Profile{"slang", "", 0, false, true, Language::hlsl},
-    Profile{"msl", "", 0, false, false, Language::metal},       Profile{"wgsl", "", 1, false, false, Language::wgsl},
+    Profile{"hlsl50", "", 50, false, true, Language::hlsl},
+    Profile{"hlsl60", "", 60, false, true, Language::hlsl},
+    Profile{"hlsl2021", "", 2021, false, true, Language::hlsl, true},
+    Profile{"slang", "", 0, false, true, Language::hlsl, true},
+    Profile{"msl", "", 0, false, false, Language::metal},
+    Profile{"wgsl", "", 1, false, false, Language::wgsl},
 };
 
 constexpr std::array kRun = {kAll[1], kAll[3], kAll[11]};

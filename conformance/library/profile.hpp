@@ -23,6 +23,7 @@ struct Profile {
   bool es;
   bool spirv;
   Language language = Language::glsl;
+  bool by_translator = false;  // no driver takes it otherwise
 
   Platform platform() const;
   bool in_glsl() const { return language == Language::glsl; }
@@ -39,8 +40,7 @@ struct Profile {
 std::span<const Profile> all_profiles();
 
 // Other languages, by the version of each: shader model 6.0 is hlsl60, and hlsl2021 the language itself, which glslang
-// does not have. Metal's language, msl, and Slang have none here. No driver takes Slang or hlsl2021 but by a
-// translator.
+// does not have. Metal's language, msl, and Slang have none here.
 std::span<const Profile> other_languages();
 
 // The profiles whose shaders are run, not only compiled: the oldest arithmetic path, the current one, and ES.
