@@ -44,6 +44,7 @@ try {
     send(device.isLost() ? { ...answer, lost: true } : answer);
   }
 } catch (error) {
-  send({ absent: messageOf(error) });
+  const isMissing = error.code === "MODULE_NOT_FOUND";  // and its message has several lines
+  send({ absent: isMissing ? "Node.js finds no package webgpu; HN_DAWN names a folder that has it" : messageOf(error) });
 }
 process.exit(0);
