@@ -185,10 +185,15 @@ class Cli(ProgramTest):
 
     def test_drivers_names_what_is_here_and_what_is_not(self):
         # Without programs, such as Chromium, whose start costs more than all else here.
+        naga = self.folder / "naga"
+        naga.write_text("#!/bin/sh\necho naga 1.2.3\n")
+        naga.chmod(0o755)
         done = self.call("drivers", environment={**self.without_osmesa(), "PATH": str(self.folder)})
         self.assertEqual(done.returncode, 0, done.stderr)
-        lines = done.stdout.splitlines()
+        lines = [line for line in done.stdout.splitlines() if line]
         below = {line.split()[0]: lines[i + 1] for i, line in enumerate(lines[:-1]) if not line.startswith(" ")}
+        self.assertIn("naga 1.2.3", below["naga"])
+        self.assertIn("not here:", below["spirv-opt"])
         self.assertIn("not here:", below["osmesa"])
         self.assertIn("llvmpipe", below["egl"])
         self.assertIn("not here:", below["webgl2"])
