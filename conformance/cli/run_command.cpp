@@ -63,12 +63,11 @@ Devices find_devices(int stop_fd) {
 Result<void> find_ways(const WayOptions& options, DriverChoice& choice) {
   if (options.through.empty() && options.takes.empty() && options.gives.empty()) return {};
   choice.way = options;
-  std::map<std::vector<Form>, Result<Way>> by_forms;  // to find one starts its programs for their versions
   for (const std::string& name : choice.names) {
     const std::vector<Form> takes = find_driver(name)->takes();
     if (takes.empty() && !choice.named.contains(name)) continue;
     auto way = takes.empty() ? fail("it takes no shader from a translator; all but browsers and glslang do")
-                             : by_forms.try_emplace(takes, find_way(options, takes)).first->second;
+                             : find_way(options, takes);
     if (way) {
       choice.ways.emplace(name, *way);
     } else if (choice.named.contains(name)) {

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 
 #include "base/process.hpp"
 #include "base/text.hpp"
@@ -156,8 +157,16 @@ std::string program_of(const Translator& translator, const std::string& named) {
   return set ? set : std::string(translator.program);
 }
 
+// A program is started for it once: a way to each driver is looked for, and may have the program twice.
+const Result<std::string>& printed_version(const std::string& program, std::string_view option) {
+  static std::map<std::pair<std::string, std::string_view>, Result<std::string>> known;
+  const auto found = known.find({program, option});
+  if (found != known.end()) return found->second;
+  return known.emplace(std::pair{program, option}, output_of(program, {std::string(option)})).first->second;
+}
+
 Result<std::string> version_of(const Translator& translator, const std::string& program) {
-  const auto text = output_of(program, {std::string(translator.version)});
+  const auto& text = printed_version(program, translator.version);
   if (!text) return fail(fmt::format("{} cannot be run: {}", program, text.error().message));
   return translator.printed == Printed::line ? text->substr(0, text->find('\n')) : version_number(*text);
 }
