@@ -78,7 +78,11 @@ def kept(folder: Path, fill: Callable[[Path], None]) -> Path:
 
 def installed(package: str, *options: str) -> Path:
     """The folder of builds in which a package is."""
-    return kept(place_of(package), lambda folder: _pip("install", package, "--no-input", *options, "--target", folder))
+    try:
+        return kept(place_of(package),
+                    lambda folder: _pip("install", package, "--no-input", *options, "--target", folder))
+    except RuntimeError as error:  # it may not be for this machine
+        raise Missing(str(error)) from error
 
 
 def downloaded(package: str, folder: Path, *options: str) -> Path:
@@ -95,4 +99,5 @@ def _pip(command: str, package: str, *options: str | Path) -> None:
     except (OSError, subprocess.TimeoutExpired) as error:
         raise Missing(f"pip cannot {command} {package}: {error}") from error
     if done.returncode != 0:
-        raise Missing(f"pip cannot {command} {package}: {done.stderr.strip()[-300:]}")
+        said = done.stdout + done.stderr
+        raise (Missing if OFFLINE.search(said) else RuntimeError)(f"pip cannot {command} {package}: {said.strip()[-300:]}")

@@ -56,11 +56,11 @@ def own(name: str) -> Path:
     raise Missing(f"there is no {name} here")
 
 
-def run(*words: str | Path) -> None:
+def run(*words: str | Path, wrong: type[Exception] = Missing) -> None:
     """A program that fetches or builds something."""
     done = subprocess.run([own(str(words[0])), *words[1:]], capture_output=True, text=True, check=False)
     if done.returncode != 0:
-        raise Missing(f"{' '.join(map(str, words))} fails: {(done.stdout + done.stderr).strip()[-300:]}")
+        raise wrong(f"{' '.join(map(str, words))} fails: {(done.stdout + done.stderr).strip()[-300:]}")
 
 
 def of_system(tool: Tool) -> Path:
@@ -114,7 +114,7 @@ def built(program: Path, tool: Tool, *command: str | Path) -> Path:
     if not program.exists() or program.stat().st_mtime < max(file.stat().st_mtime for file in files):
         with tempfile.TemporaryDirectory(dir=program.parent) as folder:
             run(*command, "-std=c++17", "-O1", f'-DHN_VERSION="{tool.version} ({tool.package})"', files[0], "-o",
-                Path(folder) / program.name)
+                Path(folder) / program.name, wrong=RuntimeError)  # the source is our own
             (Path(folder) / program.name).rename(program)
     return program
 
