@@ -89,8 +89,8 @@ def knobs(configuration: Configuration) -> str:
 
 
 def embedded(bugs: Iterable[Mapping[str, str]]) -> dict:
-    """The shaders of all bugs, and of all rows with all settings that have values in WGSL, which has no HN_PRECISE. A text that several
-    have is there once."""
+    """The shaders of all bugs, and of all rows with all settings that have values in WGSL, which has no HN_PRECISE. A
+    text that several have is there once."""
     texts: dict[str, int] = {}
     found: dict[str, list[int]] = {}
     settings = {one.name: one for one in read_configurations() if one.arithmetic != "precise"}
