@@ -110,10 +110,11 @@ double sum_of_constant_noise(const ConstantSum& sum) {
 // Whether cutting off the noise of an octave at 1 and -1 shows: at these the value of other sums is at its own ends, to
 // which their mean is cut off as well.
 bool cut_shows(OctaveSum kind, double noise) {
-  constexpr double kSomeStrength = 0.75;
-  const ConstantSum sum{kind, 1, true, 1, 2.0, 0.5, kSomeStrength, 1.0, {noise, kConstantSlopes}};
-  return is_clamped(facts_of(kind).rule.step) && !has_jacobian(facts_of(kind).rule.step) &&
-         std::fabs(sum_of_constant_noise(sum)) != 1.0;
+  const auto of_noise = [&](double constant) {
+    constexpr double kSomeStrength = 0.75;
+    return sum_of_constant_noise({kind, 1, true, 1, 2.0, 0.5, kSomeStrength, 1.0, {constant, kConstantSlopes}});
+  };
+  return of_noise(noise) == of_noise(std::copysign(1.0, noise)) && std::fabs(of_noise(noise)) != 1.0;
 }
 
 // The constants that the sum cuts off, and it shows.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -44,8 +45,9 @@ const Session::PointSet& Session::twin_points(const Function& function, const Co
   // A seed has 32 bits.
   const Random random(seed + (batch << 32), function.id);
   kept_points_.inputs = random_points(function, count, random, defined_extremes(configuration));
-  kept_points_.allowed.assign(count * function.outputs.size(), 0.0);
+  kept_points_.allowed.assign(count * function.outputs.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t i = 0; i < kept_points_.allowed.size() && !has_same_bits(function, configuration); ++i) {
+    if (!function.jumps(i % function.outputs.size())) continue;  // else all of them may be undecided
     const auto inputs = std::span(kept_points_.inputs).subspan(i / function.outputs.size() * kInputWords, kInputWords);
     kept_points_.allowed[i] = allowed_to_twin(function, configuration, inputs, i % function.outputs.size());
   }

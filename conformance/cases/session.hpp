@@ -40,7 +40,7 @@ struct Session : Suite {
   // hash, and are kept until another function needs points. There may be more than count. Each batch has other points.
   struct PointSet {
     std::vector<std::uint32_t> inputs;  // kInputWords per point
-    std::vector<double> allowed;        // per point and output
+    std::vector<double> allowed;        // per point and output, as compare_with_twin takes it
   };
   const PointSet& twin_points(const Function& function, const Configuration& configuration, std::size_t count,
                               std::uint64_t batch = 0);

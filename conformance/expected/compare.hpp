@@ -68,7 +68,8 @@ std::string describe_inputs(const Function& function, std::span<const std::uint3
 // exact value by the tolerance. kUndecided where it jumps.
 double allowed_to_twin(const Function& function, const Configuration& configuration,
                        std::span<const std::uint32_t> inputs, std::size_t output);
-// Compares a result with the twin's at the same point. allowed: as allowed_to_twin, for each output.
+// Compares a result with the twin's at the same point. allowed: as allowed_to_twin, for each output; NaN where that is
+// still unknown, which it may be where both have the same bits.
 void compare_with_twin(Comparison& comparison, const Evaluation& evaluation, std::span<const std::uint32_t> inputs,
                        std::span<const std::uint32_t> got, std::span<const std::uint32_t> twin,
                        std::span<const double> allowed);

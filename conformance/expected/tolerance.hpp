@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "library/functions.hpp"
-#include "sums/bounds.hpp"
 
 namespace hn {
 
@@ -45,18 +44,9 @@ struct OctaveSumFacts {
   double most_strength;    // or amplitude; 0 if it has none
   double least, greatest;
   bool bounded;  // else it may be as large as the noise, if that is beyond these
-  SumRule rule;
 };
 const OctaveSumFacts& facts_of(OctaveSum sum);
 inline std::string_view noise_of(OctaveSum sum) { return facts_of(sum).noise; }
-
-// Over the noise that the GLSL function sums, or over another, if it is a sum of values (sums/bounds.hpp).
-double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments,
-                        Gradient gradient = Gradient::octahedral, std::string_view noise = {});
-// The tolerance of a component of the derivative of the sum.
-double octave_slope_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments);
-
-double perlin_worley_tolerance(OctaveArguments arguments);
 
 // The tolerance of an output of cellular noise at a point. A derivative is off by as much as its point, divided by the
 // distance to the point. Names of cells are right or wrong.

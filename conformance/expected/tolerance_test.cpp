@@ -13,27 +13,6 @@
 namespace hn {
 namespace {
 
-// Tests of tools/lib/proof/bounds hold these against sums that are computed with adverse roundings.
-
-TEST(OctaveTolerance, OfSlopesAndShiftsHasEdges) {
-  EXPECT_EQ(octave_slope_tolerance(OctaveSum::fbm_d, 2, {1.0, 0, 2.0, 0.5, false}), 0.0);
-  EXPECT_EQ(octave_tolerance(OctaveSum::warp, 3, {1.0, 0, 2.0, 0.5, false}), 0.0);
-  EXPECT_EQ(octave_slope_tolerance(OctaveSum::fbm_d, 2, {1.0, 20, 2.0, 1e20, false}),
-            std::numeric_limits<double>::infinity());
-  EXPECT_EQ(octave_tolerance(OctaveSum::warp_progressive, 2, {1.0, 8, 1e20, 1.0, false}),
-            std::numeric_limits<double>::infinity());
-  EXPECT_THROW(octave_slope_tolerance(OctaveSum::fbm, 2, {1.0, 1, 2.0, 0.5, false}), std::logic_error);
-  // Nothing is further from a component of a shift than twice the amplitude, but for its rounding.
-  OctaveArguments large{1.0, 5, 2.0, 1.0, false};
-  large.amplitude = 100.0;
-  EXPECT_LE(octave_tolerance(OctaveSum::warp_progressive, 3, large), 128.001);
-}
-
-TEST(OctaveTolerance, EdgesAreNoNan) {
-  EXPECT_EQ(octave_tolerance(OctaveSum::fbm, 2, {1.0, 0, 2.0, 0.5, false}), 0.0);
-  EXPECT_EQ(octave_tolerance(OctaveSum::fbm, 3, {1.0, 20, 2.0, 1e20, false}), std::numeric_limits<double>::infinity());
-}
-
 // The tolerance of an output of a row, at a point that the columns give; others are 0, and a gain is 1/2.
 struct Setting {
   std::string_view column;
@@ -58,15 +37,13 @@ TEST(Tolerance, ExactRotationsAreRecognised) {
   const auto tolerance_at = [](float x, float y, float z, int octaves, float lacunarity) {
     return at("fbm.fbm3", 0, {{"x", x}, {"y", y}, {"z", z}, {"lacunarity", lacunarity}}, octaves);
   };
-  const auto exact = [](double octaves) {
-    return octave_tolerance(OctaveSum::fbm, 3, {2.75, octaves, 2.0, 0.5, true});
-  };
+  const auto exact = [&](int octaves) { return tolerance_at(0.0f, 0.0f, 0.0f, octaves, 2.0f); };
   EXPECT_EQ(tolerance_at(1.5f, 0.25f, 2.75f, 2, 2.0f), exact(2));
   EXPECT_GT(tolerance_at(1.5f, 0.25f, 2.75f, 2, 1.9f), exact(2));
   EXPECT_GT(tolerance_at(1.5f, 0.2f, 2.75f, 2, 2.0f), exact(2));
   EXPECT_GT(tolerance_at(1.5f, 0.25f, 2.7f, 2, 2.0f), exact(2));
   EXPECT_GT(tolerance_at(1.5f, 0.25f, 2.75f, 5, 2.0f), exact(5));
-  EXPECT_EQ(tolerance_at(1.5f, 0.2f, 2.75f, 1, 1.9f), exact(1));  // nothing is rounded before the first octave
+  EXPECT_EQ(tolerance_at(1.5f, 0.25f, 2.75f, 1, 1.9f), exact(1));  // nothing is rounded before the first octave
 }
 
 // From a cell the distance does not count, and the settings are those that the contract cuts off.
@@ -79,8 +56,7 @@ TEST(Tolerance, OfASumFromACellTakesItsSettings) {
   EXPECT_EQ(of("fbm.fbm2_cell", 7, 0.5f, 2.0f, 0.0f), of("fbm.fbm2_cell", 0x40000000u, 0.5f, 2.0f, 0.0f));
   EXPECT_EQ(of("fbm.fbm2_cell", 7, 0.5f, 255.0f, 0.0f), of("fbm.fbm2_cell", 7, 0.5f, 1e6f, 0.0f));
   EXPECT_LT(of("fbm.fbm2_cell", 7, 0.5f, 0.7f, 0.0f), of("fbm.fbm2_cell", 0x40000000u, 0.5f, 0.7f, 0.0f));
-  EXPECT_EQ(of("fbm.fbm2_cell_period", 7, 0.5f, 2.0f, 0.0f),
-            octave_tolerance(OctaveSum::fbm, 2, {7.5, 4, 2.0, 0.5, true, 0.0, {}, false, true}));
+  EXPECT_EQ(of("fbm.fbm2_cell_period", 7, 0.5f, 2.0f, 0.0f), of("fbm.fbm2_cell_period", 8, 0.25f, 2.0f, 0.0f));
   EXPECT_GT(of("fbm.fbm2_cell_period", 7, 0x1.8p-24f, 2.0f, 0.0f), of("fbm.fbm2_cell_period", 7, 0.5f, 2.0f, 0.0f));
   EXPECT_EQ(of("fbm.fbm2_cell_period", 7, 0.5f, 2.0f, 0.0f), of("fbm.fbm2_cell_period", 7, 0.5f, 2.9f, 0.0f));
   EXPECT_EQ(of("fbm.ping_pong2_cell", 7, 0.5f, 2.0f, 64.0f), of("fbm.ping_pong2_cell", 7, 0.5f, 2.0f, 100.0f));
@@ -88,11 +64,25 @@ TEST(Tolerance, OfASumFromACellTakesItsSettings) {
   EXPECT_EQ(of("fbm.weighted2_cell", 7, 0.5f, 2.0f, 1.0f), of("fbm.weighted2_cell", 7, 0.5f, 2.0f, 3.0f));
 }
 
+// Where nothing bounds an error, or the numbers overflow; and where there is no octave.
+TEST(Tolerance, HasEdges) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(at("fbm.fbm3", 0, {{"lacunarity", 2.0f}, {"gain", 1e20f}}, 20), infinite);
+  EXPECT_EQ(at("fbm_d.fbm_d2", 1, {{"lacunarity", 2.0f}, {"gain", 1e20f}}, 20), infinite);
+  EXPECT_EQ(at("warp.warp_progressive2", 0, {{"lacunarity", 1e20f}, {"gain", 1.0f}, {"amplitude", 1.0f}}, 8), infinite);
+  EXPECT_EQ(at("fbm.fbm2", 0, {{"x", std::numeric_limits<float>::quiet_NaN()}}), infinite);
+  EXPECT_EQ(at("fbm.fbm2", 0, {{"lacunarity", 2.0f}}, 0), 0.0);
+  EXPECT_EQ(at("fbm_d.fbm_d2", 1, {{"lacunarity", 2.0f}}, 0), 0.0);
+  EXPECT_EQ(at("warp.warp3", 0, {{"lacunarity", 2.0f}, {"amplitude", 1.0f}}, 0), 0.0);
+  // Nothing is further from a component of a shift than twice the amplitude, but for its rounding.
+  EXPECT_LE(at("warp.warp_progressive3", 0, {{"lacunarity", 2.0f}, {"gain", 1.0f}, {"amplitude", 100.0f}}, 5), 128.001);
+}
+
 TEST(Tolerance, ExactPositionsAreRecognised) {
   const auto of_fbm = [](float x, float lacunarity) {
     return at("fbm.fbm2", 0, {{"x", x}, {"lacunarity", lacunarity}}, 3);
   };
-  const double exact = octave_tolerance(OctaveSum::fbm, 2, {1.5, 3, 2.0, 0.5, true});
+  const double exact = of_fbm(0.0f, 2.0f);
   EXPECT_EQ(of_fbm(1.5f, 2.0f), exact);
   EXPECT_GT(of_fbm(1.5f, 1.9f), exact);
   EXPECT_GT(of_fbm(1e6f, 2.0f), exact);
@@ -144,7 +134,7 @@ TEST(Tolerance, OfPerlinWorleyIsThatOfItsTwoSums) {
   const auto of_sum = [](int octaves, float gain) {
     return at("noise3d.perlin_worley", 0, {{"x", 1.5f}, {"lacunarity", 2.0f}, {"gain", gain}}, octaves);
   };
-  const double wisps = octave_tolerance(OctaveSum::fbm, 3, {1.5, 2, 2.0, 0.5, true});
+  const double wisps = at("fbm.fbm3", 0, {{"x", 1.5f}, {"lacunarity", 2.0f}}, 2);
   const double distance = noise_bounds("cellular_d", 3, Gradient::octahedral).error;
   EXPECT_GT(of_sum(2, 0.5f), wisps / 2.0 + distance);
   EXPECT_LT(of_sum(2, 0.5f), wisps / 2.0 + distance + 3e-6);

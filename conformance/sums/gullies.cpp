@@ -2,11 +2,49 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "sums/errors.hpp"
+#include <limits>
 
 namespace hn {
 namespace {
+
+constexpr double kUnit = 0x1p-23;     // the largest relative error of one operation, in any rounding mode
+constexpr double kTiny = 0x1p-126;    // the largest error of flushing a subnormal to 0
+constexpr double kSettled = 0x1p-96;  // below which HN_PRECISE makes a result 0
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+int count_of(const GulliesArguments& arguments) {
+  return arguments.octaves < 0x1p-32 ? 0 : static_cast<int>(std::ceil(std::min(arguments.octaves, 32.0)));
+}
+
+// Relative, of so many operations.
+double rounding_of(int operations) { return std::pow(1.0 + kUnit, operations) - 1.0; }
+
+// The error of clamp(3/2 - e, 0, 1), e = footprint * max(lacunarity, 1)^i computed step by step. It counts up to 3/2
+// only.
+double fade_error(int i) {
+  return 1.501 * (std::pow(1.0 + kUnit, static_cast<double>(i)) - 1.0) + 1.001 * kUnit + 2.0 * kTiny;
+}
+
+// The total of the weights, octave by octave: total = gain*total + 1.
+struct Total {
+  double value = 0.0;
+  double error = 0.0;
+
+  void add_octave(double gain) {
+    const double product_error = gain * (error + kUnit * (value + error)) + kTiny;
+    value = 1.0 + gain * value;
+    error = product_error + kUnit * (value + product_error);
+  }
+};
+
+// Whether no weight, and no number of a Jacobian, overflows. GLSL bounds the error of a division for divisors up to
+// 2^126.
+bool in_domain(const GulliesArguments& arguments) {
+  Total total;
+  for (int i = 0; i < count_of(arguments); ++i) total.add_octave(arguments.gain);
+  const double growth = std::fabs(arguments.gain * arguments.lacunarity);
+  return total.value <= 0x1p126 && std::pow(growth, std::max(count_of(arguments) - 1, 0)) <= 0x1p96;
+}
 
 // Each octave, with r = |e|, A = depth * (gain * lacunarity)^i and the fade f of a footprint:
 //
@@ -71,7 +109,7 @@ Product product(const Slope& slope, double limit, double wave_rate, double error
   return {fade * s * limit, std::min(off, 2.001 * limit)};
 }
 
-double fade_of(const OctaveArguments& arguments, int i) {
+double fade_of(const GulliesArguments& arguments, int i) {
   if (!arguments.footprint) return 1.0;
   const double size = 2.0 * *arguments.footprint * std::pow(std::max(arguments.lacunarity, 1.0), i);
   return std::clamp(1.5 - size, 0.0, 1.0);
@@ -91,11 +129,10 @@ Slope next_slope(const Slope& slope, double rate, const Product& step, int i) {
 }  // namespace
 
 GulliesTolerance gullies_tolerance(const GulliesArguments& arguments, const GulliesBounds& bounds) {
-  const OctaveArguments& octaves = arguments.octaves;
   const double depth = std::clamp(arguments.depth, 0.0, kLargestDepth);
-  if (count_of(octaves) == 0 || depth == 0.0) return {0.0, 0.0};
-  if (!in_domain(octaves)) return {kInfinite, kInfinite};
-  OctavePosition at = first_octave(2, octaves);
+  if (count_of(arguments) == 0 || depth == 0.0) return {0.0, 0.0};
+  if (!in_domain(arguments)) return {kInfinite, kInfinite};
+  double position_error = arguments.exact_positions ? 0.0 : 0x1p-24;  // of a coordinate: a tile does not rotate
   Slope slope{std::max(arguments.slope - kSmallSlope, 0.0), arguments.slope, kSmallSlope};
   double weight = 1.0;
   double rate = depth;
@@ -103,23 +140,23 @@ GulliesTolerance gullies_tolerance(const GulliesArguments& arguments, const Gull
   double sum = 0.0;
   double sum_error = 0.0;
   Total total;
-  for (int i = 0; i < count_of(octaves); ++i) {
-    const double fade = fade_of(octaves, i);
-    const double fade_off = octaves.footprint ? fade_error(static_cast<std::size_t>(i)) : 0.0;
-    const Product height =
-        product(slope, kLargestHeight, bounds.wave_rate, bounds.lipschitz * at.error + bounds.value, fade, fade_off);
+  for (int i = 0; i < count_of(arguments); ++i) {
+    const double fade = fade_of(arguments, i);
+    const double fade_off = arguments.footprint ? fade_error(i) : 0.0;
+    const Product height = product(slope, kLargestHeight, bounds.wave_rate,
+                                   bounds.lipschitz * position_error + bounds.value, fade, fade_off);
     const Product step = product(slope, bounds.steepest, bounds.slope_wave_rate,
-                                 kDiagonal * (bounds.slope_lipschitz * at.error + bounds.slope), fade, fade_off);
+                                 kDiagonal * (bounds.slope_lipschitz * position_error + bounds.slope), fade, fade_off);
     const double term_error = weight * height.error;
     sum += weight * height.largest;
     sum_error += term_error + rounding_of(i + 4) * (weight * height.largest + term_error) + 2.0 * kTiny;
     sum_error += kUnit * (sum + sum_error);
     slope = next_slope(slope, rate, step, i);
     moved = std::min(moved + rate * step.largest, 2.0 * kLargestSlope);
-    total.add_octave(octaves.gain);
-    weight *= octaves.gain;
-    rate *= octaves.gain * octaves.lacunarity;
-    at = next_octave(2, octaves, at);
+    total.add_octave(arguments.gain);
+    weight *= arguments.gain;
+    rate *= arguments.gain * arguments.lacunarity;
+    position_error *= arguments.lacunarity;  // a product with a whole number is exact
   }
   const double most = 2.0 * depth * (total.value + total.error);
   const double height = std::min(depth * (sum_error + kUnit * (sum + sum_error)), most) + kSettled + kTiny;

@@ -2,7 +2,7 @@
 // gullies.cpp.
 #pragma once
 
-#include "sums/bounds.hpp"
+#include <optional>
 
 namespace hn {
 
@@ -19,13 +19,18 @@ struct GulliesBounds {
   double fixed_value, fixed_slope;
 };
 
+// In the range that the contract takes them in.
 struct GulliesArguments {
-  OctaveArguments octaves;  // in a tile: fixed-point positions and a whole lacunarity
-  double slope;             // how long it is, with each component in [-8, 8]
+  double octaves;
+  double lacunarity;  // a whole number
+  double gain;
+  bool exact_positions;  // no fraction is cut to 2^-24
+  std::optional<double> footprint;
+  double slope;  // how long it is, with each component in [-8, 8]
   double depth;
 };
 
-// How far the height and each slope may be off.
+// How far the height and each slope may be off; infinite where no error is bounded.
 struct GulliesTolerance {
   double height;
   double slope;

@@ -6,8 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compare.hpp"
@@ -15,6 +19,7 @@
 #include "fields.hpp"
 #include "grid/functions.hpp"
 #include "subjects.hpp"
+#include "sums/sums.hpp"
 
 namespace hashnoise::twin {
 namespace {
@@ -56,66 +61,99 @@ Bound bound_of_noise(const Settings& s, const std::vector<Place>& places) {
   };
 }
 
-// --- Sums over the noise of the GLSL function -----------------------------------------------------------------------
+// --- Sums ------------------------------------------------------------------------------------------------------------
 
-hn::OctaveSum kind_of(const std::string& sum) { return hn::octave_sum_named(sum).value(); }
-
-double largest_of(float p) { return std::fabs(static_cast<double>(p)); }
-template <int D>
-double largest_of(const Position<D>& p) {
-  double largest = 0.0;
-  for (const float x : p) largest = std::max(largest, largest_of(x));
-  return largest;
+// The row of the suite's table.
+const hn::Function& row_of_sum(const Settings& s, int dimensions, bool from_cell, bool tiled) {
+  for (const hn::Function& row : hn::all_functions()) {
+    if (row.bound == s.fractal && row.axes == dimensions && row.takes_cell() == from_cell &&
+        row.takes_period() == tiled && row.takes_detail() == s.detail.has_value() &&
+        row.takes_footprint() == s.footprint.has_value()) {
+      return row;
+    }
+  }
+  throw std::logic_error("the suite has no such row of " + s.fractal);
 }
+
+using Words = std::array<std::uint32_t, hn::kInputWords>;
+void put(Words& words, const hn::Function& row, std::string_view column, std::uint32_t word) {
+  const int at = row.input(column);
+  if (at >= 0) words[static_cast<std::size_t>(at)] = word;
+}
+void put(Words& words, const hn::Function& row, std::string_view column, float number) {
+  put(words, row, column, std::bit_cast<std::uint32_t>(number));
+}
+
+Words words_of(const Settings& s, const hn::Function& row) {
+  Words words{};
+  put(words, row, "octaves", static_cast<std::uint32_t>(octaves_of(s)));
+  put(words, row, "lacunarity", lacunarity_of(s));
+  put(words, row, "gain", gain_of(s));
+  put(words, row, "strength", strength_of(s));
+  put(words, row, "amplitude", amplitude_of(s));
+  if (s.detail) put(words, row, "detail", *s.detail);
+  if (s.footprint) put(words, row, "footprint", *s.footprint);
+  return words;
+}
+
+constexpr std::array kCells = {"cx", "cy", "cz", "cw"}, kFractions = {"fx", "fy", "fz", "fw"};
 template <int D>
-double largest_of(const CellPlace<D>& place) {
-  double largest = 0.0;
+void put_place(Words& words, const hn::Function& row, const CellPlace<D>& place) {
   for (std::size_t axis = 0; axis < D; ++axis) {
-    largest = std::max(largest, std::fabs(place.cell[axis] + static_cast<double>(place.f[axis])));
+    put(words, row, kCells[axis], static_cast<std::uint32_t>(place.cell[axis]));
+    put(words, row, kFractions[axis], place.f[axis]);
   }
-  return largest;
+}
+template <int D>
+void put_place(Words& words, const hn::Function& row, const Position<D>& p) {
+  if (!row.takes_cell()) {
+    for (std::size_t axis = 0; axis < D; ++axis) words[axis] = std::bit_cast<std::uint32_t>(p[axis]);
+    return;
+  }
+  CellPlace<D> place;
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    place.cell[axis] = static_cast<std::int32_t>(std::floor(p[axis]));
+    place.f[axis] = p[axis] - std::floor(p[axis]);
+  }
+  put_place<D>(words, row, place);
 }
 
-template <int D, typename Place>
-Bound bound_of_sum(const Settings& s, const std::vector<Place>& places) {
-  hn::OctaveArguments arguments{0.0, static_cast<double>(octaves_of(s)), static_cast<double>(lacunarity_of(s)),
-                                static_cast<double>(gain_of(s)), false};
-  for (const Place& place : places)
-    arguments.largest_coordinate = std::max(arguments.largest_coordinate, largest_of<D>(place));
-  arguments.rotates = !has_period(s, D);
-  if (!arguments.rotates) arguments.lacunarity = std::floor(arguments.lacunarity);
-  arguments.from_cell = !std::is_same_v<Place, Position<D>>;
-  arguments.strength = static_cast<double>(strength_of(s));
-  arguments.amplitude = static_cast<double>(amplitude_of(s));
-  if (s.detail) {
-    arguments.octaves = static_cast<double>(*s.detail);
-    arguments.is_detail = true;
-  }
-  if (s.footprint) arguments.footprint = static_cast<double>(*s.footprint);
-  const bool has_slopes = s.fractal == "fbm_d";
-  if (s.fractal == "perlin_worley") {
-    const double error = 2.0 * hn::perlin_worley_tolerance(arguments);
-    return [=](std::size_t, std::size_t) { return error; };
-  }
-  const double value =
-      hn::octave_tolerance(has_slopes ? hn::OctaveSum::fbm : kind_of(s.fractal), D, arguments, kGradient);
-  const double slope = has_slopes ? hn::octave_slope_tolerance(hn::OctaveSum::fbm_d, D, arguments) : value;
-  return [=](std::size_t component, std::size_t) { return 2.0 * (has_slopes && component > 0 ? slope : value); };
-}
-
-// --- Sums over other noises, from cells -----------------------------------------------------------------------------
-
-// Of values the bound follows from that of the noise. Of slopes and vectors it is far above a rounding, and far below
-// another seed or place.
+// Over any noise, from a cell or in a tile: there the positions of octaves are whole numbers, and the same in both. So
+// only the noise and the sum are off, as if the noise were the same everywhere. For slopes and vectors of other noises
+// the bound is far above a rounding, and far below another seed or place.
 template <int D>
 Bound bound_of_other(const Settings& s) {
   if (grid::sum_row(s.fractal).of != grid::Shape::kValue) return [](auto, auto) { return 1e-3; };
-  hn::OctaveArguments arguments{0.0, static_cast<double>(octaves_of(s)), static_cast<double>(lacunarity_of(s)),
-                                static_cast<double>(gain_of(s)), true};
-  arguments.from_cell = true;
-  arguments.strength = static_cast<double>(strength_of(s));
-  const double error = 2.0 * hn::octave_tolerance(kind_of(s.fractal), D, arguments, kGradient, s.noise);
+  const auto flat = [](const std::string& noise) {
+    const hn::NoiseBounds& bounds = hn::noise_bounds(noise, D, kGradient);
+    return hn::sums::Noise(D, {bounds.cell_error, 0.0, bounds.limit});
+  };
+  hn::sums::Noises noises;
+  noises.perlin[D] = flat(s.noise.empty() ? "perlin" : s.noise);
+  if (s.fractal == "perlin_worley") noises.cellular_d[D] = flat("cellular_d");
+  const hn::Function& row = row_of_sum(s, D, false, false);
+  const double error = 2.0 * hn::sums::errors_of(row.id, words_of(s, row), noises)[0];
   return [=](std::size_t, std::size_t) { return error; };
+}
+
+// Over the noise of the GLSL function.
+template <int D, typename Place>
+Bound bound_of_sum(const Settings& s, const std::vector<Place>& places) {
+  const bool tiled = has_period(s, D);
+  const bool from_place = tiled || !std::is_same_v<Place, Position<D>>;
+  if (from_place && grid::sum_row(s.fractal).of == grid::Shape::kValue) return bound_of_other<D>(s);
+  const hn::Function& row = row_of_sum(s, D, from_place, tiled);
+  Words words = words_of(s, row);
+  std::vector<double> bounds;
+  for (const Place& place : places) {
+    put_place<D>(words, row, place);
+    for (std::size_t output = 0; output < row.outputs.size(); ++output) {
+      bounds.push_back(2.0 * hn::tolerance(row, hn::default_configuration(), words, output));
+    }
+  }
+  return [=, components = row.outputs.size()](std::size_t component, std::size_t point) {
+    return bounds[point * components + component];
+  };
 }
 
 // --- The tests -------------------------------------------------------------------------------------------------------
@@ -225,6 +263,7 @@ TEST(FastBounds, RejectWhatIsWrong) {
     if (s.fractal == "warp_progressive" || s.noise == "cell_border") continue;
     const bool is_default = s.noise == noise_below(s.fractal);
     expect_rejected(s, cells, moved_cells, is_default ? bound_of_sum<2>(s, places_of(cells)) : bound_of_other<2>(s));
+    if (is_default) expect_rejected(s, grid, moved, bound_of_sum<2>(s, places_of(grid)));
   }
 }
 

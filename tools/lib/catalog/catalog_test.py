@@ -85,7 +85,7 @@ class Made(unittest.TestCase):
         typed = suite.of_functions(read(), [row])
         self.assertIn('.family = extended_octave_sum, .bound = "warp"', typed)
         self.assertIn('.inputs = {{"x", f32}, {"y", f32}, {"octaves", i32}, {"lacunarity", f32}', typed)
-        self.assertTrue(suite.of_bodies([row]).endswith(f'COLUMN("seed", u32)), {body})\n'))
+        self.assertIn(f'COLUMN("seed", u32)), {body})\n', suite.of_bodies([row]))
 
     def test_ids_of_what_a_derivative_belongs_to(self):
         of = {row.id: row.plain for row in functions.read_functions()}
@@ -93,11 +93,6 @@ class Made(unittest.TestCase):
                            ("noise4d.perlin_d_cell_value", "noise4d.perlin_cell"), ("fbm_d.eroded2_cell", "fbm.fbm2_cell"),
                            ("noise2d.perlin_d_phase", "noise2d.perlin_phase"), ("noise2d.perlin", ""), ("fbm.fbm2", "")):
             self.assertEqual(of[id_], plain)
-
-    def test_a_sum_by_a_new_step_is_bounded_by_its_mean_alone(self):
-        ridged = dataclasses.replace(next(sum_ for sum_ in read().sums if sum_.name == "ridged"), step="crests")
-        self.assertIn(", true, crests, bounded)", suite.facts_of(ridged))
-        self.assertIn(", false, crests, as_it_is)", suite.facts_of(dataclasses.replace(ridged, mean="")))
 
     def test_files_of_the_suite_are_written_once(self):
         with tempfile.TemporaryDirectory() as name:

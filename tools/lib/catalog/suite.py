@@ -23,10 +23,8 @@ WITHOUT_SINE = ("octahedral_noise", "octahedral_octave_sum")
 HEAD_OF_SUMS = HEAD + """\
 // Define one of these macros, and include this file:
 //
-//   OCTAVE_SUM(name, noise, most strength or amplitude, least, greatest, is bounded, step, mean): the noise is that which
-//     its GLSL function sums. Values that are not bounded may be as large as the noise, if that is beyond the least or the
-//     greatest. The step adds an octave, and the mean gives the value (sums/bounds.hpp)
-//   SUM_STEP(name), SUM_MEAN(name): each of those steps and means
+//   OCTAVE_SUM(name, noise, most strength or amplitude, least, greatest, is bounded): the noise is that which its GLSL
+//     function sums. Values that are not bounded may be as large as the noise, if that is beyond the least or the greatest
 //   OCTAVE_STEP(name, the sum s with an octave n more, what it makes of the mean): of a sum of values; the first may take
 //     a strength
 """
@@ -74,13 +72,14 @@ def is_never_negative(noise: Noise) -> bool:
 def of_bodies(functions: Sequence[Function]) -> str:
     """Each body as code."""
     head = HEAD + ("// FUNCTION(id, family, configurations that it has values with, a bit for each, (COLUMN(name, type) "
-                   "...), body): the columns are those that go in. Rows not declared with the sine gradient are left out there.\n")
+                   "...), body): the columns are those that go in. Rows not declared with the sine gradient are left out there. "
+                   "SUM_FUNCTION may be another macro for octave sums.\n#ifndef SUM_FUNCTION\n#define SUM_FUNCTION FUNCTION\n#endif\n")
     rows = []
     for function in functions:
         inputs = " ".join(f'COLUMN("{column.name}", {column.type})' for column in function.inputs)
-        text = f'FUNCTION("{function.id}", {function.family}, {mask(function)}, ({inputs}), {function.body})\n'
+        text = f'{"SUM_" * (function.form == "sum")}FUNCTION("{function.id}", {function.family}, {mask(function)}, ({inputs}), {function.body})\n'
         rows.append(f"#if HN_GRADIENT != HN_GRADIENT_SINE\n{text}#endif\n" if function.family in WITHOUT_SINE else text)
-    return head + "".join(rows)
+    return head + "".join(rows) + "#undef SUM_FUNCTION\n"
 
 
 def of_configurations(configurations: Sequence[Configuration]) -> str:
@@ -91,27 +90,17 @@ def of_configurations(configurations: Sequence[Configuration]) -> str:
 
 def of_sums(catalog: Catalog) -> str:
     sums = [sum_ for sum_ in catalog.sums if sum_.families]
-    steps, means = zip(*map(step_and_mean, sums))
-    rows = [*map(facts_of, sums), *(row("SUM_STEP", step) for step in dict.fromkeys(steps)),
-            *(row("SUM_MEAN", mean) for mean in dict.fromkeys(means)),
-            *(row("OCTAVE_STEP", sum_.name, sum_.adds("s", "n", "strength"), sum_.makes("mean")) for sum_ in sums
-              if sum_.is_of_values)]
-    macros = ("OCTAVE_SUM", "SUM_STEP", "SUM_MEAN", "OCTAVE_STEP")
+    rows = [*map(facts_of, sums), *(row("OCTAVE_STEP", sum_.name, sum_.adds("s", "n", "strength"), sum_.makes("mean"))
+                                    for sum_ in sums if sum_.is_of_values)]
+    macros = ("OCTAVE_SUM", "OCTAVE_STEP")
     return "".join([HEAD_OF_SUMS, *(f"#ifndef {macro}\n#define {macro}(...)\n#endif\n" for macro in macros), *rows,
                     *(f"#undef {macro}\n" for macro in macros)])
 
 
 def facts_of(sum_: Sum) -> str:
     least, greatest = sum_.range if isinstance(sum_.range, tuple) else (-1, 1)
-    step, mean = step_and_mean(sum_)
     return row("OCTAVE_SUM", sum_.name, sum_.noise, sum_.strength.most if sum_.strength else 0, least, greatest,
-               flag(bool(sum_.mean)), step, mean)
-
-
-def step_and_mean(sum_: Sum) -> tuple[str, str]:
-    """The suite's names for an octave's step, and for the mean's. A sum with derivatives or displacements is a step of its
-    own."""
-    return sum_.step or sum_.name, sum_.mean or "as_it_is"
+               flag(bool(sum_.mean)))
 
 
 def files() -> dict[str, str]:

@@ -79,8 +79,7 @@ def chosen(inputs: Sequence[set[Hashable]], results: Sequence[Sequence[float]]) 
             seen |= said[i]
             zeros += is_zero
     rest = sorted(set(order) - set(new))
-    others = [i for i in rest if any(results[i])]
-    if len(others) < COUNT - len(new):
-        others = rest
-    missing = min(COUNT - len(new), len(others))
-    return sorted(new + [others[len(others) * i // missing] for i in range(missing)])
+    for others in ([i for i in rest if any(results[i])], [i for i in rest if not any(results[i])]):
+        missing = min(COUNT - len(new), len(others))
+        new += [others[len(others) * i // missing] for i in range(missing)]
+    return sorted(new)

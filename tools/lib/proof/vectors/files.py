@@ -15,7 +15,7 @@ from pathlib import Path
 from base import modules
 from base.cache import cached
 from base.golden_values import Golden
-from base.tree import CONFORMANCE, GOLDEN, ROOT, VECTORS, glsl_files
+from base.tree import CONFORMANCE, GLSL, GOLDEN, ROOT, VECTORS, glsl_files
 from base.twin import NotBuilt, compile_program
 from catalog import suite
 from catalog.tables.configurations import Configuration, read_configurations
@@ -29,7 +29,8 @@ INDEX = "index.json"
 LARGEST_BOUND = 2.0**-6  # of a row. Octave sums of floats far out have larger ones, which mean little
 DEFAULTS = {"lattice", "lattice+sine"}  # the settings of noise that are written out, without their arithmetic
 PROGRAM = Path(__file__).with_name("tolerances.cpp")
-OPTIONS = ("-O0", f"-I{CONFORMANCE}", f"-I{ROOT / 'src'}", "-lfmt")
+OPTIONS = ("-O0", "-Dalways_inline=unused", "-w", "-frounding-math", f"-I{CONFORMANCE}", f"-I{CONFORMANCE / 'prover'}",
+           f"-I{GLSL}", f"-I{ROOT / 'include'}", f"-I{ROOT / 'src'}", "-lfmt")
 KINDS = {name: struct.Struct(form) for name, form in (("u32", ">I"), ("i32", ">i"), ("f32", ">f"), ("f64", ">d"))}
 
 Words = Sequence[int]

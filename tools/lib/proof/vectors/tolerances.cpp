@@ -11,9 +11,8 @@
 #include <vector>
 
 // The units of the suite that know it, in one: so it compiles in seconds, without twins and without CMake.
-#include "sums/bounds.cpp"
-#include "sums/errors.cpp"
 #include "sums/gullies.cpp"
+#include "sums/sums.cpp"
 
 // These have constants by the names of theirs, and so stand behind them.
 #include "expected/cellular.cpp"
