@@ -1,38 +1,123 @@
-"""Asks the C++ of conformance/sums, which has the proofs of octave sums: how far floats may be off, and steps in
-integers."""
+"""Runs the text of sums over numbers that count how far they are off (conformance/sums), in floats and in integers."""
 
 from __future__ import annotations
 
 import ctypes
 import functools
-import tempfile
-from collections.abc import Sequence
-from pathlib import Path
+import hashlib
+import math
+from collections.abc import Mapping, Sequence
 
-from base.tree import CONFORMANCE
-from base.twin import SOON, compile_program
+import catalog.model
+from base.tree import CONFORMANCE, GLSL, ROOT
+from base.twin import compile_program
 from catalog import suite
+from proof.bounds.prover import ENGINE, FOLDER
+from proof.bounds.rounded import FIXED, Body, table
+from proof.bounds.table import Bounds, bounds_of, read
 
 SOURCE = CONFORMANCE / "sums" / "answers.cpp"
-MOST_OCTAVES = 32
+# It is compiled longer than it runs.
+OPTIONS = ("-O0", "-Dalways_inline=unused", "-w", "-frounding-math", "-shared", "-fPIC", "-fno-gnu-unique",
+           f"-I{ROOT / 'include'}", f"-I{CONFORMANCE}", f"-I{ENGINE}", f"-I{GLSL}")
+KINDS = {"any": 0, "word": 1, "float": 2, "int": 3}
+
+
+def words_of(argument: str) -> list[float]:
+    """From "any", "word:5", "float:0.5", "float:-16:16" or "int:-16:16"."""
+    kind, *ends = argument.split(":")
+    return [KINDS[kind], *(float(end) for end in (*ends, *ends)[:2])] if ends else [KINDS[kind], 0.0, 0.0]
+
+
+class Sums:
+    """The sums of the suite's table, or others with bodies like those, whose text stands in `own`: C++ as own.py makes it of
+    GLSL. They may sum any noise of the library (SUMMARIES)."""
+
+    def __init__(self, *macros: str, bodies: Mapping[str, Body] | None = None, own: str = "",
+                 options: Sequence[str] = ()):
+        self.bodies = table() if bodies is None else bodies
+        bodies_inc = "".join(f'SUM_FUNCTION("{name}", , , (), {body.code})\n' for name, body in (bodies or {}).items())
+        if bodies is not None:
+            macros += ("SUMS_OWN",)
+        sum_ = hashlib.sha256(" ".join([*macros, own, bodies_inc, *suite.files().values()]).encode())
+        for path in sorted([*SOURCE.parent.glob("*.[ch]pp"), ENGINE / "interval.hpp", *GLSL.rglob("*.glsl"),
+                            *(ROOT / "include").rglob("*.h*")]):
+            sum_.update(path.read_bytes())
+        folder = FOLDER / sum_.hexdigest()[:16]
+        if not (folder / "sums.so").exists():
+            suite.write(folder)
+            (folder / "bodies.inc").write_text(bodies_inc, encoding="utf-8")
+            (folder / "summaries.inc").write_text(other_summaries(), encoding="utf-8")
+            (folder / "own.inc").write_text(OWN.format(own), encoding="utf-8")
+            compile_program("the text of sums", SOURCE, folder / "new", *OPTIONS, *options, include=folder, macros=macros)
+            (folder / "new").rename(folder / "sums.so")
+        self.library = ctypes.CDLL(str(folder / "sums.so"))
+        self.library.answer.restype = ctypes.c_char_p
+
+    def errors(self, name: str, arguments: Mapping[str, str], noise: Sequence[float] = (0.0,) * 7) -> list[float]:
+        """For each output, where arguments are by their columns; `noise` as at the top of answers.cpp. Where there is no
+        proof a LookupError has the reason."""
+        body = self.bodies[name]
+        numbers = [x for column in body.inputs for x in words_of(arguments[column.name])]
+        found = (ctypes.c_double * 4)()
+        problem = self.library.answer(name.encode(), (ctypes.c_double * 48)(*numbers), (ctypes.c_double * 7)(*noise), found)
+        if problem:
+            raise LookupError(problem.decode())
+        return list(found)[:len(body.outputs)]
+
+    def gullies(self, numbers: Sequence[float]) -> list[float]:
+        found = (ctypes.c_double * 2)()
+        self.library.answer_gullies((ctypes.c_double * len(numbers))(*numbers), found)
+        return list(found)
+
+
+SUMMARIES = {  # of noises by their shapes: the type, for so many dimensions, and its constructor
+    "value": ("Float", "n.value()"), "slopes": ("vec{more}", "vec{more}(n.value(), {slopes})"),
+    "vector": ("vec{dims}", "vec{dims}({values})")}
+
+
+OWN = """#define float Float
+#define int Int
+#include "hashnoise.glsl"
+namespace own {{
+{}
+}}
+#undef float
+#undef int
+"""
+
+
+def other_summaries() -> str:
+    """Summaries of all noises of the library that sums may be over, with the bounds of bounds.inc."""
+    lines, of_sums = [], []
+    slopes = {(of.noise, of.dimensions): of for of in read(macro="SLOPE_BOUNDS")}
+    for noise, dims in ((noise, dims) for noise in catalog.model.read().noises for dims in range(noise.first, noise.last + 1)):
+        try:
+            value = bounds_of(noise.name, dims, "octahedral")
+        except LookupError:
+            continue  # a vector has the bounds of its components
+        base = noise.name.removesuffix("_vector").removesuffix("_d")
+        _, *numbers = summary(value, slopes.get((f"{base}_d", dims)), False)
+        bounds = f"Noise({dims}, {{{', '.join(map(repr, numbers[:3]))}}}, {{{', '.join(map(repr, numbers[3:]))}}})"
+        if noise.name in ("perlin", "perlin_d", "value_vector") or (noise.name, dims) == ("cellular_d", 3):
+            of_sums.append(f"  of.{noise.name}[{dims}] = {bounds};\n")
+        elif noise.shape in SUMMARIES and not math.isinf(value.lipschitz) and (noise.shape, dims) not in (("slopes", 1), ("slopes", 4)):
+            type_, made = (text.format(dims=dims, more=dims + 1, slopes=", ".join(["n.slope()"] * dims),
+                                       values=", ".join(["n.value()"] * dims)) for text in SUMMARIES[noise.shape])
+            lines.append(f"inline {type_} hn_{noise.name}(const hn_place{dims}& place, const Uint&) {{\n"
+                         f"  static const Noise noise = {bounds};\n  const Summarized n{{noise, off_of(place)}};\n"
+                         f"  return {made};\n}}\n")
+    return "".join([*lines, "inline Noises own_noises() {\n  Noises of;\n", *of_sums, "  return of;\n}\n"])
 
 
 @functools.cache
-def library() -> ctypes.CDLL:
-    with tempfile.TemporaryDirectory() as folder:
-        suite.write(Path(folder))
-        compiled = Path(folder, "answers.so")
-        compile_program("the bounds of sums", SOURCE, compiled, *SOON, "-shared", "-fPIC", f"-I{CONFORMANCE}",
-                        include=Path(folder))
-        found = ctypes.CDLL(str(compiled))
-    found.answer.restype = ctypes.c_char_p
-    return found
+def library(fixed: bool) -> Sums:
+    return Sums(*(FIXED,) * fixed)
 
 
-def answer(what: str, sum_: str, numbers: Sequence[float]) -> list[float]:
-    """As at the top of that file. Where there is no proof a LookupError has its sentence."""
-    found = (ctypes.c_double * (1 + 2 * MOST_OCTAVES))()
-    problem = library().answer(what.encode(), sum_.encode(), (ctypes.c_double * len(numbers))(*numbers), found)
-    if problem:
-        raise LookupError(problem.decode())
-    return list(found)
+def summary(noise: Bounds, slope: Bounds | None, fixed: bool) -> list[float]:
+    """The bounds of a noise as `errors` takes them."""
+    def of(bounds: Bounds) -> list[float]:
+        return ([bounds.fixed_error, bounds.lipschitz, bounds.fixed_limit] if fixed
+                else [bounds.cell_error, bounds.lipschitz, bounds.limit])
+    return [noise.dimensions, *of(noise), *(of(slope) if slope else [0.0] * 3)]

@@ -9,25 +9,23 @@ from unittest import mock
 import numpy as np
 
 from base.thorough import THOROUGH
-from proof.bounds import command, integers, noises, sine, sums
+from proof.bounds import command, integers, noises, sine
 from proof.bounds.boxes import Boxes, corners, fade, fade_derivative
 from proof.bounds.gradients import OCTAHEDRAL
-from proof.bounds.noises import perlin, value_cubic
-from proof.bounds.noises import value as value_noise
-from proof.bounds.rounded import FIXED, Body, Rounding, Text
-from proof.bounds.table import bounds_of
+from proof.bounds.noises import perlin
+from proof.bounds.prover import Job, Prover
+from proof.bounds.rounded import EXACT, FIXED, Body, Rounding, along_axes, table
+from proof.bounds.rounded import Text as RoundedText
 
-CASES = noises.find("perlin").cases
 ONE = 2**20  # of fractions
 # Steps of the library, by their arguments.
 STEPS = {"fade": "hn_i_fade(int(a.x))", "slope": "hn_i_d_fade(int(a.x))", "sine": "hn_i_sine(a.x)",
-         "lerp": "hn_i_lerp(int(a.x), int(a.y), int(a.z))",
-         **{f"spline{axis}": f"hn_i_spline(int(a.x)).{axis}" for axis in "xyzw"}}
+         "lerp": "hn_i_lerp(int(a.x), int(a.y), int(a.z))"}
 
 
 @functools.cache
 def text():
-    return Text([], FIXED, "HN_GRADIENT=HN_GRADIENT_SINE", optimized=True, **{
+    return RoundedText([], FIXED, "HN_GRADIENT=HN_GRADIENT_SINE", optimized=True, **{
         name: Body.of("x:u32 y:u32 z:u32", "n:i32", f"return uvec4(uint({step}), 0u, 0u, 0u);")
         for name, step in STEPS.items()})
 
@@ -35,11 +33,6 @@ def text():
 def step(name, x, y=0, z=0):
     found, = text().words(name, Rounding("nearest"), x=x, y=y, z=z)
     return found.view(np.int32).astype(np.int64)
-
-
-def proven(kind, dims):
-    """The bounds of hn_perlin in bounds.inc."""
-    return bounds_of("perlin", dims, kind.name)
 
 
 def changes(fractions):
@@ -65,12 +58,6 @@ class Integers(unittest.TestCase):
         self.assertTrue(np.array_equal(step("slope", f), integers.slopes()))
         self.assertEqual([integers.fades()[i] for i in (0, 2**19, ONE)], [0, 2**17 - 4, 2**18])
         self.assertEqual([integers.slopes()[i] for i in (0, ONE)], [0, 0])
-
-    def test_splines(self):
-        f = np.arange(ONE + 1, dtype=np.int64)
-        self.assertTrue(np.array_equal([step(f"spline{axis}", f) for axis in "xyzw"], integers.splines()))
-        error = sum(abs(b / 2**18 - e) for b, e in zip(integers.splines(), value_cubic.weights((f + 16 >> 5) / 2**15)))
-        self.assertTrue(error.max() <= integers.spline_weight_error() < error.max() + 1e-12)
 
     def test_halves_are_mirrored(self):
         """Half of the cell is enough for FADE."""
@@ -110,12 +97,9 @@ class Integers(unittest.TestCase):
     def test_nothing_wraps(self):
         """By default of two noises: docs/measured/accuracy.md quotes the largest of all noises, which tools/make bounds
         --check compares."""
-        for key in command.keys() if THOROUGH else [("perlin_d", 3, OCTAHEDRAL), ("cellular", 3, None)]:
+        for key in command.keys() if THOROUGH else [("perlin_d_phase", 3, OCTAHEDRAL), ("cellular", 3, None)]:
             for name, value in noises.find(key[0]).largest_intermediates(*key[1:]).items():
                 self.assertLess(value, 2**31, (key, name))
-        for dims, kind in CASES:
-            for name, value in sums.largest_octave_intermediates(proven(kind, dims).fixed_limit).items():
-                self.assertLess(value, 2**31, (kind.name, dims, name))
         largest = perlin.largest_slope_intermediates(3, 4.0)
         self.assertGreater(largest["derivative's lerp"], 0.9 * 2**31)  # not absurdly far
 
@@ -127,8 +111,6 @@ class Integers(unittest.TestCase):
         with mock.patch.dict(integers.RAMP_ONE, {OCTAHEDRAL: {2: 2**31, 3: 2**30}}):
             self.assertGreater(perlin.largest_intermediates(2, OCTAHEDRAL)["difference"], 2**31)
             self.assertGreater(perlin.largest_slope_intermediates(3, 4.0)["derivative's difference"], 2**31)
-        with mock.patch.object(value_noise, "NUMBER_ONE", 2**31):
-            self.assertGreater(value_noise.largest_intermediates(2, None)["difference"], 2**31)
 
     def test_differences_reach_their_bound(self):
         """Ramps in space, and their interpolation along x, at places that are whole along z."""
@@ -151,3 +133,36 @@ class Integers(unittest.TestCase):
         error = abs(value - np.sin(w.astype(np.int32).astype(np.float32).astype(float))).max()
         self.assertTrue(0.9 * sine.fixed_sine_error() < error < sine.fixed_sine_error())
         self.assertLessEqual(abs(value).max(), sine.fixed_sine_largest())
+
+
+# Texts of a fraction, in units of values, and what the prover must find.
+PLANTED = {
+    "rounds": ("f >> 1", 0.5 * 2**-21), "rounds to nearest": ("(f + 2) >> 2", 0.5 * 2**-21),
+    "is exact": ("(f * 8) >> 3", 0.0), "is beyond an int": ("(f * 4096) >> 12", math.inf),
+    "falls below a uint": ("int((uint(f) - 8u) >> 3u)", math.inf), "is a square beyond a uint": ("int((uint(f) * uint(f)) >> 20u)", math.inf)}
+
+
+class FixedText(unittest.TestCase):
+    """The prover runs the text of HN_FIXED."""
+
+    def test_planted_steps(self):
+        bodies = {name: Body.of("f:f32", "n:f64", f"hn_int f = hn_i_to_num(float_of(a.x)); return uvec4(bits_of("
+                                f"hn_i_value({code})), 0u, 0u, 0u);") for name, (code, _) in PLANTED.items()}
+        found = Prover(bodies, FIXED).prove([Job(name, ("n",), {}, most=40) for name in bodies])
+        for (name, (_, right)), proven in zip(PLANTED.items(), found):
+            self.assertTrue(0.9 * right <= proven.bound <= 1.01 * right, (name, proven, right))
+
+    def test_no_run_leaves_a_box(self):
+        rng, id = np.random.default_rng(21), "noise2d.perlin_d_cell"
+        prover, fixed, exact = Prover({id: table()[id]}, FIXED), RoundedText([id], FIXED), RoundedText([id])
+        outputs = [column.name for column in table()[id].outputs]
+        for _ in range(6):
+            lo = rng.integers(0, 15, 2) / 16
+            ends = {f"f{axis}": f"box:{x}:{x + 1 / 16}" for axis, x in zip("xy", lo)}
+            point = rng.integers(0, 2**16 + 1, (2, 3000)) / 2**20 + lo[:, None]
+            columns = along_axes("c", rng.integers(-2**31, 2**31, (2, 3000))) | along_axes("f", point) | {
+                "seed": rng.integers(0, 2**32, 3000)}
+            runs, right = fixed(id, Rounding("nearest"), **columns), exact(id, EXACT, **columns)
+            for output, run, truth in zip(outputs, runs, right):
+                proven, = prover.prove([Job(id, (output,), ends, most=1)])
+                self.assertTrue(0.3 * proven.bound < abs(run - truth).max() <= proven.bound, (output, ends))

@@ -3,11 +3,14 @@
     tools/make bounds            writes bounds.inc, which the suite includes, and the tables of docs/measured/accuracy.md
     tools/make bounds --check    compares these, and every bound that a comment or a page quotes, with the derived one
     tools/make bounds --table    prints all that is derived
+    tools/make bounds FILE.glsl  proves functions of a file of yours that take a position or a place: their ranges,
+                                 slopes and errors beside the same text in exact arithmetic, or the step that cannot be
+                                 seen through, with its line
 
 noises/ has the proofs for each noise.
 
-Exit status: 0 all is as derived, 1 something is not, or has no proof: prose, comments and proofs are for you to write;
-2 bad usage, or a table or page that cannot be read; 4 numpy and scipy are missing, and could not be installed
+Exit status: 0 all is as derived, or proven; 1 something is not, or has no proof: prose, comments and proofs are for you to
+write; 2 bad usage, or a file that cannot be read or does not compile; 4 numpy and scipy are missing, and could not be installed
 (tools/lib/base/scientific-python).
 """
 
@@ -15,6 +18,7 @@ from __future__ import annotations
 
 import argparse
 import math
+import re
 import sys
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
@@ -22,10 +26,11 @@ from dataclasses import asdict, astuple, replace
 from pathlib import Path
 
 import catalog.model
+from base.thorough import THOROUGH
 from base.tree import ROOT
 from base.usage import Parser
 from catalog.tables.functions import read_functions
-from proof.bounds import claims, gullies, jacobians, noises, sine, sums, uniform
+from proof.bounds import claims, gullies, identity, jacobians, noises, own, sine, sums, text, uniform
 from proof.bounds.documents import (
     ACCURACY,
     Everything,
@@ -39,6 +44,7 @@ from proof.bounds.features import METRICS
 from proof.bounds.gradients import SINE
 from proof.bounds.integers import fade_errors, overshoot
 from proof.bounds.noises import ProvenBounds
+from proof.bounds.prover import Proven
 from proof.bounds.sums import Sum
 from proof.bounds.table import HEAD, PATH, bounds_of, row, row_of, scientific, slope_bounds_of
 
@@ -62,13 +68,14 @@ def derive_family(name: str) -> list[ProvenBounds]:
     return [derived_of(key) for key in keys() if family(key) == name]
 
 
-def derive() -> Everything:
-    """All of it, on all cores: each family in one process, which computes once the parts that its noises share."""
+def derive(found: Sequence[tuple[text.Case, Proven]]) -> Everything:
+    """All of it, on all cores: each family in one process, which computes once the parts that its noises share. With
+    what their text proves."""
     families = {name: [key for key in keys() if family(key) == name] for name in map(family, keys())}
     with ProcessPoolExecutor() as pool:
         derived = {key: of_key for of_family, some in zip(families.values(), pool.map(derive_family, families))
                    for key, of_key in zip(of_family, some)}
-    return {key: derived[key] for key in keys()}
+    return {key: text.completed(key, derived[key], found) for key in keys()}
 
 
 def rendered(derived: Everything) -> str:
@@ -82,11 +89,11 @@ def rendered(derived: Everything) -> str:
     return HEAD + "".join(rows)
 
 
-def files(derived: Everything, root: Path = ROOT) -> dict[Path, str]:
-    """The written files, with the text that should be in them."""
+def files(derived: Everything, root: Path = ROOT, *more: str) -> dict[Path, str]:
+    """The written files with their right text; `more` may name the example of the page."""
     page = root / ACCURACY
     return {root / PATH.relative_to(ROOT): rendered(derived),
-            page: with_tables(page.read_text(encoding="utf-8"), derived)}
+            page: with_tables(page.read_text(encoding="utf-8"), derived, *more)}
 
 
 OF_THEIR_OWN = ("gullies", "uniform", "perlin_worley")  # the last has its proof in conformance/expected/tolerance.cpp
@@ -106,7 +113,7 @@ def without_proof() -> list[str]:
             if all(dims != of_case for of_case, _ in noises.find(name).cases):
                 found.append(f"tools/lib/proof/bounds/noises has no proof of {name} in {dims}D")
         elif name not in ("exact", "sine", *sums.CATALOG, *OF_THEIR_OWN):
-            found.append(f"tools/lib/proof/bounds/noises has no proof of {name}: write one, and name it in PROOFS")
+            found.append(f"tools/lib/proof/bounds has no proof of {name}")
     return sorted(set(found))
 
 
@@ -129,8 +136,8 @@ def refusals(name: str) -> list[str]:
 
 
 def differences(derived: Everything, root: Path = ROOT) -> list[str]:
-    old = [f"{path}: not up to date; run tools/make bounds" for path, text in files(derived, root).items()
-           if not path.is_file() or path.read_text(encoding="utf-8") != text]
+    old = [f"{path}: not up to date; run tools/make bounds" for path, content in files(derived, root).items()
+           if not path.is_file() or path.read_text(encoding="utf-8") != content]
     of_all = catalog.model.read(root / "catalog")
     return [*old, *missing_quotes(derived, root), *wrong_comments(derived, root / "glsl"),
             *claims.wrong_noises(of_all, derived), *claims.wrong_comments(of_all, derived, root / "glsl")]
@@ -167,14 +174,20 @@ def run(options: argparse.Namespace) -> int:
     if unproven := without_proof():
         print("\n".join(unproven))
         return 1
-    derived = derive()
+    lines = [line for line in text.lines() if THOROUGH or not (line.long and options.check)]
+    found = text.prove(lines)
+    if unproven := text.unseen(found):
+        print("\n".join(unproven))
+        return 1
+    derived = derive(found)
     if options.table:
         print_table(everything_for_a_reader(derived))
     else:
         if not options.check:
-            for path, text in files(derived).items():
-                path.write_text(text, encoding="utf-8")
-        messages = differences(derived)
+            for path, content in files(derived, ROOT, "example").items():
+                path.write_text(content, encoding="utf-8")
+        messages = [*identity.wrong_texts(), *identity.wrong_forms(lines, identity.golden_files()),
+                    *text.wrong(found, derived), *differences(derived)]
         print("\n".join(messages or [f"the bounds of {len(derived)} noises are as derived"]))
         return 1 if messages else 0
     return 0
@@ -185,9 +198,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
     mode = parser.add_mutually_exclusive_group()
     mode.add_argument("--check", action="store_true", help="write nothing, and compare all that quotes a bound")
     mode.add_argument("--table", action="store_true", help="write nothing, and print all that is derived")
+    parser.add_argument("file", nargs="?", type=Path, metavar="FILE.glsl", help="a file of yours")
+    parser.add_argument("--function", action="append", default=[], metavar="NAME",
+                        help="in place of those that no other function of the file calls; may be repeated")
+    parser.add_argument("--within", action="append", default=[], metavar="NAME=LO:HI",
+                        help="the range of an argument, or its value; else a position is in [-64, 64], another float in "
+                             "[0, 1], and an integer any; may be repeated")
     options = parser.parse_args(arguments)
+    if not options.file and (options.function or options.within) or options.file and (options.check or options.table):
+        parser.error("--function and --within are for a file of yours, and it takes no other option")
+    given = [(one, re.fullmatch(r"(\w+)=(-?[\d.]+(?::-?[\d.]+)?)", one)) for one in options.within]
+    for one, match in given:
+        if not match:
+            parser.error(f"--within {one}: write NAME=LO:HI")
+    within = dict(match.groups() for _, match in given)
     try:
-        return run(options)
+        return own.report(options.file, options.function, within) if options.file else run(options)
+    except own.Bad as error:
+        print(error, file=sys.stderr)
+        return 2
     except (KeyError, IndexError):
         raise  # these are look-ups too, but mistakes of the program
     except LookupError as error:

@@ -1,4 +1,5 @@
-"""The errors of cellular noise: of the distances to feature points, of numbers made of them, and of derivatives.
+"""The errors of cellular noise that its text does not prove (text.py): in floats those of derivatives, offsets, borders
+and points that move; and those in integers.
 
 FLOATS. As elsewhere an operation returns one of the two floats around its exact result (floats.py). GLSL leaves more
 room to a square root and to a division: here a root is taken to be within ROOT_ULPS and a quotient within
@@ -8,9 +9,6 @@ QUOTIENT_ULPS. Vulkan allows 2 ulp to inversesqrt and 2.5 to a division, and mak
     d = 2 f - 1;  d - 2 n for the n-th cell after it;  from the point: d - u * jitter
 
 In space the first two components are x + y and x - y, and the square of the length is half of theirs and z * z.
-
-ORDER. The k-th smallest distance changes by no more than the distances do, since a block has all that matter.
-The distances of farther points may have larger errors; but these are small against how much farther they are.
 
 FIXED. Along an axis an offset D is off by less than 1 unit of 2^-20 cells for the place, 1 for the product of
 direction and jitter, and u/2 for the cut of the jitter. N rounds down by less than a unit of 2^-28, which takes up to
@@ -31,13 +29,12 @@ import numpy as np
 
 from proof.bounds import features
 from proof.bounds.boxes import SAFE
-from proof.bounds.floats import TINY, UNIT, rounding
+from proof.bounds.floats import UNIT, rounding
 
 ROOT_ULPS, QUOTIENT_ULPS = 6.0, 3.0
 PLACE, RANK = 2.0**-20, 2.0**-28  # the units of offsets and of squares in fixed arithmetic
 LARGEST_COMPONENT = {2: 511 / 512, 3: 255 / 256}  # of a direction
 APART = {dims: 1 - largest for dims, largest in LARGEST_COMPONENT.items()}
-CLOSENESS = {2: 9, 3: 27}  # how many weights are summed
 OPERATIONS = {2: 2, 3: 3}  # that a square of a length rounds in, one after another
 
 
@@ -79,12 +76,6 @@ def relative(operations: float) -> float:
     return (1 + UNIT) ** operations - 1
 
 
-def square_error(dims: int, reach: float) -> float:
-    """The error of the square of a length, in squares of half cells."""
-    length, err = 2 * reach, length_error(dims, reach)
-    return (length + err) ** 2 * (1 + relative(OPERATIONS[dims])) - length**2 + 3 * TINY
-
-
 def distance_error(dims: int, reach: float) -> float:
     return root_error(dims, reach, length_error(dims, reach))
 
@@ -111,21 +102,13 @@ def manhattan_reach(metric: str, dims: int, largest: float) -> float:
     return euclidean_reach(metric, dims, largest) * math.sqrt(dims)
 
 
-def metric_error(metric: str, dims: int, largest: float) -> float:
-    """The error of a distance up to the largest, in cells."""
-    reach = euclidean_reach(metric, dims, largest)
-    across, along = components(dims, reach)
-    if metric == "euclidean":
-        return distance_error(dims, reach)
-    square = square_error(dims, reach)
-    if metric == "squared":
-        return square / 4 * SAFE
-    if metric == "chebyshev":
-        return (across + f32(2 * reach * 1.001)) / 2 * SAFE
-    size = 2 * manhattan_reach(metric, dims, largest) * 1.001
-    total = (2 * across if dims == 2 else across + along) + f32(size)
-    hybrid = square / 2 + f32(2 * reach**2 * 1.001) + total + f32(2 * largest * 1.001)
-    return {"manhattan": total, "hybrid": hybrid}[metric] / 2 * SAFE
+def hybrid_error(dims: int, largest: float) -> float:
+    """The error of a distance up to the largest in the hybrid metric, in cells."""
+    reach, size = (of("hybrid", dims, largest) for of in (euclidean_reach, manhattan_reach))
+    (across, along), length, err = components(dims, reach), 2 * reach, length_error(dims, reach)
+    square = (length + err) ** 2 * (1 + relative(OPERATIONS[dims])) - length**2
+    total = (2 * across if dims == 2 else across + along) + f32(2 * size * 1.001)
+    return (square / 2 + f32(2 * reach**2 * 1.001) + total + f32(2 * largest * 1.001)) / 2 * SAFE
 
 
 def metric_slope(metric: str, dims: int, largest: float) -> float:
@@ -156,15 +139,6 @@ def offset_error(dims: int, fixed: bool) -> float:
     across, along = components(dims, reach)
     plain = across if dims == 2 else max(across + f32(2 * reach * 1.001) / 2, along)
     return (plain / 2 + 2.0**-24) * SAFE
-
-
-def smooth_error(dims: int) -> float:
-    """The error of hn_cellular_smooth. (W + 1/4096)^(1/4) is a norm of the 1 - distance and 1/8, so if each of these is
-    off by e, it is off by e times the fourth root of their number."""
-    of_weight = distance_error(dims, 1.0) + f32(0.99)
-    largest = (features.largest_weights(dims) + 1 / 4096) ** 0.25 + 1e-4
-    steps = relative(3 + CLOSENESS[dims] + 1) / 4 + 1.5 * UNIT * ROOT_ULPS + UNIT**2 * 1000
-    return (features.most_within(dims) ** 0.25 * of_weight + largest * steps + f32(0.99)) * SAFE
 
 
 def _over_distances(error, dims: int, apart: float) -> float:

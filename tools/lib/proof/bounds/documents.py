@@ -12,12 +12,13 @@ from pathlib import Path
 from base.tree import ROOT
 from catalog.tables import glsl
 from catalog.tables.markdown import table, with_section
-from proof.bounds import gullies, jacobians, noises, rotations, sine, smoothness, sums, uniform
+from proof.bounds import gullies, jacobians, noises, own, rotations, rounded, sine, smoothness, sums, uniform
 from proof.bounds.gradients import GRADIENTS, SINE, Gradient
-from proof.bounds.integers import fade_errors, slope_errors, spline_weight_error
+from proof.bounds.integers import fade_errors, slope_errors
 from proof.bounds.noises import ProvenBounds
+from proof.bounds.prover import Job, Prover
 from proof.bounds.sums import Sum
-from proof.bounds.table import Bounds, bounds_of, rounded_up, scientific, shortest, slope_bounds_of
+from proof.bounds.table import Bounds, bounds_of, closer, rounded_up, scientific, shortest, slope_bounds_of
 
 ACCURACY = "docs/measured/accuracy.md"
 KNOBS = "docs/reference/knobs.md"
@@ -94,7 +95,7 @@ EXAMPLES = (  # of octave sums: a title, the number of dimensions, the sum
 def sum_tolerances(derived: Everything, dims: int, octave_sum: Sum) -> list[float]:
     """In floats and fixed, for each kind of gradient that has a noise."""
     keys = [(NOISE_OF_SUMS, dims, gradient) for gradient in GRADIENTS if (NOISE_OF_SUMS, dims, gradient) in derived]
-    return [tolerance(octave_sum, derived[key].bounds(*key).rounded()) for key in keys
+    return [tolerance(octave_sum, closer(derived[key].bounds(*key).rounded())) for key in keys
             for tolerance in (sums.octave_tolerance, sums.fixed_octave_tolerance)]
 
 
@@ -157,9 +158,29 @@ TABLES: dict[str, Callable[[Everything], str]] = {
     "gullies": gullies_table, "steps": lambda _: smoothness.steps_table()}
 
 
-def with_tables(text: str, derived: Everything) -> str:
-    """The page with its tables written anew."""
-    for name, write in TABLES.items():
+EXAMPLE = "noise2d.perlin_cell"
+
+
+def example() -> str:
+    """The parts of a bound by the lines of the text that round, in the box where it is largest."""
+    prover = Prover({EXAMPLE: rounded.table()[EXAMPLE]}, "PROVER_TRACE", options=own.OPTIONS)
+    proven, = prover.prove([Job(EXAMPLE, ("value",), {}, tolerance=1e-4)])
+    found: dict[str, list[float]] = {}
+    for size, frames in proven.parts:
+        found.setdefault(own.place_of(frames, prover), []).append(size)
+    rows = []
+    for place, sizes in found.items():
+        name, line = (ROOT / place).resolve().relative_to(ROOT).as_posix().rsplit(":", 1)
+        code = (ROOT / name).read_text(encoding="utf-8").splitlines()[int(line) - 1].split("= ", 1)[1]
+        rows.append([f"`{code}`", f"`{name.removeprefix('glsl/hashnoise/')}:{line}`", str(len(sizes)), scientific(sum(sizes))])
+    ends = " and ".join(f"[{lo:.5f}, {hi:.5f}]" for lo, hi in proven.box)
+    text = table(("step", "where", "numbers that err", "adds"), rows)
+    return f"{text}\nThe fractions are in {ends}, and the sum is {scientific(proven.bound, 4)}: one of {proven.boxes} boxes.\n"
+
+
+def with_tables(text: str, derived: Everything, *more: str) -> str:
+    """The page with its tables written anew, and the example if `more` names it."""
+    for name, write in [*TABLES.items(), *((name, lambda _: example()) for name in more)]:
         text = with_section(ACCURACY, text, f"tools/make bounds: {name}", write(derived))
     return text
 
@@ -192,7 +213,6 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
     stated.append((ACCURACY, f"in floats at most {limits[0]}, {limits[1]}"))
     stated += [(ACCURACY, text) for text in (
         f"by -{scientific(-slope_errors().min())} to {scientific(slope_errors().max())},",
-        f"the sum {scientific(spline_weight_error())} along",
         f"in 3D: {overflow(derived):g} * 2^31",
         f"{jacobians_overflow():g} * 2^31 in a sum of slopes",
         f"{scientific(-fade_errors().min())} too small",

@@ -4,22 +4,23 @@ derivatives, and others are left out."""
 
 import contextlib
 import io
-import os
+import math
 import re
 import shutil
-import subprocess
-import sys
 import tempfile
 import unittest
 from dataclasses import replace
 from pathlib import Path
 from unittest import mock
 
+import catalog.model
 from base.tree import ROOT
 from catalog.tables import glsl
-from proof.bounds import claims, command, documents, noises, table
+from proof.bounds import claims, command, documents, noises, sums, table
+from proof.bounds import text as text_proofs
 from proof.bounds.gradients import OCTAHEDRAL, SINE
 from proof.bounds.noises import ProvenBounds
+from proof.bounds.prover import Proven
 from proof.bounds.table import rounded_up, scientific, shortest
 
 RAW = {("perlin", dims, gradient): ProvenBounds(*numbers, {"cut": 4.35e-6}) for dims, gradient, numbers in (
@@ -259,6 +260,7 @@ class Command(unittest.TestCase):
         shown = io.StringIO()
         with mock.patch.object(command, "derive", return_value=RAW), contextlib.redirect_stderr(shown), \
                 mock.patch.object(command, "without_proof", return_value=[]), \
+                mock.patch.object(text_proofs, "prove", return_value=[]), \
                 mock.patch.object(command, "differences", side_effect=problem):
             return command.main(["--check"]), shown.getvalue()
 
@@ -270,73 +272,86 @@ class Command(unittest.TestCase):
             self.check(KeyError("x"))
 
 
+class FromText(unittest.TestCase):
+    """Proven errors beside published ones."""
+    LINE = text_proofs.Line("perlin perlin_d", (2,))
+
+    def found(self, value, slope):
+        return [(case, Proven(slope if case.kind == text_proofs.SLOPE else value, 0.0, 5, 0.0, "" if value < 1 else "a root", []))
+                for case in text_proofs.cases([self.LINE])]
+
+    def test_a_larger_error_is_found(self):
+        self.assertEqual(text_proofs.wrong(self.found(2.435e-6, 1.23e-5), RAW), [])
+        errs = "noise2d.perlin{}_cell: the {} errs by {} at most{}, and its text proves {} (in 5 boxes)"
+        self.assertEqual(text_proofs.wrong(self.found(2.437e-6, 1.23e-5), RAW), [
+            errs.format(name, "value", *of) for name in ("", "_d") for of in (
+                ("2.436e-06", " from a cell", "2.437e-06"), ("2.66e-06", " from a position", "2.662e-06"))])
+        self.assertEqual(len(text_proofs.wrong(self.found(2.435e-6, 1.234e-5), RAW)), 2)
+        self.assertIn("proves inf: a root", text_proofs.wrong(self.found(math.inf, 1.23e-5), RAW)[0])
+
+    def test_a_noise_without_formulas(self):
+        key, found = ("perlin", 2, OCTAHEDRAL), self.found(2.4e-6, 0.0)
+        without = noises.derived(1.0, 0.909, 3.7667, None, {"cut": 4e-6, "scaling": 3.89e-5})
+        with mock.patch.object(text_proofs, "PROVEN", [self.LINE]):
+            of_row = text_proofs.completed(key, without, found)
+            self.assertEqual(of_row.bounds(*key).rounded(), table.bounds_of("perlin", 2, "octahedral"))
+            with mock.patch.object(text_proofs, "published", return_value=None):
+                self.assertEqual(text_proofs.completed(key, without, found).cell_error, 2.4e-6)
+        with self.assertRaisesRegex(LookupError, "perlin in 2D has no formulas of its error, and is not in PROVEN"):
+            with mock.patch.object(text_proofs, "PROVEN", []):
+                text_proofs.completed(key, without, found)
+
+    def test_a_noise_without_a_module(self):
+        """All of its bounds are from its text; a range beyond the catalog's, and a bound that is not proven, are named."""
+        every = noises.proofs()
+        proof = noises.of_text("value", noises.without_module({*every} - {"value"})["value"])
+        key, sizes = ("value", 2, None), {"error": 3e-6, "most": 1.0, "least": 0.9, "slope": 7.5}
+        with mock.patch.object(noises, "proofs", return_value=every | {"value": proof}), \
+                mock.patch.object(text_proofs, "published", return_value=None):
+            lines = [line for line in text_proofs.lines() if line.noises == "value"]
+            for most, wrong in ((1.0, []), (1.01, ["catalog/noises.toml: value is up to 1.01 in 2D, by its text"])):
+                found = [(case, Proven((sizes | {"most": most})[case.job.measure], 0.0, 5, 0.0, ""))
+                         for case in text_proofs.cases(lines)]
+                of = text_proofs.completed(key, proof.derive(2, None), found)
+                self.assertEqual((of.range, of.lipschitz, of.cell_error, of.fixed_error), (most, 7.5, 3e-6, 3e-6))
+                self.assertEqual(text_proofs.wrong([], {key: of}), wrong)
+            self.assertEqual(text_proofs.unseen(found), [])
+            case = next(case for case, _ in found if case.line.fixed)
+            self.assertRegex(text_proofs.unseen([(case, Proven(math.inf, 0.0, 5, 0.0, "a root"))])[0],
+                             "its text proves no error with HN_FIXED: a root")
+
+
 class New(unittest.TestCase):
-    """An entry of the catalog that somebody adds without its proof."""
+    """Entries of the catalog that somebody adds, and their claims."""
 
-    def entry(self, file: str, like: str, name: str, *changes: tuple[str, str]) -> None:
-        path = self.root / "catalog" / file
-        text = path.read_text(encoding="utf-8")
-        new = re.search(rf"^\[{like}\]\n(?:.+\n)+", text, re.MULTILINE)[0].replace(f"[{like}]", f"[{name}]")
-        for old, changed in changes:
-            self.assertIn(old, new)
-            new = new.replace(old, changed)
-        path.write_text(f"{text}\n{new}", encoding="utf-8")
+    def test_without_a_proof_each_is_refused_by_its_name(self):
+        of_all = catalog.model.read()
+        new = replace(of_all, metrics=(*of_all.metrics, "minkowski"), sums=[
+            replace(sum_, name="billow_d") for sum_ in of_all.sums if sum_.name == "fbm_d"])
+        with mock.patch.object(command.catalog.model, "read", return_value=new):
+            self.assertEqual(command.without_proof(), [
+                "tools/lib/proof/bounds has no proof of the sum billow_d",
+                "tools/lib/proof/bounds/features.py has no proof of the metric minkowski"])
 
-    def test_each_is_refused_by_its_name(self):
-        with tempfile.TemporaryDirectory() as folder:
-            self.root = Path(folder)
-            for part in ("catalog", "conformance/expected/bounds.inc", "conformance/sums", *(
-                    f"tools/lib/{room}" for room in ("base", "catalog", "proof/bounds", "proof/oracle"))):
-                copy = shutil.copytree if (ROOT / part).is_dir() else shutil.copy
-                (self.root / part).parent.mkdir(parents=True, exist_ok=True)
-                copy(ROOT / part, self.root / part)
-            self.entry("sums.toml", "ridged", "spiky", ('step = "ridged"', 'step = "spike"'))
-            self.entry("sums.toml", "clouds", "veiled", ('mean = "density"', 'mean = "veil"'))
-            self.entry("sums.toml", "fbm_d", "billow_d")
-            self.entry("noises.toml", "value", "spots")
-            self.entry("sums.toml", "ridged", "narrow", ("range = [0, 1]", "range = [0.4, 0.5]"),
-                       ('returns = "[0, 1]', 'returns = "[0.4, 0.5], proven'))
-            for name, error in (("tiny", "at most 1e-9"), ("tinier", "2^-30"), ("vague", "hardly any"),
-                                ("twofold", "twice `fbm`'s"), ("unlike", "`ridges`'s")):
-                self.entry("sums.toml", "turbulence", name, ("\"`fbm`'s\"", f'"{error}"'))
-            self.entry("sums.toml", "billow", "close", (", and a little more", ""))  # without a rounding
-            of_oracle = ", ".join(f'"{name}": SUMS["{like}"]' for name, like in (
-                ("narrow", "ridged"), ("close", "billow"),
-                *((name, "turbulence") for name in ("tiny", "tinier", "twofold", "unlike"))))
-            for file, old, new in (("tools/lib/proof/oracle/sums.py", "\n\ndef exact(", f"\nSUMS |= {{{of_oracle}}}\n\ndef exact("),
-                                   ("catalog/settings.toml", '"hybrid"]', '"hybrid", "minkowski"]'),
-                                   ("tools/lib/catalog/model.py", 'MEANS = ("", ', 'MEANS = ("", "veil", ')):
-                text = (self.root / file).read_text(encoding="utf-8")
-                self.assertIn(old, text)
-                (self.root / file).write_text(text.replace(old, new), encoding="utf-8")
-            done = subprocess.run([sys.executable, "-B", "-m", "proof.bounds.command", "--check"], cwd=self.root / "tools/lib",
-                                  env={**os.environ, "PYTHONPATH": "."}, capture_output=True, text=True, check=False)
-        of_turbulence = [f"catalog/sums.toml: {name}: the error {error} has to be one of {claims.FORMS}"
-                         for name, error in (("tinier", "2^-30"), ("tiny", "at most 1e-9"))]
-        self.assertEqual((done.stdout.splitlines(), done.returncode), ([
-            "catalog/sums.toml: close: the error twice `turbulence`'s is not proven: "
-            "proven are 2.05 times that, with HN_FIXED 2 times",
-            "catalog/sums.toml: narrow: range is (0.4, 0.5), and (0.0, 1.0) is derived",
-            "catalog/sums.toml: narrow: use has [0, 1], which is not its range",
-            *of_turbulence,
-            "catalog/sums.toml: twofold: the error twice `fbm`'s is not proven: "
-            "proven are 1 times that, with HN_FIXED 1 times",
-            f"catalog/sums.toml: unlike: the error `ridges`'s has to be one of {claims.FORMS}",
-            "catalog/sums.toml: vague: nothing derives its range: add it to SUMS in tools/lib/proof/oracle/sums.py",
-            f"catalog/sums.toml: vague: the error hardly any has to be one of {claims.FORMS}",
-            "conformance/sums/bounds.cpp has no proof of the mean veil: write it, and name it in the switch",
-            "conformance/sums/bounds.cpp has no proof of the step spike: write it, and name it in the switch",
-            "tools/lib/proof/bounds has no proof of the sum billow_d",
-            "tools/lib/proof/bounds/features.py has no proof of the metric minkowski",
-            "tools/lib/proof/bounds/noises has no proof of spots: write one, and name it in PROOFS",
-            "tools/lib/proof/bounds/sums.py has no proof of the mean veil, by which veiled ends"], 1),
-            done.stderr)
+    def test_wrong_claims_on_sums(self):
+        has_to_be = f"the error {{}} has to be one of {claims.FORMS}"
+        not_proven = "the error {} is not proven: proven are {} times that, with HN_FIXED {} times"
+        for name, changes, *messages in (
+                ("ridged", {"range": (0.4, 0.5)}, "range is (0.4, 0.5), and (0.0, 1.0) is derived", "returns has [0, 1], which is not its range",
+                 "use has [0, 1], which is not its range"),
+                *(("turbulence", {"error": error}, has_to_be.format(error))
+                  for error in ("at most 1e-9", "2^-30", "hardly any", "`ridges`'s")),
+                ("turbulence", {"error": "twice `fbm`'s"}, not_proven.format("twice `fbm`'s", 1, 1)),
+                ("billow", {"error": "3 times `turbulence`'s"}, not_proven.format("3 times `turbulence`'s", 2, 2))):
+            with self.subTest(name, **changes):
+                self.assertEqual(list(claims.wrong_sum(replace(sums.CATALOG[name], **changes))),
+                                 [f"{name}: {message}" for message in messages])
 
 
 class Entries(unittest.TestCase):
     def test_perlin_is_found_and_others_are_not(self):
         self.assertIn("perlin", noises.names())
-        message = "no bounds of merlin: write them in tools/lib/proof/bounds/noises, and name them in PROOFS"
+        message = "no bounds of merlin, which is no noise of the catalog"
         with self.assertRaisesRegex(LookupError, message):
             noises.find("merlin")
 

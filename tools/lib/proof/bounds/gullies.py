@@ -29,13 +29,13 @@ from dataclasses import astuple, dataclass, replace
 
 import numpy as np
 
-from proof.bounds.answers import answer
+from proof.bounds.answers import library
 from proof.bounds.boxes import Boxes, cell, supremum
 from proof.bounds.integers import FADE_ONE, UNIT
 from proof.bounds.kernels import Offsets
 from proof.bounds.noises import phasor, phasor_d
 from proof.bounds.noises.phasor import KERNELS, TURN, scale_of
-from proof.bounds.sums import WEIGHT_UNIT, Sum, doubled, fixed_fades, fixed_positions, fixed_weights, numbers_of
+from proof.bounds.sums import WEIGHT_UNIT, Sum, doubled, fixed_fades, fixed_weights, tile_positions
 from proof.bounds.table import GulliesBounds, scientific, shortest
 
 LONGEST = 3 / 2  # wave
@@ -78,7 +78,9 @@ def bounds() -> GulliesBounds:
 
 def float_tolerance(s: Sum, slope: float, depth: float, bounds: GulliesBounds) -> tuple[float, float]:
     """The largest error of the height and of a slope, for a slope of that length, in a tile."""
-    height, added, *_ = answer("gullies", s.kind, [*numbers_of(s), slope, depth, *astuple(bounds)])
+    footprint = -1.0 if s.footprint is None else s.footprint
+    height, added = library(False).gullies([s.octaves, s.lacunarity, s.gain, s.exact_positions, footprint, slope, depth,
+                                            *astuple(bounds)])
     return height, added
 
 
@@ -152,7 +154,7 @@ def fixed_tolerance(s: Sum, slope: float, depth: float, bounds: GulliesBounds) -
         return 0.0, 0.0
     e = Slope(slope, slope, math.sqrt(2) * SLOPE_UNIT)
     height, total, fades = 0.0, 0.0, doubled(s).fades
-    octaves = zip(fixed_weights(s), fixed_fades(doubled(s)), fixed_rates(s, depth), fixed_positions(s, 2))
+    octaves = zip(fixed_weights(s), fixed_fades(doubled(s)), fixed_rates(s, depth), tile_positions(s))
     for i, (weight, fade, rate, position_error) in enumerate(octaves):
         weight, fade, exact_weight, exact_rate = weight / FADE_ONE, fade / FADE_ONE, s.gain**i, deep * (
             s.gain * s.lacunarity)**i

@@ -2,8 +2,8 @@
 lattice points.
 
 Numbers of a single fraction are computed here for each of the 2^20 + 1 fractions F, in the integers of the
-contract: the fade t of F, its slope, the weights of the spline, and how much a product with each of them rounds. The
-rest is proven over boxes of fractions. Two things move the value of every interpolated noise:
+contract: the fade t of F, its slope, and how much a product with each of them rounds. The rest is proven over boxes of
+fractions. Two things move the value of every interpolated noise:
 
     FADE     t is off by e(F). The corners' values n_o being given, this moves the noise by sum_o (w_o(t) - w_o(s)) n_o,
              and by at most sum_o |w_o(t) - w_o(s)| h(d_o), h the largest that n_o can be at the offset d_o. Along e_j
@@ -35,7 +35,7 @@ from proof.bounds.boxes import SAFE, Boxes, corners, fade, fade_derivative, grid
 from proof.bounds.gradients import OCTAHEDRAL, SINE, Gradient
 
 ONE = 2**20  # I of the contract: the unit of fractions
-FADE_ONE = 2**18  # the unit of t, of slopes and of the weights of the spline
+FADE_ONE = 2**18  # the unit of t and of slopes
 UNIT = 2.0**-21  # of a result
 SLOPE_UNIT = 2.0**-19  # of a derivative
 DOUBLE = 1e-15  # more than the rounding error of the exact fade in doubles
@@ -86,20 +86,6 @@ def fixed_slope(fraction):
     return word((word(q * q) >> 4) * 15 + 4096) >> 13
 
 
-def sixth_of_cube(x):
-    square = word(x * x)
-    return word((square >> 15) * x + (word((square & 32767) * x) >> 15)) // 6
-
-
-def fixed_spline(fraction):
-    """b_-1 to b_2 of the contract, in units of 2^-18."""
-    x = word(fraction + 16) >> 5
-    before, after = sixth_of_cube(2**15 - x), sixth_of_cube(x)
-    first, last = word(before + 2**11) >> 12, word(after + 2**11) >> 12
-    second = word(word(715829931 + 3 * after) - word(x * x)) >> 12
-    return np.array([first, second, FADE_ONE - first - second - last, last])
-
-
 @functools.cache
 def fades():
     """t of every fraction."""
@@ -109,11 +95,6 @@ def fades():
 @functools.cache
 def slopes():
     return fixed_slope(fractions())
-
-
-@functools.cache
-def splines():
-    return fixed_spline(fractions())
 
 
 @functools.cache
@@ -196,13 +177,12 @@ def _largest(boxes: Boxes) -> list[np.ndarray | None]:
     return [None, *(largest_derivative(order, boxes.lo, boxes.hi) for order in (1, 2, 3))]
 
 
-def fade_effect(boxes: Boxes, gradient: Gradient | None) -> np.ndarray:
-    """For each box, a bound of FADE, with gradients or with numbers within +-1."""
+def fade_effect(boxes: Boxes, gradient: Gradient) -> np.ndarray:
+    """For each box, a bound of FADE."""
     errors, dims, effect = ends(fade_errors, boxes), boxes.dims, 0.0
     for point in boxes.vertices():
         s = fade(point)
-        h = {corner: gradient.support(point - np.array(corner)[:, None]) if gradient else 1.0
-             for corner in corners(dims)}
+        h = {corner: gradient.support(point - np.array(corner)[:, None]) for corner in corners(dims)}
         exact = {corner: weight(corner, s) for corner in corners(dims)}
         for pick in corners(dims):
             t = [s[axis] + errors[end][axis] for axis, end in enumerate(pick)]
@@ -212,9 +192,8 @@ def fade_effect(boxes: Boxes, gradient: Gradient | None) -> np.ndarray:
     curvature = 0.0
     for axis in range(dims):
         others = _but(grown, axis) - 1
-        curvature = curvature + 2 * curve[axis] * others * (gradient.reach(dims) if gradient else 1.0)
-        if gradient:
-            curvature = curvature + 4 * slope[axis] * others * gradient.component(dims)
+        curvature = (curvature + 2 * curve[axis] * others * gradient.reach(dims)
+                     + 4 * slope[axis] * others * gradient.component(dims))
     # DOUBLE * 2^n corners: the rounding of the exact fade may add that.
     return effect + curvature / 8 * boxes.side**2 + DOUBLE * 2**dims * dims
 
@@ -277,8 +256,8 @@ def largest_effect(of_boxes, dims: int, exchange: int = 0, coarse=None, fine=Non
 
 
 @functools.cache
-def largest_fade_effect(dims: int, gradient: Gradient | None) -> float:
-    return largest_effect(functools.partial(fade_effect, gradient=gradient), dims) if dims else 0.0
+def largest_fade_effect(dims: int, gradient: Gradient) -> float:
+    return largest_effect(functools.partial(fade_effect, gradient=gradient), dims)
 
 
 @functools.cache
@@ -288,7 +267,7 @@ def largest_slope_fade_effect(dims: int, gradient: Gradient) -> float:
 
 
 @functools.cache
-def largest_joint_effect(dims: int, gradient: Gradient | None, one: int, of_corner: float = 0) -> float:
+def largest_joint_effect(dims: int, gradient: Gradient, one: int, of_corner: float = 0) -> float:
     """The effect of FADE and LERP together; `one` is the unit of the corners' values."""
     def both(boxes):
         return fade_effect(boxes, gradient) + rounding_effect(boxes, of_corner) / one
@@ -302,43 +281,18 @@ def largest_rounding(dims: int, of_corner: float = 0) -> float:
 
 # --- Derivatives ------------------------------------------------------------------------------------------------------
 
-def slope_rounding(dims: int, gradients: bool) -> float:
-    """A bound of what derivatives round by, in units four times as large as for the ramps, or numbers. Every shift
-    by 2 rounds down by at most 3/4. After k interpolations a ramp is rounded down by at most k lambda, lambda the
+def slope_rounding(dims: int) -> float:
+    """A bound of what derivatives round by, in units four times as large as for the ramps. Every shift by 2 rounds down by at most 3/4. After k interpolations a ramp is rounded down by at most k lambda, lambda the
     largest rounding of LERP, and so a rise is off by that at most, up or down. Components of gradients are multiples of
     2^18 in their units, so their first interpolation is exact, and k of them round by less than k lambda. The product
-    with the slope has its own rounding, and the result is interpolated along the axes behind. For numbers, the rise
-    along x is first interpolated along y."""
+    with the slope has its own rounding, and the result is interpolated along the axes behind."""
     lerp, product = float(lerp_roundings().max()), float(part_roundings(slopes()).max())
     steepest, worst = slopes().max() / FADE_ONE, 0.0
     for axis in range(dims):
         behind = dims - 1 - axis
-        rise, own = axis * lerp / 4 + 3 / 4, axis * lerp if gradients else 0.0
-        if axis == 0 and dims > 1 and not gradients:
-            rise, behind = rise + lerp, behind - 1
-        worst = max(worst, own + steepest * rise + product + behind * lerp)
+        rise = axis * lerp / 4 + 3 / 4
+        worst = max(worst, axis * lerp + steepest * rise + product + behind * lerp)
     return worst * (1 + 2 * overshoot()) ** dims
-
-
-# --- The spline -------------------------------------------------------------------------------------------------------
-
-SPLINE_STEP = 2.0**-15  # the unit of x
-
-
-@functools.cache
-def spline_weight_error() -> float:
-    """The sum of the four |errors| of the weights at x, at its largest over all x."""
-    x = np.arange(2**15 + 1) * SPLINE_STEP
-    y = 1 - x
-    exact = np.array([y**3 / 6, 2 / 3 - x**2 + x**3 / 2, 2 / 3 - y**2 + y**3 / 2, x**3 / 6])
-    fixed = fixed_spline(np.arange(2**15 + 1, dtype=np.int64) << 5) / FADE_ONE
-    return float(np.abs(fixed - exact).sum(axis=0).max()) + 4 * DOUBLE
-
-
-@functools.cache
-def spline_rounding() -> float:
-    """The largest rounding of four products with the weights of a fraction."""
-    return float(part_roundings(splines()).sum(axis=0).max())
 
 
 # --- Overflow ---------------------------------------------------------------------------------------------------------
@@ -364,7 +318,7 @@ def slope_intermediates(rise: float, gradient: float, dims: int, difference: flo
     `difference`, but for their rounding."""
     climb = part_intermediate(rise / 4 + 1, slopes())
     made = gradient + dims * lerp_roundings().max() + climb
-    apart = None if difference is None else difference + 2 * slope_rounding(dims, gradients=True)
+    apart = None if difference is None else difference + 2 * slope_rounding(dims)
     return {"climb": climb, **{f"derivative's {name}": value for name, value in
                                interpolation_intermediates(made, dims, apart).items()}}
 

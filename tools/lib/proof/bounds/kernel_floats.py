@@ -4,9 +4,7 @@
     and its fall as in weights.py, and the ramp as in floats.py
 
 TRIANGLES. q = x*x + y*y. In hn_simplex the skewed x is rounded, and then x of the first corner. Both move the place,
-the same for all points: by up to 2^-22 and 2^-24 steps. From there x of the others and y are rounded once. In
-hn_simplex_smooth each row is rounded on its own: by 2^-25 where it is shifted, by 2^-24 where it is below 0, and for
-the second point.
+the same for all points: by up to 2^-22 and 2^-24 steps. From there x of the others and y are rounded once.
 
 CENTRED. By reflections the nearest corner is at 0, and offsets from it are exact. An offset from the corner behind an
 axis rounds by 2^-24, one from the centre of the cell by 2^-25, and one from a centre behind an axis by both. Squares of
@@ -44,8 +42,7 @@ Offsets = list[Approx]
 
 def offsets_of(kernel: Kernel, lo, hi, point) -> Offsets:
     if kernel.triangles:
-        rows = 2.5 * 2.0**-24 if kernel is SMOOTH[2] else 2.0**-24
-        errors = [rows, 2.0**-24]
+        errors = [2.0**-24] * 2
     else:
         home = point[0] % 1
         errors = [2.0**-25 * (home > 0) + 2.0**-24 * (x != home) for x in point]
@@ -155,7 +152,7 @@ def error_supremum(error, kernel: Kernel) -> float:
 
 def moved(kernel: Kernel, along_x: Callable[[], float]) -> float:
     """The effect of the move of the place on a quantity with that derivative."""
-    if kernel is SMOOTH[2] or not kernel.triangles:
+    if not kernel.triangles:
         return 0.0
     return SKEWED * kernel.scale / 1024 * along_x()
 

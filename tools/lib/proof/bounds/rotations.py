@@ -103,7 +103,8 @@ def rotated(still: ProvenBounds, dims: int, largest: float, lipschitz: float, un
     beside = ratio * sum(value for name, value in still.fixed_parts.items() if name not in ("cut", "scaling"))
     parts["gradient"] = (moved(dims, beside, fixed_error(), largest, fixed_rounding(dims)) - IN_SUM[dims] * beside
                          + MIXED_ROUNDING[dims] * unit)
-    return derived(still.promise, largest, lipschitz, mixed(dims, ratio * still.cell_error, largest), parts)
+    cell_error = None if still.cell_error is None else mixed(dims, ratio * still.cell_error, largest)
+    return derived(still.promise, largest, lipschitz, cell_error, parts)
 
 
 def rotated_words(name: str, dims: int, value: float, scale: int) -> dict[str, float]:

@@ -4,17 +4,19 @@
 //
 // `evaluate` has the results of one of them at points of 16 words, 4 words each. The mode is 0 to nearest, 1 down, 2
 // up, 3 either at random, 4 not at all; a*b + c is rounded once with the probability `fuse`. With mode 4 there are 16
-// doubles for each point, too, and the word of a float is the index of one; the results are 4 doubles for each point,
-// of floats alone.
+// doubles for each point, too, and the word of a float is the index of one; of results, too, there are 4 words and 4
+// doubles.
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <hashnoise/glsl.hpp>
+#include <numbers>
 #include <vector>
 
-#include "../../../../glsl/hashnoise/config.glsl"
+#include "config.glsl"
+#include "literal.hpp"
 
 namespace hashnoise {
 namespace rounded {
@@ -50,6 +52,7 @@ struct Rounded {
 
   Rounded() = default;
   Rounded(float x) : value(static_cast<double>(x)), exact(value) {}
+  Rounded(hn::prover::Literal x) : Rounded(of(static_cast<double>(x.exact))) {}
   template <typename Integer>
   requires std::is_integral_v<Integer>
   explicit Rounded(Integer n) : value(rounding.round(static_cast<double>(n))), exact(value) {}
@@ -109,13 +112,22 @@ inline Rounded max(Rounded x, Rounded y) { return x < y ? y : x; }
 inline Vector2<Rounded> floor(Vector2<Rounded> v) { return {floor(v.x), floor(v.y)}; }
 inline Vector3<Rounded> floor(Vector3<Rounded> v) { return {floor(v.x), floor(v.y), floor(v.z)}; }
 inline Vector4<Rounded> floor(Vector4<Rounded> v) { return {floor(v.x), floor(v.y), floor(v.z), floor(v.w)}; }
-inline Rounded uintBitsToFloat(uint bits) { return std::bit_cast<float>(bits); }
-inline uint floatBitsToUint(Rounded x) { return std::bit_cast<uint>(static_cast<float>(x.value)); }
+// Without roundings the bits of a double stand for the double, up to their sign: three are kept.
+inline double kept[3];
+inline uint floatBitsToUint(Rounded x, int i = 0) {
+  kept[i] = std::fabs(x.value);
+  return std::bit_cast<uint>(static_cast<float>(x.value));
+}
+inline Rounded uintBitsToFloat(uint bits, int i = 0) {
+  const double found = static_cast<double>(std::bit_cast<float>(bits));
+  const bool is_that = rounding.mode == kExact && static_cast<double>(static_cast<float>(kept[i])) == std::fabs(found);
+  return exactly(is_that ? std::copysign(kept[i], found) : found);
+}
 inline Vector3<Rounded> uintBitsToFloat(uvec3 v) {
-  return {uintBitsToFloat(v.x), uintBitsToFloat(v.y), uintBitsToFloat(v.z)};
+  return {uintBitsToFloat(v.x, 0), uintBitsToFloat(v.y, 1), uintBitsToFloat(v.z, 2)};
 }
 inline uvec3 floatBitsToUint(Vector3<Rounded> v) {
-  return {floatBitsToUint(v.x), floatBitsToUint(v.y), floatBitsToUint(v.z)};
+  return {floatBitsToUint(v.x, 0), floatBitsToUint(v.y, 1), floatBitsToUint(v.z, 2)};
 }
 
 using vec2 = Vector2<Rounded>;
@@ -128,7 +140,13 @@ using hn_vec4 = vec4;
 
 // The constructor of a scalar is a keyword of C++.
 #define float Rounded
-#include "../../../../glsl/hashnoise/hashnoise.glsl"
+using hn::prover::operator""_f;
+// The exact noise has the sine, and not its polynomial.
+Rounded hn_i_polynomial_sine(uint q);
+inline Rounded hn_i_quarter_sine(uint q) {
+  return rounding.mode == kExact ? exactly(std::sin(std::ldexp(q * std::numbers::pi, -31))) : hn_i_polynomial_sine(q);
+}
+#include "hashnoise.glsl"
 
 // Of an evaluation in doubles: a word is the index of one.
 inline const double* arguments = nullptr;
@@ -161,11 +179,8 @@ extern "C" void evaluate(std::int32_t function, std::int32_t mode, std::uint32_t
     const uvec4 found = rounded::kBodies[function]({x[0], x[1], x[2], x[3]}, {x[4], x[5], x[6], x[7]},
                                                    {x[8], x[9], x[10], x[11]}, {x[12], x[13], x[14], x[15]});
     for (const std::uint32_t word : {found.x, found.y, found.z, found.w}) {
-      if (mode == rounded::kExact) {
-        *out_exactly++ = word < rounded::results.size() ? rounded::results[word] : 0.0;
-      } else {
-        *out++ = word;
-      }
+      *out++ = word;
+      if (mode == rounded::kExact) *out_exactly++ = word < rounded::results.size() ? rounded::results[word] : 0.0;
     }
     rounded::results.clear();
   }

@@ -8,13 +8,16 @@ from __future__ import annotations
 
 import ctypes
 import functools
+import re
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from decimal import Decimal
 from pathlib import Path
 
 import numpy as np
 
+from base.tree import CONFORMANCE, GLSL
 from base.twin import compile_program
 from catalog.tables.functions import Column, read_functions
 
@@ -52,19 +55,50 @@ class Body:
         return Body(Column.listed(inputs), Column.listed(outputs), code)
 
 
+# C++ makes a float of 0.1f before a number of the text can take it; a Literal of conformance/prover keeps the decimals.
+LITERAL = re.compile(r"(?<![\w.])(\d+\.\d*(?:[eE][-+]?\d+)?)f\b")
+
+
+def with_literals(text: str) -> str:
+    return LITERAL.sub(r"\1_f", text)
+
+
+# Decimals of the text, and the numbers that they stand for: 2 pi, 2 / sqrt(3), and the coefficients of the sine, which
+# are the nearest floats (sine.py).
+TRUE_NUMBERS = {"6.2831853f": "6.28318530717958647693f", "1.15470054f": "1.15470053837925152902f"} | {
+    f"{x}f": f"{Decimal(float(np.float32(x)))}f" for x in ("1.57079090", "0.64589171", "0.07943160", "0.00433127")}
+
+
+def with_true_numbers(text: str) -> str:
+    """With another function in place of the polynomial of the sine, too."""
+    for old, new in TRUE_NUMBERS.items():
+        text = text.replace(old, new)
+    return text.replace("hn_float hn_i_quarter_sine(", "hn_float hn_i_polynomial_sine(")
+
+
+def write_literal_text(folder: Path, change: Callable[[str], str] = with_true_numbers) -> None:
+    """The library with such literals, for who includes its files from there; `change` takes each file."""
+    for path in GLSL.rglob("*.*"):
+        to = folder / path.relative_to(GLSL)
+        to.parent.mkdir(parents=True, exist_ok=True)
+        to.write_text(with_literals(change(path.read_text(encoding="utf-8"))), encoding="utf-8")
+
+
 class Text:
     """Some functions of the library, by their rows or with bodies of their own, compiled with these macros; optimized,
     if they are called so often that this saves more time than it takes."""
 
-    def __init__(self, wanted: Iterable[str], *macros: str, optimized: bool = False, **others: Body):
+    def __init__(self, wanted: Iterable[str], *macros: str, optimized: bool = False,
+                 change: Callable[[str], str] = with_true_numbers, **others: Body):
         self.bodies = {id: table()[id] for id in wanted} | others
         with tempfile.TemporaryDirectory() as folder:
             bodies = "".join(f"FUNCTION({body.code})\n" for body in self.bodies.values())
             Path(folder, "rounded.inc").write_text(bodies)
+            write_literal_text(Path(folder), change)
             # As the suite's twin: the functions need not be inlined, which takes long. Each text has its own variables.
             compile_program("the text over floats that round", SOURCE, Path(folder, "rounded.so"),
-                            "-O1" if optimized else "-O0", "-w", f"-I{folder}", "-shared", "-fPIC", "-fno-gnu-unique",
-                            macros=("always_inline=unused", *macros))
+                            "-O1" if optimized else "-O0", "-w", f"-I{folder}", f"-I{CONFORMANCE / 'prover'}",
+                            "-shared", "-fPIC", "-fno-gnu-unique", macros=("always_inline=unused", *macros))
             self.library = ctypes.CDLL(f"{folder}/rounded.so")
 
     def __call__(self, id: str, rounding: Rounding, **columns: np.ndarray | float) -> list[np.ndarray]:
@@ -73,14 +107,15 @@ class Text:
         return found if rounding == EXACT else [words.view(np.float32).astype(float) for words in found]
 
     def words(self, id: str, rounding: Rounding, **columns: np.ndarray | float) -> list[np.ndarray]:
-        """Doubles where nothing rounds, not even the columns."""
+        """Where nothing rounds, not even the columns, a double for each float."""
         function = self.bodies[id]
         words, doubles = packed(id, function.inputs, columns, rounding == EXACT)
-        out = np.zeros((len(words), 4), float if rounding == EXACT else np.uint32)
+        out, exactly = np.zeros((len(words), 4), np.uint32), np.zeros((len(words), 4))
         self.library.evaluate(list(self.bodies).index(id), (*MODES, DOUBLES).index(rounding.mode),
                               ctypes.c_uint32(rounding.seed), ctypes.c_double(rounding.fuse), len(words),
-                              *(array.ctypes.data_as(ctypes.c_void_p) for array in (words, doubles, out, out)))
-        return [np.ascontiguousarray(column) for column in out.T[:len(function.outputs)]]
+                              *(array.ctypes.data_as(ctypes.c_void_p) for array in (words, doubles, out, exactly)))
+        return [np.ascontiguousarray((exactly if rounding == EXACT and of.type[0] == "f" else out)[:, i])
+                for i, of in enumerate(function.outputs)]
 
 
 @functools.cache

@@ -74,9 +74,15 @@ def sine_bound():
     return _largest(bound) + math.pi / 2 * SINE_ARGUMENT_ERROR + DOUBLE_SINE
 
 
+@functools.cache
 def sine_truncation_bound():
     """A proven upper bound of the error of the polynomial alone."""
     return _largest(smooth(sine_truncation, lambda boxes: sine_curvature()[1])) + DOUBLE_SINE
+
+
+def polynomial_error():
+    """A proven upper bound of the error without roundings, with that of the reduction of the argument."""
+    return sine_truncation_bound() + math.pi / 2 * SINE_REDUCTION / 2**30
 
 
 def sine_largest():

@@ -60,6 +60,16 @@ class Bounds:
         return replace(self, **numbers)
 
 
+# Errors of HN_FIXED that the text proves, and that are less than the published ones: from these the published bounds of
+# sums follow.
+CLOSER = {("perlin", 2, "octahedral"): 4.27e-5}
+
+
+def closer(bounds: Bounds) -> Bounds:
+    key = bounds.noise, bounds.dimensions, bounds.gradient
+    return replace(bounds, fixed_error=min(bounds.fixed_error, CLOSER.get(key, math.inf)))
+
+
 DIGITS = {"cell_error": 3, "error": 3, "lipschitz": 3, "limit": 6, "fixed_error": 3, "fixed_limit": 6}
 
 
@@ -153,11 +163,17 @@ def read_gullies(path: Path = PATH) -> GulliesBounds:
 
 
 @cache
-def bounds_of(noise: str, dimensions: int, gradient: str, macro: str = "NOISE_BOUNDS") -> Bounds:
+def published(noise: str, dimensions: int, gradient: str, macro: str = "NOISE_BOUNDS") -> Bounds | None:
     """The row of a noise with a kind of gradient, or of a noise that has none."""
     for bounds in read(macro=macro):
         if (bounds.noise, bounds.dimensions) == (noise, dimensions) and bounds.gradient in (gradient, "none"):
             return bounds
+    return None
+
+
+def bounds_of(noise: str, dimensions: int, gradient: str, macro: str = "NOISE_BOUNDS") -> Bounds:
+    if found := published(noise, dimensions, gradient, macro):
+        return found
     raise LookupError(f"{PATH} has no bounds of {noise} in {dimensions}D with the gradient {gradient}: write "
                       "a proof in tools/lib/proof/bounds/noises, then run tools/make bounds")
 

@@ -5,19 +5,22 @@ bounds."""
 import functools
 import unittest
 import zlib
+from dataclasses import replace
 
 import numpy as np
 
-from base.thorough import some
-from catalog.tables.functions import read_functions
+from base.thorough import THOROUGH, some
 from proof.bounds import kernels, moving, noises, suprema
+from proof.bounds import text as proofs
 from proof.bounds.features import METRICS
 from proof.bounds.floats import position_error
 from proof.bounds.gradients import OCTAHEDRAL, ROTATED, SINE
 from proof.bounds.noises import phasor
 from proof.bounds.noises.perlin import SCALE
+from proof.bounds.prover import usual_argument
 from proof.bounds.rounded import EXACT, FIXED, NEAREST, Text, along_axes, roundings
 from proof.bounds.table import bounds_of, slope_bounds_of
+from proof.bounds.text import rows as every_row
 
 COUNT = {1: 4000, 2: 3000, 3: 2000, 4: 1000}
 OF_GRADIENT = {OCTAHEDRAL: (), SINE: ("HN_GRADIENT=HN_GRADIENT_SINE",)}  # macros
@@ -32,15 +35,7 @@ PART = {"random": (0, 0), "cell_border": (1 / 40_000, 1 / 20_000)}
 
 @functools.cache
 def rows():
-    """Of each noise, dimension and kind of results, the functions with most arguments from a cell and from a
-    position."""
-    found = {}
-    for function in read_functions():
-        if function.bound in noises.names() and function.form in ("position", "cell") and function.type == "f64":
-            key = function.bound, function.axes, function.form, function.outputs[-1].name[0]
-            if key not in found or len(function.inputs) > len(found[key].inputs):
-                found[key] = function
-    return found
+    return {key: function for key, function in every_row().items() if function.bound == key[0] in noises.names()}
 
 
 @functools.cache
@@ -187,6 +182,53 @@ class Noises(unittest.TestCase):
                 fastest = (abs(one - other) / abs(p - q).max(axis=0)).max() / row.lipschitz
                 with self.subTest(function.id, column=column.name, gradient=gradient.name):
                     self.assertTrue(0.2 < fastest < 1, fastest)
+
+
+class Boxes(unittest.TestCase):
+    """The bound that the text proves for a small box, beside runs in there, from places where they err much to worse
+    ones."""
+
+    def ratio(self, case, prover, rng):
+        function = next(one for one in rows().values() if one.id == case.job.function)
+        gradient, arguments, columns = case.line.gradient or OCTAHEDRAL, dict(case.job.arguments), columns_of(function)
+        ends, count = {}, 400
+
+        def placed(at, low, high):
+            """Floats; the bound of integers is without the cut of places to a grid."""
+            at = np.clip(at, low, high).astype(np.float32)
+            return np.floor(at * 2.0**case.job.bits) / 2.0**case.job.bits if case.line.fixed else at
+
+        for column in function.inputs:
+            kind, *at = arguments.get(column.name, usual_argument(column)).split(":")
+            columns[column.name] = columns[column.name][:count] if kind == "any" else np.full(count, float(at[0]))
+            if kind == "box":
+                side = 2.0**-rng.integers(1, case.job.bits)
+                low = float(at[0]) + rng.integers((float(at[1]) - float(at[0])) / side) * side
+                ends[column.name] = low, low + side
+                arguments[column.name] = f"box:{low!r}:{low + side!r}"
+                columns[column.name] = placed(rng.uniform(low, low + side, count), low, low + side)
+        bound = prover.prove([replace(case.job, arguments=arguments, most=1)])[0].bound
+        bound += proofs.left_out(*case.key[:2], case.line, case.kind)
+        at, worst = [i for i, one in enumerate(function.outputs) if one.name in case.job.outputs], 0.0
+        for _ in range(10):
+            exact = text(gradient)(function.id, EXACT, **columns)
+            runs = [text(gradient, *[FIXED] * case.line.fixed)(function.id, rounding, **columns)
+                    for rounding in roundings(int(rng.integers(100)))[5:]]
+            off = np.max([abs(run[i] - exact[i]) for run in runs for i in at], axis=0)
+            worst, best = max(worst, off.max()), np.argsort(-off)[:count // 8].repeat(8)
+            columns = {name: column[best] for name, column in columns.items()}
+            for name, (low, high) in ends.items():
+                moved = columns[name] + rng.normal(size=count) * (high - low) * 2.0**-rng.integers(1, 12, count)
+                columns[name] = placed(moved, low, high)
+        return worst / bound
+
+    def test_no_run_leaves_one(self):
+        of_all = list(proofs.cases(line for line in proofs.PROVEN if THOROUGH or not line.long))
+        provers, rng = proofs.provers_of(of_all), np.random.default_rng(90)
+        found = [(self.ratio(case, provers[case.line.macros], rng), case.job) for case in of_all
+                 for _ in range(20 if THOROUGH else 3)]
+        self.assertEqual([], [each for each in found if not each[0] <= 1])
+        self.assertGreater(max(ratio for ratio, _ in found), 0.9)
 
 
 def of_lattice(dims, gradient, slope, place):

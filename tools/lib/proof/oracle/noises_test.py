@@ -11,11 +11,8 @@ import unittest
 from collections.abc import Callable, Sequence
 from fractions import Fraction
 
-from base.thorough import THOROUGH
 from proof.bounds import table
 from proof.bounds.table import Bounds
-from proof.golden.cellular_rows import METRICS
-from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
 from proof.oracle import gradients, noises
 from proof.oracle.components import component
 from proof.oracle.gradients import Knobs
@@ -23,26 +20,17 @@ from proof.oracle.lattice import Choice
 from proof.oracle.noises import Noise
 from proof.oracle.testing import FORMS, Place, moved, places, quotient
 
-PERIOD = 48
-POINTS = 24 if THOROUGH else 6
 PHASE = 0.3  # of noises that rotate
 WAVE = (2.25, -1.5, 0.7)  # of phasor noise
 # Of noises whose gradients rotate, by that of the noise without a phase.
 OTHER_SCALES = {("perlin", 3): Fraction(879, 985), ("simplex", 3): Fraction(4902, 4918)}
 # For a vector with derivatives the second component stands for all.
 COMPONENTS = {f"{of}_vector_d": component(noises.find(f"{of}_d"), 1) for of in ("perlin", "value")}
-# In fixed arithmetic interpolation to the end of a cell, and a rotation of positions, round.
-ROUND_AT_SEAMS = ("perlin", "value", "cellular_phase")
 
 
 def settings(bounds: Bounds) -> list[Knobs]:
     sine = bounds.gradient == "sine"
     return [Knobs("lattice", sine), Knobs("fnv1", sine)]
-
-
-def tried_settings(bounds: Bounds) -> list[Knobs]:
-    """A noise sees a hash through the lattice alone, so one of them stands for both."""
-    return settings(bounds) if THOROUGH else settings(bounds)[:1]
 
 
 def named(name: str, n: int) -> Noise:
@@ -62,12 +50,6 @@ def is_cellular(noise: Noise) -> bool:
     return noise.outputs[0] == "first"
 
 
-def with_each_metric(noise: Noise) -> list[Noise]:
-    """Its bounds are those of all metrics; points that move have one."""
-    has_metrics = is_cellular(noise) and noise.phase is None
-    return [noise.chosen(Choice(metric=metric)) for metric in METRICS] if has_metrics else [noise]
-
-
 def values_of(noise: Noise, numbers: Sequence[Fraction]) -> Sequence[Fraction]:
     """The value, each distance, or each component, without derivatives."""
     return numbers if is_cellular(noise) or noise.outputs == noises.VECTOR else numbers[:1]
@@ -78,7 +60,7 @@ def derivatives_of(noise: Noise, numbers: Sequence[Fraction], of: str = "d") -> 
     return [number for name, number in zip(noise.outputs, numbers) if len(name) == 2 and name[0] == of]
 
 
-def points(bounds: Bounds, name: str, count: int = POINTS) -> list[Place]:
+def points(bounds: Bounds, name: str, count: int) -> list[Place]:
     return list(places(name, bounds.dimensions, count))
 
 
@@ -94,81 +76,10 @@ def of_every_noise(check: Callable[[EveryNoise, Noise, Bounds], None]) -> Callab
 
 
 class EveryNoise(unittest.TestCase):
-    """A formula, a derivative or a rotation that differs in the two arithmetics or from the limit of differences, and a
-    seed, a hash or a period that does not count."""
+    """A derivative that is not the limit of differences, or a rotation that is another than the phase's."""
 
     def test_every_noise_has_bounds(self) -> None:
         self.assertEqual(sorted({bounds.noise for bounds in table.read()}), sorted([*noises.names(), *COMPONENTS]))
-
-    @of_every_noise
-    def test_a_position_is_a_cell_and_a_fraction(self, noise: Noise, bounds: Bounds) -> None:
-        """Down to the smallest cell."""
-        smallest = [Fraction(-2**31)] + [Fraction(1, 4)] * (bounds.dimensions - 1)
-        for knobs, period in itertools.product(tried_settings(bounds), (0, PERIOD)):
-            for p, seed in [*points(bounds, "position", 2), (smallest, 3)]:
-                cell = [math.floor(x) for x in p]
-                f = [x - c for x, c in zip(p, cell)]
-                arguments = (seed, (period,) * bounds.dimensions)
-                self.assertEqual(noise.exact(knobs, p, *arguments), noise.exact_cell(knobs, cell, f, *arguments))
-                self.assertEqual(noise.fixed(knobs, p, *arguments), noise.fixed_cell(knobs, cell, f, *arguments))
-
-    @of_every_noise
-    def test_fixed_arithmetic_is_within_its_bound_and_gives_floats(self, noise: Noise, bounds: Bounds) -> None:
-        slopes = table.slope_bounds_of(bounds.noise, bounds.dimensions) if has_derivatives(bounds) else bounds
-        for knobs, of in itertools.product(tried_settings(bounds), with_each_metric(noise)):
-            for p, seed in points(bounds, "fixed"):
-                exact, fixed = of.exact(knobs, p, seed), of.fixed(knobs, p, seed)
-                for a, b in zip(values_of(of, exact), values_of(of, fixed), strict=True):
-                    self.assertLessEqual(abs(a - b), bounds.fixed_error)
-                for number, unit in zip(fixed, of.units):
-                    self.assertEqual((number * unit).denominator, 1)
-                    self.assertTrue(unit == 1 or to_f32(float(number)) == number)
-                # Near a point of a cell the direction to it is less certain.
-                error = slopes.fixed_error / (exact[0] if bounds.noise == "cellular_d" else 1)
-                for a, b in zip(derivatives_of(of, exact), derivatives_of(of, fixed), strict=True):
-                    self.assertLessEqual(abs(a - b), error)
-
-    @of_every_noise
-    def test_a_period_takes_effect_along_its_axis(self, noise: Noise, bounds: Bounds) -> None:
-        for knobs, with_period in itertools.product(tried_settings(bounds), range(bounds.dimensions)):
-            periods = [PERIOD if i == with_period else -PERIOD for i in range(bounds.dimensions)]
-            for axis in range(bounds.dimensions):
-                for p, seed in points(bounds, "period", 1):
-                    for of in (noise.exact, noise.fixed):
-                        same = of(knobs, p, seed, periods) == of(knobs, moved(p, axis, PERIOD), seed, periods)
-                        self.assertEqual(same, axis == with_period, knobs)
-
-    @of_every_noise
-    def test_a_period_changes_nothing_where_no_point_is_moved(self, noise: Noise, bounds: Bounds) -> None:
-        for knobs, (p, seed) in itertools.product(tried_settings(bounds), points(bounds, "no period", 1)):
-            inside = [abs(x) % 8 + 1 for x in p]
-            for of, period in itertools.product((noise.exact, noise.fixed), (0, -1, 2**31 - 1, 11)):
-                self.assertEqual(of(knobs, inside, seed), of(knobs, inside, seed, (period,) * bounds.dimensions))
-
-    @of_every_noise
-    def test_every_seed_and_every_hash_gives_another_field(self, noise: Noise, bounds: Bounds) -> None:
-        lattice, fnv1 = settings(bounds)
-        # At two places: some two of 8 seeds may well give the nearest cell the same of 1024 points.
-        two = [p for p, _ in points(bounds, "seeds", 2)]
-        for of in (noise.exact, noise.fixed):
-            self.assertEqual(len({tuple(of(lattice, p, seed) for p in two) for seed in range(8)}), 8)
-            self.assertNotEqual(of(lattice, two[0], 3), of(fnv1, two[0], 3))
-
-    @of_every_noise
-    def test_the_end_of_a_cell_is_where_the_next_one_begins(self, noise: Noise, bounds: Bounds) -> None:
-        """Also at the seam of a period, and where cells wrap without one. Noises that jump do not meet."""
-        if math.isinf(bounds.lipschitz):
-            return
-        n, numbers = bounds.dimensions, generator_of("seams")
-        forms = [noise.exact_cell, *([] if noise.name.startswith(ROUND_AT_SEAMS) else [noise.fixed_cell])]
-        for axis, (cell, following, period) in itertools.product(
-                range(n), ((-1, 0, 0), (4, 0, 5), (INT_MAX, INT_MIN, 0), (INT_MAX, 1, INT_MAX), (1, 0, 2), (0, 0, 1))):
-            f = [numbers.integer(0, 64) / 64 for _ in range(n)]
-            for of in forms:
-                end, begin = (of(settings(bounds)[0], [c if i == axis else 3 for i in range(n)],
-                                 [x if i == axis else y for i, y in enumerate(f)], 9, (period,) * n)
-                              for c, x in ((cell, 1.0), (following, 0.0)))
-                self.assertEqual(end, begin)
 
     @of_every_noise
     def test_noise_is_0_at_lattice_points(self, noise: Noise, bounds: Bounds) -> None:

@@ -8,19 +8,12 @@ import unittest
 from collections.abc import Sequence
 from fractions import Fraction
 
-from proof.golden.generator import generator_of
 from proof.oracle import noises, sums
 from proof.oracle.gradients import Knobs, Real
 from proof.oracle.sums import Options, Terms
 
 Z = Fraction(1847, 256)  # of a position that has been rotated in space
 PERLIN = noises.find("perlin")
-SETTINGS = (Knobs("lattice"), Knobs("fnv1"), Knobs("lattice", sine=True))
-
-
-def exact(name: str, knobs: Knobs, p: Sequence[Real], options: Options, seed: int = 0,
-          periods: Sequence[int] = ()) -> Fraction:
-    return sums.exact(name, PERLIN, knobs, sums.at_position(p), options, seed, periods)
 
 
 def fixed(name: str, knobs: Knobs, p: Sequence[Real], options: Options, seed: int = 0,
@@ -237,14 +230,3 @@ class FixedSums(unittest.TestCase):
         for name, beyond, end in (("fbm", (4, 300.0, 0.5), (4, 255.0, 0.5)), ("fbm", (4, -2.0, 0.5), (4, 0.0, 0.5)),
                                   ("weighted", (4, 2.0, 0.5, 2.0), (4, 2.0, 0.5, 1.0))):
             self.assertEqual(*(fixed(name, Knobs("pcg"), (0.375, -12.25), Options(*x)) for x in (beyond, end)))
-
-    def test_are_near_the_exact_sums(self) -> None:
-        for knobs, n in itertools.product(SETTINGS, (2, 3)):
-            numbers = generator_of(str(knobs))
-            for gain, octaves, footprint in ((0.5, 6, 0.0), (1.0, 2.625, 0.0), (0.5, 4, 0.09375)):
-                p = [numbers.integer(-4096, 4096) / 64 for _ in range(n)]
-                options, seed = Options(octaves, 2.0, gain, 0.75, footprint), numbers.word()
-                for name, periods in itertools.product(sums.SUMS, ((), (48, 7, 0)[:n])):
-                    found = [function(name, knobs, p, options, seed, periods) for function in (exact, fixed)]
-                    limit = {"fbm": 1, "turbulence": 1, "clouds": 4}.get(name, 2)
-                    self.assertLess(abs(found[0] - found[1]), limit * 2**-15, (name, octaves))

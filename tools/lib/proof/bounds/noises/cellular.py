@@ -1,9 +1,12 @@
 """Proofs for cellular noise, from docs/reference/contract.md, section 16. features.py, distances.py, moving.py and
 borders.py of the folder above have them; here they are put together.
 
-HN_CELLULAR and HN_CELLULAR_THREE. One bound holds for all metrics: the largest. The bound of floats is the hybrid
-metric's, whose distances are the largest; in fixed arithmetic the Euclidean one's, by the root of a small square. The
-errors of offsets are smaller.
+HN_CELLULAR and HN_CELLULAR_THREE. One bound holds for all metrics: the largest. The text proves that of floats. It is
+the hybrid metric's, whose distances are the largest; in fixed arithmetic it is the Euclidean one's, by the root of a
+small square. The errors of offsets are smaller. Rounding may take the cells of the third point along another axis, where
+a place is nearly as far from the centre of its cell along both. This axis is right for another place, no farther than
+2^-25 along each axis, since a coordinate 2 f - 1 is off by less than 2^-24. There the blocks of both axes have the third
+point, and the distances in either change by no more than L * 2^-25 on the way.
 
 HN_CELLULAR_PHASE. How fast distances change with the phase is not bounded here. One bound holds for the distances and
 for each component of an offset: the larger one. It is the offset's, which is rotated twice.
@@ -38,7 +41,7 @@ CLEAR = 1 / 8  # a distance between two points that is seldom less
 LARGEST_SMOOTH = 7 / 8  # where no point is within 1
 
 
-def proven(largest: float, lipschitz: float, cell_error: float, fixed: float, parts: dict[str, float]) -> ProvenBounds:
+def proven(largest: float, lipschitz: float, cell_error: float | None, fixed: float, parts: dict[str, float]) -> ProvenBounds:
     """Distances leave their range by their errors."""
     return derived(largest, largest, lipschitz, cell_error, parts, fixed, largest + fixed)
 
@@ -52,9 +55,9 @@ def total(parts: dict[str, float]) -> float:
 def derive_distances(dims: int, count: int) -> ProvenBounds:
     """Bounds of so many distances."""
     most = {metric: features.largest_distance(dims, count, metric) for metric in features.METRICS}
-    errors = [[of(metric, dims, largest) for metric, largest in most.items()]
-              for of in (distances.metric_slope, distances.metric_error, distances.fixed_metric_error)]
-    return proven(max(most.values()), *map(max, errors), distances.fixed_parts(dims))
+    lipschitz, fixed = (max(of(metric, dims, largest) for metric, largest in most.items())
+                        for of in (distances.metric_slope, distances.fixed_metric_error))
+    return proven(max(most.values()), lipschitz, None, fixed, distances.fixed_parts(dims))
 
 
 def quotes() -> list[tuple[str, str]]:
@@ -118,7 +121,7 @@ def least_smooth(dims: int) -> float:
 
 def derive_smooth(dims: int, _: Gradient | None) -> ProvenBounds:
     lipschitz, parts = features.most_within(dims) ** 0.25 * math.sqrt(dims), distances.fixed_smooth_parts(dims)
-    bounds = proven(LARGEST_SMOOTH, lipschitz, distances.smooth_error(dims), total(parts), parts)
+    bounds = proven(LARGEST_SMOOTH, lipschitz, None, total(parts), parts)
     return replace(bounds, fixed_largest=LARGEST_SMOOTH)
 
 

@@ -16,16 +16,6 @@ the gradients is the sum over the axes of
 with u_i = s(f_i) (the weights of the other axes sum to 1, and u_i <= 1/2 just where f_i <= 1/2), so it is n/2, in the
 middle of the cell.
 
-FLOATS. The ramps of the corners are evaluated as
-
-    1D: g*d                      2D: g.x*d.x + g.y*d.y
-    3D and 4D: +-d_i +- d_j      sine:  g.x*d.x + g.y*d.y (+ g.z*d.z), from left to right
-
-and the noise is the scale times their interpolation (floats.py). The propagation takes the worst gradient at each
-corner, and at each step of it: it is rigorous, not tight. Gradients are exact. On the plane a product with 1/4 is exact,
-too, and so is one with 1 in space. The float of a component of the sine gradient is within 2^-19 of the exact one, and
-at most 1; each product of a ramp takes that over times |d_i|. The computed noise may leave [-n/2, n/2] by its error.
-
 FIXED. The value differs from the exact one by five things. FADE, LERP and RAMP are bounded together, for each box:
 
     CUT      a coordinate is cut to a multiple of 2^-20, by less than that: at most L * 2^-20.
@@ -52,17 +42,7 @@ import functools
 from dataclasses import replace
 
 from proof.bounds import suprema
-from proof.bounds.boxes import SAFE, corners
-from proof.bounds.floats import (
-    Approx,
-    approx_derivatives,
-    approx_interpolation,
-    approx_octahedral_ramp,
-    approx_offsets,
-    approx_sine_ramp,
-    error_supremum,
-    largest_of,
-)
+from proof.bounds.boxes import SAFE
 from proof.bounds.gradients import OCTAHEDRAL, ROTATED, SINE, Gradient
 from proof.bounds.integers import (
     ONE,
@@ -115,36 +95,6 @@ def slope_bound(dims, gradient=OCTAHEDRAL):
 
 def slope_lipschitz_bound(dims, gradient=OCTAHEDRAL):
     return scaled(suprema.SLOPE_LIPSCHITZ, dims, gradient)
-
-
-# --- Floats -----------------------------------------------------------------------------------------------------------
-
-def ramps_and_fractions(lo, hi, gradient):
-    """The ramps of the corners, x varying fastest."""
-    offsets = [approx_offsets(a, b) for a, b in zip(lo, hi)]
-    ramp = approx_sine_ramp if gradient is SINE else approx_octahedral_ramp
-    ramps = [ramp([offset[o] for offset, o in zip(offsets, corner[::-1])]) for corner in corners(len(lo))]
-    return ramps, [fraction for fraction, _ in offsets]
-
-
-def value_error(lo, hi, gradient):
-    """The largest error of hn_perlin from a cell and a fraction in each box, given by its ends along each axis."""
-    value = approx_interpolation(*ramps_and_fractions(lo, hi, gradient))
-    return (value if gradient is SINE else value.scaled(SCALE[gradient][len(lo)])).err
-
-
-def slope_error(lo, hi):
-    """The error of the derivatives, with octahedral gradients."""
-    component = OCTAHEDRAL.component(len(lo))
-    derivatives = approx_derivatives(*ramps_and_fractions(lo, hi, OCTAHEDRAL),
-                                     Approx.within(component))
-    return largest_of(derivative.scaled(SCALE[OCTAHEDRAL][len(lo)]).err for derivative in derivatives)
-
-
-@functools.cache
-def error_bound(dims, gradient):
-    """A proven upper bound of the error from (cell, fraction)."""
-    return error_supremum(functools.partial(value_error, gradient=gradient), dims)
 
 
 # --- Fixed ------------------------------------------------------------------------------------------------------------
@@ -208,7 +158,7 @@ def range_loss(dims, gradient):
 def slope_error_parts(dims):
     scale, one = (of[OCTAHEDRAL][dims] for of in (SCALE, RAMP_ONE))
     return {"cut": slope_lipschitz_bound(dims) / ONE, "fade": scale * largest_slope_fade_effect(dims, OCTAHEDRAL),
-            "interpolation": scale * slope_rounding(dims, gradients=True) / (one / 4),
+            "interpolation": scale * slope_rounding(dims) / (one / 4),
             "scaling": scale_error(dims, OCTAHEDRAL, SLOPE_UNIT)}
 
 
@@ -221,7 +171,7 @@ def slope_error_parts(dims):
 # the mean of x and 1 - x
 # with the weights 1 - s(x) and s(x) is at most 1/2. For h is the sum of the two largest: max(x, f) + max(x, 1 - f)
 # is at most 1 + x.
-LARGEST_DIFFERENCE = {1: 1.0, 2: 7 / 4, 3: 7 / 2, 4: 4.0}
+LARGEST_DIFFERENCE = {2: 7 / 4, 3: 7 / 2, 4: 4.0}
 # Two derivatives in space have slopes of at most 15/8 times two such differences. The differences of four ramps with
 # the offsets x, 1 - x and y, 1 - y are 4 ramps of at most 1 + max(|x|, |y|), which sum to at most 7: the maxima are
 # convex in x and y, and sum to 3 at the ends. A component is at most 1.
@@ -257,18 +207,32 @@ def largest_slope_intermediates(dims, slope):
 
 def derive(dims: int, gradient: Gradient) -> ProvenBounds:
     exact, lipschitz = range_bound(dims, gradient), lipschitz_bound(dims, gradient)
-    return derived(exact if gradient is SINE else 1.0, exact, lipschitz, error_bound(dims, gradient),
+    if is_of_text(dims, gradient):
+        return derived(1.0, exact, lipschitz)
+    return derived(exact if gradient is SINE else 1.0, exact, lipschitz, None,
                    error_parts(dims, gradient), fixed_error(dims, gradient), exact + range_loss(dims, gradient))
 
 
+def is_of_text(dims: int, gradient: Gradient) -> bool:
+    """Whether the text proves the errors of HN_FIXED (text.py)."""
+    return gradient is OCTAHEDRAL and dims < 4
+
+
 def derive_d(dims: int, gradient: Gradient) -> ProvenBounds:
-    slope = derived(0.0, slope_bound(dims), slope_lipschitz_bound(dims), error_supremum(slope_error, dims),
-                    slope_error_parts(dims))
+    parts = None if is_of_text(dims, gradient) else slope_error_parts(dims)
+    slope = derived(0.0, slope_bound(dims), slope_lipschitz_bound(dims), None, parts)
     return replace(derive(dims, gradient), slope=slope)
 
 
+def with_parts(dims: int) -> ProvenBounds:
+    """For the noise with a phase, with the parts of the errors of HN_FIXED."""
+    of = derive_d(dims, OCTAHEDRAL)
+    return replace(of, fixed_parts=error_parts(dims, OCTAHEDRAL),
+                   slope=replace(of.slope, fixed_parts=slope_error_parts(dims)))
+
+
 def largest_intermediates_d(dims: int, gradient: Gradient) -> dict[str, float]:
-    largest = derive_d(dims, gradient).slope.fixed_largest
+    largest = slope_bound(dims) + sum(slope_error_parts(dims).values())
     return largest_intermediates(dims, gradient) | largest_slope_intermediates(dims, largest)
 
 
@@ -280,10 +244,12 @@ def quotes() -> list[tuple[str, str]]:
 
 
 CASES = tuple((dims, OCTAHEDRAL) for dims in (1, 2, 3, 4))
-PERLIN = Proof((*CASES, (2, SINE), (3, SINE)), derive, largest_intermediates, quotes=quotes)
-PERLIN_D = Proof(CASES, derive_d, largest_intermediates_d)
+PERLIN = Proof((*CASES, (2, SINE), (3, SINE)), derive, lambda dims, gradient: (
+    {} if is_of_text(dims, gradient) else largest_intermediates(dims, gradient)), quotes=quotes)
+PERLIN_D = Proof(CASES, derive_d, lambda dims, gradient: (
+    {} if is_of_text(dims, gradient) else largest_intermediates_d(dims, gradient)))
 PHASE, PHASE_D = Rotating(
-    lambda dims: derive_d(dims, OCTAHEDRAL), lambda dims: [of(dims, ROTATED) for of in (range_bound, lipschitz_bound)],
+    with_parts, lambda dims: [of(dims, ROTATED) for of in (range_bound, lipschitz_bound)],
     lambda dims: [of(dims, ROTATED) for of in (slope_bound, slope_lipschitz_bound)],
     lambda dims: SCALE[ROTATED][dims], lambda dims: SCALE[OCTAHEDRAL][dims]).proofs(
         CASES[1:3], largest_intermediates, largest_intermediates_d)

@@ -18,8 +18,8 @@ ACCURACY = "docs/measured/accuracy.md"
 
 def derived_value(kernel: Kernel) -> ProvenBounds:
     exact, lipschitz = kernel.scale / 1024 * kernels.range_of(kernel, OCTAHEDRAL), lipschitz_of(kernel, OCTAHEDRAL)
-    return derived(1.0, exact, lipschitz, kernel_floats.error_bound(kernel),
-                   kernel_fixed.error_parts(kernel, lipschitz))
+    cell_error = None if kernel is SMOOTH[2] else kernel_floats.error_bound(kernel)
+    return derived(1.0, exact, lipschitz, cell_error, kernel_fixed.error_parts(kernel, lipschitz))
 
 
 def derived_slope(kernel: Kernel) -> ProvenBounds:

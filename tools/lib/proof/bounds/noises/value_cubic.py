@@ -7,15 +7,7 @@ weights: as in suprema.py, with points for corners. Along an axis sum |b'| is at
 f + 1 - f + |3 f - 2| + |1 - 3 f|, at most 4, and sum |b'''| is 8. So the second derivative along an axis, of D B for
 any signs, is at most 8 + (n - 1) * 4 * 3/2.
 
-FLOATS. See floats.py: numbers with 3 added, weights, and sums of four products along each axis.
-
-FIXED. The fixed numbers are the exact ones. The fixed value differs from the exact one by four things:
-
-    CUT      a coordinate is cut to a multiple of 2^-20, and rounded to one of 2^-15: L * (2^-20 + 2^-16).
-    WEIGHTS  at x, the four weights of an axis are off by |e| of sum E at most, evaluated for all x. The products of
-             the weights change by at most (1 + E)^n - 1 in sum.
-    BLEND    four products round down by at most the number evaluated for all weights; the sums of |b| are 1.
-    SCALE    (n + 128) >> 8 rounds to nearest, by 1/2 unit of 2^-21 at most.
+The text proves the errors (text.py), in HN_FIXED at places that are rounded to 2^-15.
 """
 
 from __future__ import annotations
@@ -26,35 +18,18 @@ import itertools
 import numpy as np
 
 from proof.bounds.boxes import SAFE, cell, smooth, supremum
-from proof.bounds.floats import (
-    Approx,
-    approx_blend,
-    approx_offsets,
-    approx_spline,
-    error_supremum,
-    spline_weight,
-)
 from proof.bounds.gradients import Gradient
-from proof.bounds.integers import (
-    FADE_ONE,
-    ONE,
-    SPLINE_STEP,
-    UNIT,
-    part_intermediate,
-    spline_rounding,
-    spline_weight_error,
-    splines,
-)
+from proof.bounds.integers import FADE_ONE, UNIT, fractions, part_roundings, word
 from proof.bounds.noises import Proof, ProvenBounds, derived
-from proof.bounds.noises.value import NUMBER_ONE, OFFSET
 
+NUMBER_ONE = 2**29  # the unit of numbers of hashes
 TOLERANCE, LEVELS = 1e-4, {1: 16, 2: 12, 3: 9}
 
 
 def weights(f):
     """b_-1 to b_2, exactly."""
-    (last, second), (first, third) = spline_weight(f), spline_weight(1 - f)
-    return first, second, third, last
+    g = 1 - f
+    return g**3 / 6, 2 / 3 - f**2 + f**3 / 2, 2 / 3 - g**2 + g**3 / 2, f**3 / 6
 
 
 def weight_slopes(f):
@@ -81,29 +56,31 @@ def lipschitz_bound(dims: int) -> float:
     return supremum(bound, cell(dims), LEVELS[dims], TOLERANCE, 0)
 
 
-def value_error(lo, hi):
-    """The largest error in floats from a cell and a fraction in each box, given by its ends along each axis."""
-    value = Approx.within(1.0)
-    for a, b in zip(lo, hi):
-        value = approx_blend(value, approx_spline(approx_offsets(a, b)[0]), OFFSET)
-    return value.err
+def sixth_of_cube(x):
+    square = word(x * x)
+    return word((square >> 15) * x + (word((square & 32767) * x) >> 15)) // 6
+
+
+@functools.cache
+def splines():
+    """b_-1 to b_2 of the contract for every fraction, in units of 2^-18."""
+    x = word(fractions() + 16) >> 5
+    before, after = sixth_of_cube(2**15 - x), sixth_of_cube(x)
+    first, last = word(before + 2**11) >> 12, word(after + 2**11) >> 12
+    second = word(word(715829931 + 3 * after) - word(x * x)) >> 12
+    return np.array([first, second, FADE_ONE - first - second - last, last])
+
+
+def fixed_largest(dims: int) -> float:
+    """A mean of numbers up to 1, but for its roundings: no weight is negative, and the weights sum to 1."""
+    if splines().min() < 0 or (splines().sum(axis=0) != FADE_ONE).any():
+        raise ValueError("a weight is negative, or the weights do not sum to 1")
+    interpolation = dims * float(part_roundings(splines()).sum(axis=0).max()) / NUMBER_ONE
+    return (1 + interpolation + UNIT / 2) * SAFE
 
 
 def derive(dims: int, _: Gradient | None) -> ProvenBounds:
-    if splines().min() < 0 or (splines().sum(axis=0) != FADE_ONE).any():
-        raise ValueError("a weight is negative, or the weights do not sum to 1")
-    lipschitz, cell_error = lipschitz_bound(dims), error_supremum(value_error, dims)
-    parts = {"cut": lipschitz * (1 / ONE + SPLINE_STEP / 2), "weights": (1 + spline_weight_error()) ** dims - 1,
-             "interpolation": dims * spline_rounding() / NUMBER_ONE, "scaling": UNIT / 2}
-    fixed_largest = 1 + parts["interpolation"] + parts["scaling"]
-    return derived(1.0, 1.0, lipschitz, cell_error, parts, fixed_largest=fixed_largest * SAFE)
+    return derived(1.0, 1.0, lipschitz_bound(dims), fixed_largest=fixed_largest(dims))
 
 
-def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
-    """A sum of four parts is at most as large as the numbers, with its roundings, since the weights sum to 1. (The
-    words of the weights are checked as evaluated.)"""
-    value = NUMBER_ONE + dims * spline_rounding()
-    return {"number": 2.0**30, "part": part_intermediate(value, splines()), "blend": value + 128}
-
-
-PROOFS = {"value_cubic": Proof(tuple((dims, None) for dims in (1, 2, 3)), derive, largest_intermediates)}
+PROOFS = {"value_cubic": Proof(tuple((dims, None) for dims in (1, 2, 3)), derive)}

@@ -1,0 +1,101 @@
+"""Proves how far the text of a function may be off, by running it over numbers that prove (conformance/prover): a
+function is named by its row in the suite's table, or has a body like those."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+import subprocess
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from base.tree import CONFORMANCE, GLSL, ROOT
+from base.twin import compile_program
+from catalog.tables.functions import Column
+from proof.bounds import rounded, sine
+from proof.bounds.rounded import Body, with_literals, write_literal_text
+
+ENGINE = CONFORMANCE / "prover"
+OPTIONS = ("-w", "-frounding-math")
+MACROS = ("always_inline=unused", f"PROVER_SINE={sine.polynomial_error()!r}")
+FOLDER = ROOT / "build" / "prover"
+
+
+@dataclass(frozen=True)
+class Proven:
+    bound: float  # infinite if something was not seen
+    at_point: float  # no bound can be less
+    boxes: int
+    seconds: float
+    problem: str
+    box: list[list[float]] = field(default_factory=list)  # the worst: its ends along each axis
+    frames: list[int] = field(default_factory=list)  # the addresses of the calls on the way to the problem
+    parts: list[list] = field(default_factory=list)  # of the bound, and the calls on the way to each
+
+
+@dataclass(frozen=True)
+class Job:
+    """A function with its arguments by their columns: "any", "word:5", "float:0.5", or "box:0:1" for each float in
+    there. The arguments that are not named are as usual_argument returns them."""
+    function: str
+    outputs: tuple[str, ...]
+    arguments: Mapping[str, str]
+    most: int = 25_000  # boxes
+    tolerance: float = 0.003  # relative
+    target: float = -math.inf  # a bound that is small enough
+    bits: int = 20  # of a place in HN_FIXED
+    given: int = 0  # or 1: decisions come out as in exact arithmetic
+    measure: str = "error"  # or "most", "least", "exact_most", "exact_least", "slope"
+    seconds: float = math.inf  # then the search ends with the bound that it has
+
+
+def usual_argument(column: Column) -> str:
+    """A fraction or a setting is in [0, 1], a period is none, and a word is any."""
+    if column.type == "f32":
+        return "box:0:1"
+    return "word:0" if column.name in ("px", "py", "pz", "pw") else "any"
+
+
+class Prover:
+    """Functions compiled with these macros, such as HN_ARITHMETIC=HN_FIXED. A text of somebody else, in C++, is in the
+    namespace `own`."""
+
+    def __init__(self, bodies: Mapping[str, Body], *macros: str, text: str = "", options: tuple[str, ...] = ()):
+        self.bodies = dict(bodies)
+        source = "".join(f"FUNCTION({body.code})\n" for body in self.bodies.values())
+        sum_ = hashlib.sha256(" ".join((*macros, *options, text, source)).encode())
+        of_text = [*GLSL.rglob("*.glsl"), *(ROOT / "include").rglob("*.h*")]
+        for path in sorted([Path(rounded.__file__), *ENGINE.glob("*.[ch]pp"), *of_text]):
+            sum_.update(path.read_bytes())
+        folder = FOLDER / sum_.hexdigest()[:16]
+        self.program = folder / "prove"
+        if not self.program.exists():
+            folder.mkdir(parents=True, exist_ok=True)
+            write_literal_text(folder)
+            (folder / "bodies.inc").write_text(with_literals(source), encoding="utf-8")
+            (folder / "own.inc").write_text(text, encoding="utf-8")
+            compile_program("the text over numbers that prove", ENGINE / "prove.cpp", folder / "new", *OPTIONS, *options,
+                            f"-I{folder}", macros=(*MACROS, *macros))
+            (folder / "new").rename(self.program)
+
+    def prove(self, jobs: Iterable[Job]) -> list[Proven]:
+        """In their order."""
+        lines = [self.line(job) for job in jobs]
+        done = subprocess.run([self.program], input="".join(lines), capture_output=True, text=True, check=True)
+        return [Proven(**json.loads(line)) for line in done.stdout.splitlines()]
+
+    def line(self, job: Job) -> str:
+        body = self.bodies[job.function]
+        if unknown := job.arguments.keys() - {column.name for column in body.inputs}:
+            raise ValueError(f"{job.function} has no argument {', '.join(sorted(unknown))}")
+        arguments = [job.arguments.get(column.name, usual_argument(column)) for column in body.inputs]
+        outputs = sum(1 << i for i, column in enumerate(body.outputs) if column.name in job.outputs)
+        number = list(self.bodies).index(job.function)
+        options = [f"{name}={getattr(job, name)}" for name in ("measure", "most", "tolerance", "target", "bits", "given", "seconds")]
+        return " ".join(map(str, (number, *arguments, f"outputs={outputs}", *options))) + "\n"
+
+
+def is_within(proven: Proven, documented: float) -> bool:
+    return math.isfinite(proven.bound) and proven.bound <= documented
