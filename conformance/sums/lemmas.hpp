@@ -307,8 +307,8 @@ inline Int hn_i_weight_times(hn_int a, hn_int b) {
   x.of.length *= 0x1p-9, x.of.own = x.of.own * 0x1p-18 + 1;
   return Int(squared(x));
 }
-// The products by the high half and by the low half of a weight are summed before they are rounded down. A weight that is
-// a multiple of 2^9 has no low half.
+// The products by the high half and by the low half of a weight are summed before they are rounded down. A weight that
+// is a multiple of 2^9 has no low half.
 inline Int hn_i_summed(hn_int sum, hn_int n, hn_int weight) {
   if (n.size() * 512 + (n.size() / 512 + 1) * 511 >= 0x1p31) throw Unbounded{};
   const Number product = times(times(n, weight), known(0x1p-18));
