@@ -22,10 +22,10 @@ Files = Mapping[str, "str | bytes"]
 
 
 def own_files(folder: Path) -> dict[str, str]:
-    """The files that a package takes from a folder, by the paths there."""
+    """The files that a package takes from a folder, by the paths there: all but its tests."""
     return {path.relative_to(folder).as_posix():
             of_package(path) if path.suffix == ".md" else path.read_text(encoding="utf-8")
-            for path in sorted(folder.rglob("*")) if path.is_file()}
+            for path in sorted(folder.rglob("*")) if path.is_file() and path.name != "tests.cmake"}
 
 
 def of_npm(manifest: str, name: str) -> str:

@@ -42,6 +42,11 @@ class Manifests(unittest.TestCase):
             for path in (ROOT / "packages").glob("*/Cargo.toml"):
                 self.assertIn('\nrepository = "https://example.org/another"\n', packing.of_cargo(path.read_text(encoding="utf-8")))
 
+    def test_a_package_takes_no_file_of_its_tests(self) -> None:
+        for path in (ROOT / "packages").glob("*/tests.cmake"):
+            if path.parent.name in PACKED:
+                self.assertNotIn(path.name, packing.own_files(path.parent))
+
 
 class Usage(unittest.TestCase):
     def assert_refused(self, arguments: tuple[str, ...], *said: str) -> None:

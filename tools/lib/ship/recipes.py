@@ -58,7 +58,8 @@ RECIPES = {name: recipe for name, recipe in {
     "unreal": Recipe(
         "the plugin for Unreal", "hashnoise-unreal",
         more="A project has it in its folder Plugins. It has files of HLSL that materials include, and the text of "
-        "custom nodes, of the functions in most use."),
+        "custom nodes, of the functions in most use.",
+        options={"engine": Option("VERSION", "the version of Unreal for which it is, such as 5.6: Fab wants a zip file for each")}),
     "blender": Recipe(
         "the add-on for Blender", "hashnoise-blender",
         more="Blender 4.2 and later install the zip file from the disk as an extension. It has node groups for "

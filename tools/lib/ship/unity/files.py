@@ -11,6 +11,7 @@ from base.tree import ROOT
 from catalog.tables.markdown import table
 from ship.hlsl_nodes import ARITHMETICS, FORMS, NODES, PORTS, call, camel, forms, picked, ports, shader
 from ship.packing import of_npm, own_files
+from ship.page import of_package
 from ship.recipes import RECIPES
 from translate.pick.scalars import bare
 
@@ -92,6 +93,7 @@ def package() -> dict[str, str]:
     found = own_files(PACKAGE)
     found["package.json"] = of_npm(found["package.json"], NAME)
     found["LICENSE.md"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
+    found["CHANGELOG.md"] = of_package(ROOT / "CHANGELOG.md")
     for arithmetic, suffix in ARITHMETICS.items():
         found[f"Shaders/HashNoise{suffix}.hlsl"] = graph(arithmetic)
         found[f"Runtime/HashNoise{suffix}.cs"] = script(arithmetic)

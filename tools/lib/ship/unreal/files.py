@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator
 from functools import cache
 
 from base.tree import ROOT, address, version
 from catalog.tables.markdown import table
 from ship.hlsl_nodes import ARITHMETICS, NODES, PORTS, call, forms, ports, shader
-from ship.packing import own_files
+from ship.packing import Refused, own_files
 from translate.pick.scalars import bare
 
 PACKAGE = ROOT / "packages" / "unreal"
@@ -46,10 +47,12 @@ def interface() -> Iterator[tuple[str, str]]:
 
 
 @cache
-def package() -> dict[str, str]:
-    """All files, by their paths."""
+def package(engine: str | None = None) -> dict[str, str]:
+    """All files, by their paths. Fab wants a zip file for each version of the engine."""
+    if engine is not None and not re.fullmatch(r"5\.\d+", engine):
+        raise Refused(f"--engine {engine}: write a version of Unreal such as 5.6")
     found = own_files(PACKAGE)
-    own = {"VersionName": version(), "CreatedByURL": address()}
+    own = {"VersionName": version(), "CreatedByURL": address()} | ({"EngineVersion": f"{engine}.0"} if engine else {})
     found[DESCRIPTION] = json.dumps({**json.loads(found[DESCRIPTION]), **own}, indent=2) + "\n"
     found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
     for arithmetic, suffix in ARITHMETICS.items():

@@ -14,9 +14,11 @@ import re
 import subprocess
 import unittest
 from pathlib import Path
+from unittest import mock
 
 from base.tree import TOOLS, version
 from ship.hlsl_nodes import NODES, PORTS, forms, ports
+from ship.packing import Refused
 from ship.packing_support import made, run_with_compilers
 from ship.unreal import files
 from translate.hlsl.compilers import missing as missing_compilers
@@ -70,6 +72,14 @@ class Text(unittest.TestCase):
                 ("hn_perlin2_place", "return hn_perlin(hn_tile(Position, (int2)Period), (uint)(int)Seed);",
                  "CMOT Float 1")):
             self.assertEqual((files.code(form), files.output(form)), (code, output))
+
+    def test_it_names_the_engine_that_fab_asks_for(self) -> None:
+        with mock.patch.object(files, "shader", return_value=""):
+            described = [json.loads(files.package.__wrapped__(engine)[files.DESCRIPTION]) for engine in (None, "5.6")]
+            self.assertEqual([one.get("EngineVersion") for one in described], [None, "5.6.0"])
+            self.assertIn("Win64", described[0]["Modules"][0]["PlatformAllowList"])
+            with self.assertRaisesRegex(Refused, "--engine 5.6.1: write a version of Unreal such as 5.6"):
+                files.package.__wrapped__("5.6.1")
 
     def test_the_page_has_each_node_once(self) -> None:
         rows = files.node_table().splitlines()[2:]
