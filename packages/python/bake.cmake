@@ -1,5 +1,5 @@
-# Files of noise are read by programs of others: pypng and three.js.
-package_test(bake bake_test WITH bake.txt PROPERTIES FIXTURES_REQUIRED "python_wheel;javascript"
+# Files of noise are read by programs of others: pypng and three.js. Masks of blue noise are measured.
+package_test(bake bake_test bluenoise_test WITH bake.txt PROPERTIES FIXTURES_REQUIRED "python_wheel;javascript"
              ENVIRONMENT HASHNOISE_JAVASCRIPT=${PROJECT_BINARY_DIR}/javascript)
 # The command builds the package for itself.
 add_test(NAME bake.command CONFIGURATIONS Thorough

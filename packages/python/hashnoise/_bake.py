@@ -14,9 +14,10 @@ from pathlib import Path
 import numpy as np
 
 from . import __version__, _core
+from . import _bake_mask as mask
 from ._bake_files import FORMATS, LONGEST_SIDE, MOST_CHANNELS, PICTURES, check_path, files_of, open_image_io, write
 from ._bake_values import FUNCTIONS, Component, Expression, Function, Stop, Values
-from ._evaluate import METRICS, checked_threads, ruled_number
+from ._evaluate import METRICS, checked_threads, ruled_number, suggestion
 from ._grids import MOST_POINTS
 
 NAME = "hashnoise bake"
@@ -55,10 +56,10 @@ def ends(text):
     raise argparse.ArgumentTypeError(f'"{text}": it takes two numbers, the smaller one first, as in --range -1:1')
 
 
-def columns(text):
-    if not isinstance(count := number(text), int) or count < 1:
+def count(text):
+    if not isinstance(found := number(text), int) or found < 1:
         raise argparse.ArgumentTypeError(f"{text} is not a whole number from 1 on")
-    return count
+    return found
 
 
 # Each option, what stands for its value (nothing for a flag), what makes the value of it, or what it may be, and its help.
@@ -90,7 +91,9 @@ OPTIONS = {
          "those of shaders with HN_FIXED")),
     "places": (
         ("--size", "X[xY...]", axes(int, 1, MOST_POINTS, "1024x1024, or 128x128x64 for a volume"),
-         "points along each axis, one to four numbers, and as many dimensions; default 512x512"),
+         "points along each axis, one to four numbers, and as many dimensions; default 512x512. Of "
+         "bluenoise one or two numbers, default 64"),
+        ("--frames", "N", count, "of bluenoise: masks that are even over time, too; the last axis of the file"),
         ("--cells", "X[xY...]", axes(float, 0, MOST_CELLS, "8x4"), "along each axis, by default 8; one number is for x, "
          "and cells are as large along the others"),
         ("--origin", "X[xY...]", axes(float, -MOST_CELLS, MOST_CELLS, "1000000x-3.5"), "the first point, in cells"),
@@ -99,15 +102,16 @@ OPTIONS = {
         ("--out", "FILE", Path, "its name"),
         ("--format", "NAME", tuple(FORMATS), "png (16 bits), exr (floats), f32 or r16 (planes of floats or of 16 bits, "
          "little-endian, without a header), ktx2 or ktx2-float (a texture); by default the ending of the name"),
-        ("--components", "NAME,...", str, "which, as in f1,f2; all by default"),
+        ("--components", "NAME,...", str, "which, as in f1,f2; all by default. Of bluenoise how many, 1 to 4"),
         ("--range", "LEAST:GREATEST", ends, "the values that become 0 and 65535; by default the range that the function "
          "documents. Once for all components, or once for each"),
         ("--normalize", None, None, "map the values that are there to 0 to 65535, in each component by itself"),
         ("--layout", "NAME", ("atlas", "slices"), "of a volume as a picture: atlas, one picture, or slices, one for each"),
-        ("--columns", "N", columns, "slices beside each other in an atlas; by default about a square"),
+        ("--columns", "N", count, "slices beside each other in an atlas; by default about a square"),
         ("--json", None, None, "print in JSON how the file was made"),
         ("--threads", "N", number, "how many; nothing in the file depends on it")),
 }
+NAMES = (*FUNCTIONS, mask.NAME)
 DEFAULTS = {"seed": 0, "arithmetic": "fixed", "size": (512, 512), "cells": (8.0,), "range": []}
 OF_FUNCTIONS = [name[2:].replace("-", "_") for name, *_ in OPTIONS["parameters of the function, as in GLSL"]]
 # Their values may begin with a sign, which argparse takes for the beginning of an option.
@@ -123,7 +127,7 @@ class Parser(argparse.ArgumentParser):
 
 def options():
     parser = Parser(prog=NAME, description=__doc__.partition(": ")[2].capitalize(), epilog=STATUSES, allow_abbrev=False)
-    parser.add_argument("function", nargs="?", metavar="FUNCTION", help=f"one of {', '.join(FUNCTIONS)}")
+    parser.add_argument("function", nargs="?", metavar="FUNCTION", help=f"one of {', '.join(NAMES)}; bluenoise is a mask")
     parser.add_argument("--version", action="version", version=__version__)
     for title, rows in OPTIONS.items():
         group = parser.add_argument_group(title)
@@ -134,7 +138,6 @@ def options():
                 **({"choices": kind} if isinstance(kind, tuple) else {"type": kind})}
             group.add_argument(*(("-o", name) if name == "--out" else (name,)), required=name == "--out", **more,
                                help=text if len(owners) in (0, len(FUNCTIONS)) else f"{text}; of {', '.join(owners)}")
-    parser.set_defaults(**DEFAULTS)
     return parser
 
 
@@ -147,6 +150,16 @@ def parsed(arguments):
         else:
             words.append(word)
     given = options().parse_args(words)
+    if given.function == mask.NAME:
+        mask.settle(given)
+    elif given.function not in (None, *NAMES):
+        raise Stop(2, f"there is no function {given.function!r}{suggestion(given.function, NAMES)}; there are "
+                      f"{', '.join(NAMES)}")
+    elif given.frames:
+        raise Stop(2, f"--frames is for {mask.NAME}; name three axes in --size")
+    for name, value in DEFAULTS.items():
+        if getattr(given, name) is None:
+            setattr(given, name, value)
     given.options = {name: getattr(given, name) for name in (*OF_FUNCTIONS, "arithmetic", "seed")
                      if getattr(given, name) is not None}
     given.threads = checked_threads("bake", given.threads)
@@ -273,7 +286,8 @@ def bake(given):
         open_image_io()
     for path in files_of(given):
         check_path(path)
-    source = Expression(given) if given.expression is not None else Function(given)
+    kind = Expression if given.expression is not None else mask.Mask if given.function == mask.NAME else Function
+    source = kind(given)
     components = components_of(given, source)
     needed = math.prod(given.size) * len(components) * np.dtype(FORMATS[given.format]).itemsize
     free = shutil.disk_usage(given.out.resolve().parent).free

@@ -29,6 +29,11 @@ class Stop(Exception):
         self.status = status
 
 
+def component_names(count):
+    """Of what has no names of its own."""
+    return ["value"] if count == 1 else list("xyzw"[:count])
+
+
 def pieces(size):
     """The rows and the columns of all points, in pieces that fit into memory: some rows, or a part of one."""
     width, rows = size[0], math.prod(size[1:])
@@ -115,7 +120,7 @@ class Expression:
         count = len(self._parts(block(given, (0, 1), (0, 1)), 2))
         if not 1 <= count <= 4:
             raise Stop(2, f"{_EXPRESSION} has {count} components, and must have 1 to 4")
-        self.components = ["value"] if count == 1 else list("xyzw"[:count])
+        self.components = component_names(count)
         self.ranges = [None] * count
 
     def __call__(self, axes, shape):

@@ -29,7 +29,7 @@ from hashnoise import _bake, _bake_values, _grids
 PAGE = golden.ROOT / "docs" / "guide" / "bake.md"
 JAVASCRIPT = golden.ROOT / "tools" / "lib" / "base" / "javascript" / "environment.py"
 COMMAND = [sys.executable, "-m", "hashnoise", "bake"]
-# CRC-32 of files that the program in C++ wrote, which was there before.
+# CRC-32 of files that the program in C++ wrote, which was there before, and of masks.
 RAW = {
     "perlin --size 50x30 -o a.f32": 0x90A9F7EF,
     "fbm --noise simplex --size 48x32 --cells 6 --tile --seed 7 -o a.r16": 0xC99F1F33,
@@ -52,6 +52,8 @@ RAW = {
     "ping_pong --strength 1.75 --noise value_cubic --size 1x300 --cells 0.01 -o a.f32": 0x0014CBE1,
     "cellular_d --size 2100x1100 --cells 91x37 --tile --seed 3 -o a.r16": 0x6C6FB08D,  # in several pieces
     "value --size 1200000 --cells 64 --tile -o a.r16": 0x3A5B0A0E,  # the pieces of a row
+    "bluenoise --size 16 --components 3 -o a.r16": 0x56164B43,
+    "bluenoise --size 12x10 --frames 5 --seed 7 -o a.f32": 0xDA520082,
 }
 USAGE = (
     # The package's errors (options_test.py has more).
@@ -84,6 +86,12 @@ USAGE = (
     ("fbm -o a.ktx2 --size 2x2x2x2", "at most three axes"), ("fbm_d -o a.png", "no range is documented"),
     ("fbm -o . --format png", "it is a folder"), ("fbm -o none/a.png", "there is no folder none; make it"),
     ("fbm -o /dev/null --format f32", "no regular file"), ("fbm -o a.f32 --size 500000000x500000000", "GB"),
+    *((f"bluenoise -o a.png {more}", *parts) for more, *parts in (
+        ("--octaves 3", "bluenoise has no option octaves", "components, frames, seed, size"), ("--tile", "option tile"),
+        ("--phase 0", "option phase"), ("--size 8x8x8", "--frames is for a volume"), ("--size 513", "at most 512"),
+        ("--frames 257", "257 is more than 256"), ("--frames 0", "--frames: 0 is not"), ("--seed -1", "seed must be"),
+        ("--components x,y", '1 to 4, and not "x,y"'), ("--components 5", "1 to 4"))),
+    ("bluenoises -o a.png", "(did you mean bluenoise?)"), ("fbm --frames 3 -o a.png", "--frames is for bluenoise"),
     ("fbm --expression fbm() -o a.exr", '"fbm" is one argument too many'),
     ("--expression fbm() -o a.png", "no range is documented", "--normalize"),
     ("--expression fbm() --octaves 6 -o a.exr", "--octaves is for a function"),

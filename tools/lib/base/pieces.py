@@ -25,8 +25,9 @@ PIECES: dict[str, tuple[str, ...]] = {
               "tools/lib/measure/paper", "tools/lib/measure/paper.sh"),
     "playground": ("playground", "tools/playground", "tools/lib/ship/playground", "docs/guide/playground.md"),
     "baker": ("tools/bake", *(f"packages/python/{name}" for name in (
-        "bake.cmake", "hashnoise/__main__.py", "hashnoise/_bake.py", "hashnoise/_bake_files.py",
-        "hashnoise/_bake_values.py", "tests/bake.txt", "tests/bake_readers.mjs", "tests/bake_test.py")),
+        "bake.cmake", "hashnoise/__main__.py",
+        *(f"hashnoise/_bake{part}.py" for part in ("", "_files", "_mask", "_values")),
+        *(f"tests/{name}" for name in ("bake.txt", "bake_readers.mjs", "bake_test.py", "bluenoise_test.py")))),
         "docs/guide/bake.md"),
     "python": ("packages/python", "pyproject.toml", "tools/bake", "tools/lib/ship/python",
                *(f"docs/guide/{page}.md" for page in ("bake", "dask", "notebook", "python"))),
