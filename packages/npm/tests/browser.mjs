@@ -160,6 +160,10 @@ for (const [path, backend] of [["webgpu.html", "WebGPU"], ["webgpu.html?webgl", 
     console.log("furthest, and with a mistake:", right, wrong);
     assert.ok(right <= 1, `the documentation's material is off by ${right} of 255`);
     assert.ok(wrong > 2, "a mistake in it is not noticed");
+    const counts = await opened.evaluate(() => hashnoise.dither());
+    assert.deepEqual(Object.keys(counts), ["100", "101"]);
+    const part = counts[101] / (counts[100] + counts[101]); // the pass keeps colors in half floats
+    assert.ok(Math.abs(part - 0.25) < 0.03, `the documentation's dither makes ${JSON.stringify(counts)}`);
     assert.deepEqual(opened.complaints, []);
   });
 }

@@ -45,9 +45,9 @@ def blocks() -> dict[str, str]:
     return {name: code for name, (_, code) in zip(BLOCKS, found)}
 
 
-def moved() -> str:
-    """The code block of docs/guide/moving.md that is JavaScript."""
-    page = (ROOT / "docs" / "guide" / "moving.md").read_text(encoding="utf-8")
+def block_of(name: str) -> str:
+    """The code block of another page that is JavaScript."""
+    page = (ROOT / "docs" / "guide" / name).read_text(encoding="utf-8")
     code, = re.findall(r"^```js\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
     return code
 
@@ -101,7 +101,8 @@ def make(packages: Path) -> int:
         for folder, text in (("blocks", code), ("faulty", code.replace(right, wrong))):
             (project / folder).mkdir(exist_ok=True)
             (project / folder / name).write_text(text, encoding="utf-8")
-    (project / "blocks" / "moving.js").write_text(moved(), encoding="utf-8")
+    for name in ("moving", "random"):
+        (project / "blocks" / f"{name}.js").write_text(block_of(f"{name}.md"), encoding="utf-8")
     for name, text in picked().items():
         (project / "picked" / name).write_text(text, encoding="utf-8")
     done = subprocess.run([ROOT / "tools" / "lib" / "base" / "node", "npm", "install", "--offline", "--no-audit", "--no-fund", packed],

@@ -6,7 +6,9 @@ from __future__ import annotations
 import itertools
 import math
 
+import dither
 import numpy
+import png
 from bake_test import Bake
 from hashnoise import _bake_mask
 from hashnoise._grids import grid
@@ -64,10 +66,10 @@ def spectrum(frames):
 
 
 def faults(frames):
-    """What keeps frames of thresholds from being blue noise."""
+    """The faults that frames of thresholds have as blue noise."""
     found = []
     for level in LEVELS:
-        aim = min(level, 1 - level)**0.5  # the principal frequency: that of as many points, as far apart as they can be
+        aim = min(level, 1 - level)**0.5  # the principal frequency, of points that are as far apart as they can be
         frequency, power = spectrum(1.0 * (frames < level))
         below = power[(frequency > 0) & (frequency < aim / 2)].mean()
         at = power[(frequency > 0.9 * min(aim, 0.5)) & (frequency < 1.3 * min(aim, 0.5))].mean()
@@ -128,3 +130,14 @@ class Masks(Bake):
         self.assertEqual(pixels[:2].tolist(), words.tolist())
         self.assertEqual((record["size"], record["settings"]),
                          ([64, 64, 4], {"components": 2, "frames": 4, "seed": 3}))
+
+
+class Page(Bake):
+    def test_the_picture_and_the_table_of_the_page(self):
+        _, _, rows, info = png.Reader(bytes=dither.PICTURE.read_bytes()).read()
+        self.assertTrue(info["greyscale"])
+        difference = abs(numpy.array([*rows], int) - dither.picture())  # a spectrum may round otherwise elsewhere
+        self.assertEqual((difference[:dither.SIDE].max(), difference.max() <= 1), (0, True))
+        page = dither.PAGE.read_text(encoding="utf-8")
+        for row in dither.rows():
+            self.assertIn(f"\n{row}\n", page)

@@ -27,7 +27,7 @@ PIECES: dict[str, tuple[str, ...]] = {
     "baker": ("tools/bake", *(f"packages/python/{name}" for name in (
         "bake.cmake", "hashnoise/__main__.py",
         *(f"hashnoise/_bake{part}.py" for part in ("", "_files", "_mask", "_values")),
-        *(f"tests/{name}" for name in ("bake.txt", "bake_readers.mjs", "bake_test.py", "bluenoise_test.py")))),
+        *(f"tests/{name}" for name in ("bake.txt", "bake_readers.mjs", "bake_test.py", "bluenoise_test.py", "dither.py")))),
         "docs/guide/bake.md"),
     "python": ("packages/python", "pyproject.toml", "tools/bake", "tools/lib/ship/python",
                *(f"docs/guide/{page}.md" for page in ("bake", "dask", "notebook", "python"))),

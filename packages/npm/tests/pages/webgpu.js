@@ -1,11 +1,13 @@
 // A page with WebGPURenderer computes in WGSL, or in GLSL where `?webgl` forces the fallback.
-import { MeshBasicNodeMaterial, Mesh, OrthographicCamera, PlaneGeometry, Scene, WebGPURenderer } from "three/webgpu";
+import { DataTexture, LinearSRGBColorSpace, MeshBasicNodeMaterial, Mesh, OrthographicCamera, PlaneGeometry, RenderTarget,
+  Scene, SRGBColorSpace, WebGPURenderer } from "three/webgpu";
 import { Fn, instanceIndex, instancedArray, ivec2, vec2, vec3 } from "three/tsl";
 import { Field } from "hashnoise";
 import * as fast from "hashnoise/tsl";
 import * as fixed from "hashnoise/tsl/fixed";
 import { material as ofNodes } from "../blocks/nodes.js";
 import { material as wrongNodes } from "../faulty/nodes.js";
+import { pipeline } from "../blocks/random.js";
 import { code } from "../blocks/wgsl.js";
 import { code as wrongCode } from "../faulty/wgsl.js";
 import { furthest, gray, SIDE } from "./furthest.js";
@@ -44,16 +46,34 @@ async function evaluate(id, arithmetic, floats, integers, seeds) {
 const cells = new Field(2, { noise: "cellular", seed: 3 });
 const grayOfCode = (u, v) => gray(u, v) + 0.2 * cells.at(u * 4, v * 4);
 
-async function ofMaterial(material) {
-  const { RenderTarget, LinearSRGBColorSpace } = await import("three/webgpu");
-  renderer.outputColorSpace = LinearSRGBColorSpace;
+/** The bytes of a picture of a square, which a function draws of its scene. */
+async function drawn(material, draw = (scene, camera) => renderer.render(scene, camera)) {
   const target = new RenderTarget(SIDE, SIDE);
-  const scene = new Scene();
-  scene.add(new Mesh(new PlaneGeometry(2, 2), material));
+  const scene = new Scene().add(new Mesh(new PlaneGeometry(2, 2), material));
   renderer.setRenderTarget(target);
-  renderer.render(scene, new OrthographicCamera(-1, 1, 1, -1, -1, 1));
+  await draw(scene, new OrthographicCamera(-1, 1, 1, -1, -1, 1));
   const pixels = await renderer.readRenderTargetPixelsAsync(target, 0, 0, SIDE, SIDE);
   renderer.setRenderTarget(null);
+  return pixels;
+}
+
+/** How many pixels have each red, of a gray of 100.25 steps of sRGB that is dithered by a mask with all bytes. */
+async function ofDither() {
+  renderer.outputColorSpace = SRGBColorSpace;
+  const bytes = Uint8Array.from({ length: 64 * 64 * 4 }, (_, i) => (i >> 2) & 255);
+  const mask = new DataTexture(bytes, 64, 64);
+  mask.needsUpdate = true;
+  const material = new MeshBasicNodeMaterial();
+  material.colorNode = vec3(((100.25 / 255 + 0.055) / 1.055) ** 2.4);
+  const pixels = await drawn(material, (scene, camera) => pipeline(renderer, scene, camera, mask).render());
+  const counts = {};
+  for (let i = 0; i < pixels.length; i += 4) counts[pixels[i]] = (counts[pixels[i]] ?? 0) + 1;
+  return counts;
+}
+
+async function ofMaterial(material) {
+  renderer.outputColorSpace = LinearSRGBColorSpace;
+  const pixels = await drawn(material);
   // Rows are from the top in WebGPU, and from the bottom in WebGL.
   return furthest(pixels, gray, { stride: pixels.length / SIDE, downward: renderer.backend.isWebGPUBackend === true });
 }
@@ -95,5 +115,6 @@ globalThis.hashnoise = {
   evaluate,
   /** How far the documentation's material is off, and the same one with a mistake. */
   materials: async () => [await ofMaterial(ofNodes), await ofMaterial(wrongNodes)],
+  dither: ofDither,
   code: async () => [await ofCode(code), await ofCode(wrongCode)],
 };

@@ -71,6 +71,14 @@ def compile_glsl(code):
         return run("glslangValidator", str(shader))
 
 
+def compile_hlsl(code):
+    """Functions for a pixel, by glslang."""
+    with tempfile.NamedTemporaryFile("w", suffix=".hlsl") as source:
+        source.write(f"{code}float4 main(float4 place : SV_Position) : SV_Target {{ return 1.0; }}\n")
+        source.flush()
+        return run("glslangValidator", "-D", "-V", "-S", "frag", "-e", "main", "-o", os.devnull, source.name)
+
+
 # NVIDIA's headers declare this.
 CUDA = """#define __CUDACC__ 1
 #define __device__ __attribute__((device))
@@ -216,6 +224,11 @@ class Code(unittest.TestCase):
                 done = compile_glsl(code)
                 self.assertEqual(done.returncode, 0, done.stdout)
                 self.assertNotIn("WARNING", done.stdout)
+
+    def test_hlsl_compiles(self):
+        code, = blocks("hlsl", ["docs/guide/random.md"])
+        self.assertEqual(compile_hlsl(code).returncode, 0)
+        self.assertNotEqual(compile_hlsl(code.replace("mask.Load", "mask.Lode")).returncode, 0)
 
     def test_cpp_compiles(self):
         self.assertGreaterEqual(len(blocks("cpp")), 3)
