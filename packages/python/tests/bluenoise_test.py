@@ -57,27 +57,18 @@ def by_the_paper(words):
     return ranks.reshape(size)
 
 
-def spectrum(frames):
-    """The frequency of each number of a picture's transform, in waves per pixel, and its power, 1 on the mean, which is
-    the mean of all frames."""
-    frequency = numpy.hypot(*numpy.meshgrid(*map(numpy.fft.fftfreq, frames.shape[:0:-1])))
-    power = abs(numpy.fft.fft2(frames - frames.mean()))**2 / frames[0].size / frames.var()
-    return frequency, power.mean(0)
-
-
 def faults(frames):
     """The faults that frames of thresholds have as blue noise."""
     found = []
     for level in LEVELS:
         aim = min(level, 1 - level)**0.5  # the principal frequency, of points that are as far apart as they can be
-        frequency, power = spectrum(1.0 * (frames < level))
-        below = power[(frequency > 0) & (frequency < aim / 2)].mean()
-        at = power[(frequency > 0.9 * min(aim, 0.5)) & (frequency < 1.3 * min(aim, 0.5))].mean()
+        spectrum = dither.spectrum(1.0 * (frames < level))
+        below = dither.mean_of(*spectrum, 0, aim / 2)
+        at = dither.mean_of(*spectrum, 0.9 * min(aim, 0.5), 1.3 * min(aim, 0.5))
         if below > (0.5 if level == 0.5 else 0.2) or at < 1.05:
             found.append(f"at {level:.3f} of all pixels the power is {below:.3f} below half the principal frequency, and "
                          f"{at:.2f} at it, of 1 for white noise")
-    frequency, power = spectrum(frames)
-    if power[(frequency > 0) & (frequency < 0.2)].mean() > 0.02:
+    if dither.mean_of(*dither.spectrum(frames), 0, 0.2) > 0.02:
         found.append("the thresholds themselves have low frequencies")
     even = (numpy.arange(frames[0].size) + 0.5) / frames[0].size
     if any(sorted(frame) != even.astype(numpy.float32).tolist() for frame in frames.reshape(len(frames), -1).tolist()):

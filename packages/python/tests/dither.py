@@ -35,20 +35,26 @@ def thresholds() -> dict[str, numpy.ndarray]:
             "R2": abs(2 * r2 - 1), "a mask of blue noise": mask}
 
 
-def power(threshold: numpy.ndarray) -> numpy.ndarray:
-    """Of each frequency, as a picture with frequency 0 in its middle; of white noise it is 1."""
-    return numpy.fft.fftshift(abs(numpy.fft.fft2(threshold - threshold.mean()))**2) / SIDE**2 / threshold.var()
+def spectrum(frames: numpy.ndarray) -> tuple[numpy.ndarray, numpy.ndarray]:
+    """Each frequency of pictures, in waves per pixel, and its power: the mean of all pictures, which for white noise is
+    1."""
+    frequency = numpy.hypot(*numpy.meshgrid(*map(numpy.fft.fftfreq, frames.shape[:-3:-1])))
+    power = abs(numpy.fft.fft2(frames - frames.mean()))**2 / frequency.size / frames.var()
+    return frequency, power.reshape(-1, *frequency.shape).mean(0)
+
+
+def mean_of(frequency: numpy.ndarray, power: numpy.ndarray, least: float, most: float) -> float:
+    """The mean power of frequencies between two, without 0."""
+    return power[(frequency > least) & (frequency < most)].mean()
 
 
 def rows() -> list[str]:
     """Of the table: the power of low frequencies, and of the hundredth of all frequencies that are strongest."""
-    frequency = numpy.fft.fftshift(numpy.hypot(*numpy.meshgrid(*[numpy.fft.fftfreq(SIDE)] * 2)))
     found = []
     for name, threshold in thresholds().items():
-        spectrum = power(threshold)
-        low = spectrum[(frequency > 0) & (frequency < LOW)].mean()
-        strongest = numpy.sort(spectrum, axis=None)[-SIDE**2 // 100:].sum() / spectrum.sum()
-        found.append(f"| {name} | {low:.2g} | {strongest:.0%} |".replace("%", " %"))
+        frequency, power = spectrum(threshold)
+        strongest = numpy.sort(power, axis=None)[-SIDE**2 // 100:].sum() / power.sum()
+        found.append(f"| {name} | {mean_of(frequency, power, 0, LOW):.2g} | {100 * strongest:.0f} % |")
     return found
 
 
@@ -59,8 +65,9 @@ def picture() -> numpy.ndarray:
     found = thresholds().values()
     above = [numpy.floor(glow * (GREYS - 1) + threshold) / (GREYS - 1) for threshold in (0.5, *found)]
     spectra = []
-    for spectrum in map(power, found):
-        near = sum(numpy.roll(spectrum, (i, j), (0, 1)) for i in (-1, 0, 1) for j in (-1, 0, 1)) / 9
+    for threshold in found:
+        power = numpy.fft.fftshift(spectrum(threshold)[1])
+        near = sum(numpy.roll(power, (i, j), (0, 1)) for i in (-1, 0, 1) for j in (-1, 0, 1)) / 9
         spectra.append(numpy.sqrt(near / 4))
     tiles = numpy.pad([above, [glow, *spectra]], ((0, 0), (0, 0), (0, BORDER), (0, BORDER)), constant_values=1)
     sheet = tiles.transpose(0, 2, 1, 3).reshape(2 * (SIDE + BORDER), -1)[:-BORDER, :-BORDER]
