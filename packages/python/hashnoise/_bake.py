@@ -17,8 +17,8 @@ from . import __version__, _core
 from . import _bake_mask as mask
 from ._bake_files import FORMATS, LONGEST_SIDE, MOST_CHANNELS, PICTURES, check_path, files_of, open_image_io, write
 from ._bake_values import FUNCTIONS, Component, Expression, Function, Stop, Values
-from ._evaluate import METRICS, checked_threads, ruled_number, suggestion
-from ._grids import MOST_POINTS
+from ._evaluate import METRICS, checked_threads, ruled_number
+from ._grids import MOST_POINTS, no_function
 
 NAME = "hashnoise bake"
 MOST_CELLS = 1 << 30  # so that positions fit into 64 bits, in units of 2^-32
@@ -153,8 +153,7 @@ def parsed(arguments):
     if given.function == mask.NAME:
         mask.settle(given)
     elif given.function not in (None, *NAMES):
-        raise Stop(2, f"there is no function {given.function!r}{suggestion(given.function, NAMES)}; there are "
-                      f"{', '.join(NAMES)}")
+        raise Stop(2, no_function(given.function, NAMES))
     elif given.frames:
         raise Stop(2, f"--frames is for {mask.NAME}; name three axes in --size")
     for name, value in DEFAULTS.items():

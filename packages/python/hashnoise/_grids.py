@@ -215,15 +215,17 @@ def options_of(function, name, given):
     elif isinstance(name, str) and name in _sums.SUMS:
         own, chosen = _sums.SUMS[name], {"fractal": name}
     else:
-        names = [*_noises.NOISES, *_sums.SUMS]
-        raise ValueError(f"{function}: there is no function {name!r}{suggestion(name, names)}; there are "
-                         f"{', '.join(names)}")
+        raise ValueError(f"{function}: {no_function(name, [*_noises.NOISES, *_sums.SUMS])}")
     defaults = {option: value for option, value in own.__kwdefaults__.items() if option != "points"}
     for option in given:
         if option not in defaults:
             raise TypeError(f"{function}: {name} has no option {option}{no_option(option, defaults)}")
     made = {option: value for option, value in defaults.items() if option not in ("cell", "out", "threads")}
     return {**made, **chosen, **given}
+
+
+def no_function(name, names):
+    return f"there is no function {name!r}{suggestion(name, names)}; there are {', '.join(names)}"
 
 
 def _dimensions(function, dimensions):
