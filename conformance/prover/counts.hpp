@@ -120,6 +120,7 @@ struct Along {
   bool chosen = false;
   std::uint64_t shape = 0;  // of the table, if it is one
   double off = 0;           // how far it is from the place, in these units
+  int node = -1;            // with that table
 };
 inline Along along[kAxes];
 inline void add_along(Affine& a, int axis, double d) {
@@ -239,24 +240,30 @@ inline void fill(int n, double first, size_t count, std::map<int, Column>& known
   }
   known[n] = std::move(c);
 }
-inline std::unordered_map<std::uint64_t, Column> columns;
-inline const Column& column(int n) {
-  const auto found = columns.find(shape(n));
-  if (found != columns.end()) return found->second;
-  const size_t all = size_t(nodes[nodes[n].leaf].shift) + 1;
+// Where a box is small, or a place is known, few values are wanted: a column is filled in parts of so many values.
+constexpr size_t kPart = 4096;
+inline std::map<std::pair<std::uint64_t, size_t>, Column> parts_of_columns;
+inline const Column& part_of_column(int n, size_t part) {
+  const std::pair key{shape(n), part};
+  if (const auto found = parts_of_columns.find(key); found != parts_of_columns.end()) return found->second;
+  const size_t first = part * kPart, after = size_t(nodes[nodes[n].leaf].shift) + 1 - first, step = place_step();
+  std::map<int, Column> known;
+  fill(n, first, std::min(kPart + 1, after), known);  // one more, to which a place may be rounded
+  Column& c = known[n];
+  for (size_t i = 0; i < std::min(kPart, after) && step > 1; ++i) {
+    if (c.whole[i] != c.whole[(i + step / 2) / step * step]) refuse("a place that is not rounded");
+  }
+  return parts_of_columns[key] = std::move(c);
+}
+inline Column column(int n, size_t lo, size_t hi) {
   Column c;
-  for (size_t first = 0; first < all; first += 4096) {
-    std::map<int, Column> known;
-    fill(n, first, std::min<size_t>(4096, all - first), known);
-    const Column& part = known[n];
-    c.whole.insert(c.whole.end(), part.whole.begin(), part.whole.end());
-    c.real.insert(c.real.end(), part.real.begin(), part.real.end());
+  for (size_t part = lo / kPart; part <= hi / kPart; ++part) {
+    const Column& of = part_of_column(n, part);
+    const size_t from = std::max(lo, part * kPart) % kPart, to = std::min(hi - part * kPart + 1, kPart);
+    c.whole.insert(c.whole.end(), of.whole.begin() + from, of.whole.begin() + to);
+    c.real.insert(c.real.end(), of.real.begin() + from, of.real.begin() + to);
   }
-  const size_t step = place_step();
-  for (size_t f = 0; f < all && step > 1; ++f) {
-    if (c.whole[f] != c.whole[(f + step / 2) / step * step]) refuse("a place that is not rounded");
-  }
-  return columns[shape(n)] = std::move(c);
+  return c;
 }
 // In a box: all values, and in exact arithmetic half of both ends' sum and difference, with all between. `bend` is
 // of that as what counts along an axis. The values are off by `off` times 1 + tilt u, u what counts along the axis.
@@ -277,14 +284,14 @@ inline const Table& table(int n) {
     const std::array<std::uint64_t, 4> key{shape(n), by, lo, hi};
     const auto found = tables.find(key);
     if (found != tables.end()) return found;
-    const Column& c = column(n);
-    const Column* const other = by != 0 && by != shape(n) ? &columns[by] : nullptr;
-    if (leaf.range.lo < 0 || hi >= c.whole.size()) refuse("an integer that is larger than others of its kind");
-    const auto at = [](const Column& c, size_t f) { return middle(c.real[f]); };
+    if (leaf.range.lo < 0 || hi > size_t(nodes[nodes[n].leaf].shift))
+      refuse("an integer that is larger than others of its kind");
+    const Column c = column(n, lo, hi), other = by != 0 && by != shape(n) ? column(axis.node, lo, hi) : Column{};
+    const auto at = [&](const Column& c, size_t f) { return middle(c.real[f - lo]); };
     const auto part = [&](size_t f) {  // what counts along the axis
       if (lo == hi) return 0.0;
       if (by == 0) return (2.0 * double(f) - double(lo) - double(hi)) / double(hi - lo);
-      const Column& b = other ? *other : c;
+      const Column& b = other.real.empty() ? c : other;
       return (2 * at(b, f) - at(b, lo) - at(b, hi)) / (at(b, hi) - at(b, lo));
     };
     constexpr Interval kNothing{INFINITY, -INFINITY};
@@ -292,17 +299,18 @@ inline const Table& table(int n) {
     if (hi - lo >= 1 << 13) {
       double ends[2] = {};
       for (size_t f = 0; f <= (hi - lo) / 4; f += place_step()) {
-        ends[0] = std::max(ends[0], (point(c.whole[lo + f]) - c.real[lo + f]).size());
-        ends[1] = std::max(ends[1], (point(c.whole[hi - f]) - c.real[hi - f]).size());
+        ends[0] = std::max(ends[0], (point(c.whole[f]) - c.real[f]).size());
+        ends[1] = std::max(ends[1], (point(c.whole[hi - lo - f]) - c.real[hi - lo - f]).size());
       }
       t.tilt = std::clamp((ends[1] - ends[0]) / (0.75 * (ends[0] + ends[1]) + 1e-30), -0.9, 0.9);
     }
     for (size_t f = lo; f <= hi; f += place_step()) {
       const double u = part(f);
-      t.whole = hull(t.whole, point(c.whole[f]));
+      const Interval whole = point(c.whole[f - lo]), real = c.real[f - lo];
+      t.whole = hull(t.whole, whole);
       const double tilted = 1 / (1 + t.tilt * u);
-      t.off = hull(t.off, (point(c.whole[f]) - c.real[f]) * Interval{tilted / kSafe, tilted * kSafe});
-      t.rest = hull(t.rest, c.real[f] - point(t.sum) - point(t.difference) * point(u));
+      t.off = hull(t.off, (whole - real) * Interval{tilted / kSafe, tilted * kSafe});
+      t.rest = hull(t.rest, real - point(t.sum) - point(t.difference) * point(u));
       const double bent = (at(c, f) - t.sum) / t.difference;
       t.bend = std::max(t.bend, std::fabs(bent) <= 1 ? std::fabs(bent - u) : INFINITY);
     }
@@ -311,7 +319,7 @@ inline const Table& table(int n) {
   if (!axis.chosen) {
     const Table& straight = in_box(0)->second;
     if (lo < hi && straight.difference != 0 && straight.bend <= 1)
-      axis = {true, shape(n), straight.bend * kSafe + kRounding};
+      axis = {true, shape(n), straight.bend * kSafe + kRounding, n};
   }
   return in_box(axis.shape)->second;
 }

@@ -3,9 +3,8 @@
 //   FUNCTION ARGUMENT... [OPTION=VALUE...]
 //
 //   FUNCTION    its number in bodies.inc
-//   ARGUMENT    any, word:N, float:X, box:LO:HI for a float in there, or position:LO:HI for a coordinate in there, in
-//   any
-//               cell; up to 16
+//   ARGUMENT    any, word:N, float:X, box:LO:HI for a float in there, or position:LO:HI for a coordinate in there,
+//               in any cell; up to 16
 //   outputs     bits: 1 for the first of the four words that it returns, 2 for the second, and so on
 //   measure     error; most or least, the ends of the range; exact_most or exact_least, those in exact arithmetic; or
 //               slope, by a place that is off by 1 along each axis
@@ -218,32 +217,31 @@ double first_half(double lo, double side) {
 Proven prove(const Job& job) {
   may_split = false, wanted = {}, divisions = {};
   Proven proven;
-  std::vector<double> lo, side;
-  for (const Argument& argument : job.arguments) {
-    if (argument.is == Argument::kBox) lo.push_back(argument.lo), side.push_back(argument.hi - argument.lo);
-    if (argument.is == Argument::kPosition) lo.push_back(0), side.push_back(1);
-  }
-  const std::size_t dims = lo.size();
-  std::priority_queue<Box> queue;
   place_bits = job.bits;
   const double unit = std::ldexp(1.0, -place_bits);
-  // In HN_FIXED both ends stand alone: there differences of ramps are largest.
-  const std::vector<double> starts = kFixed ? std::vector<double>{0, unit, 1} : std::vector<double>{0},
-                            ends = kFixed ? std::vector<double>{0, 1 - unit, 1} : std::vector<double>{1};
-  const std::size_t pieces = starts.size();
-  std::size_t count = 1;
-  for (std::size_t i = 0; i < dims; ++i) count *= pieces;
-  for (std::size_t number = 0; number < count; ++number) {
-    Box box;
-    for (std::size_t i = 0, rest = number; i < dims; ++i, rest /= pieces) {
-      const bool whole = lo[i] != 0 || side[i] != 1;
-      box.lo.push_back(whole ? lo[i] : starts[rest % pieces]);
-      box.side.push_back(whole ? side[i] : ends[rest % pieces] - starts[rest % pieces]);
+  // In HN_FIXED both ends of a cell stand alone: there differences of ramps are largest.
+  std::vector<Box> first(1);
+  for (const Argument& argument : job.arguments) {
+    if (argument.is != Argument::kBox && argument.is != Argument::kPosition) continue;
+    const Interval ends = argument.is == Argument::kBox ? Interval{argument.lo, argument.hi} : Interval{0, 1};
+    std::vector<Interval> parts{ends};
+    if (kFixed && ends.lo == 0 && ends.hi == 1) parts = {{0, 0}, {unit, 1 - unit}, {1, 1}};
+    std::vector<Box> boxes;
+    for (const Interval& part : parts) {
+      for (Box box : first) {
+        box.lo.push_back(part.lo), box.side.push_back(part.hi - part.lo);
+        boxes.push_back(box);
+      }
     }
+    first = std::move(boxes);
+  }
+  std::priority_queue<Box> queue;
+  for (Box& box : first) {
     box.found = measured_in(job, box, proven.problem);
     queue.push(box);
   }
-  proven.boxes = count;
+  proven.boxes = first.size();
+  const std::size_t dims = first[0].lo.size();
   double& least = proven.at_point;
   int in_vain = 0;  // so many times more classes were of no use
   const std::clock_t start = std::clock();
