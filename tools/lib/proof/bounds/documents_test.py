@@ -261,6 +261,7 @@ class Command(unittest.TestCase):
         with mock.patch.object(command, "derive", return_value=RAW), contextlib.redirect_stderr(shown), \
                 mock.patch.object(command, "without_proof", return_value=[]), \
                 mock.patch.object(text_proofs, "prove", return_value=[]), \
+                mock.patch.multiple(command.identity, wrong_texts=list, wrong_forms=lambda *_: []), \
                 mock.patch.object(command, "differences", side_effect=problem):
             return command.main(["--check"]), shown.getvalue()
 
