@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import ctypes
 import functools
-import hashlib
 import math
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 
 import catalog.model
 from base.tree import CONFORMANCE, GLSL, ROOT
 from base.twin import compile_program
 from catalog import suite
-from proof.bounds.prover import ENGINE, FOLDER
+from proof.bounds.prover import ENGINE, made
 from proof.bounds.rounded import FIXED, Body, table
 from proof.bounds.table import Bounds, bounds_of, read
 
@@ -39,19 +39,18 @@ class Sums:
         bodies_inc = "".join(f'SUM_FUNCTION("{name}", , , (), {body.code})\n' for name, body in (bodies or {}).items())
         if bodies is not None:
             macros += ("SUMS_OWN",)
-        sum_ = hashlib.sha256(" ".join([*macros, own, bodies_inc, *suite.files().values()]).encode())
-        for path in sorted([*SOURCE.parent.glob("*.[ch]pp"), ENGINE / "interval.hpp", *GLSL.rglob("*.glsl"),
-                            *(ROOT / "include").rglob("*.h*")]):
-            sum_.update(path.read_bytes())
-        folder = FOLDER / sum_.hexdigest()[:16]
-        if not (folder / "sums.so").exists():
+        summaries = "" if bodies is None else other_summaries()
+
+        def make(folder: Path) -> None:
             suite.write(folder)
             (folder / "bodies.inc").write_text(bodies_inc, encoding="utf-8")
-            (folder / "summaries.inc").write_text(other_summaries(), encoding="utf-8")
+            (folder / "summaries.inc").write_text(summaries, encoding="utf-8")
             (folder / "own.inc").write_text(OWN.format(own), encoding="utf-8")
             compile_program("the text of sums", SOURCE, folder / "new", *OPTIONS, *options, include=folder, macros=macros)
-            (folder / "new").rename(folder / "sums.so")
-        self.library = ctypes.CDLL(str(folder / "sums.so"))
+
+        self.library = ctypes.CDLL(str(made(
+            "sums.so", [*macros, own, bodies_inc, summaries, *suite.files().values()],
+            [*SOURCE.parent.glob("*.[ch]pp"), *(ENGINE / name for name in ("interval.hpp", "names.hpp"))], make)))
         self.library.answer.restype = ctypes.c_char_p
 
     def errors(self, name: str, arguments: Mapping[str, str], noise: Sequence[float] = (0.0,) * 7) -> list[float]:

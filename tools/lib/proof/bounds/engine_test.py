@@ -8,8 +8,10 @@ import math
 import shutil
 import subprocess
 import tempfile
+import time
 import unittest
 from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from unittest import mock
@@ -83,7 +85,6 @@ WORDS = (0x5FFFFFFF, 0x60000000, 0x3FFFFFFF, 0xFFFFFFFF, 0)
 ROUNDINGS = [Rounding("up"), Rounding("down"), Rounding("random", 0, 0.5), Rounding("random", 1, 1.0)]
 MEASURES = ("error", "most", "least")
 COUNT = 4000 if THOROUGH else 1000
-OPTIONS = ("-O1",)
 
 
 @dataclass(frozen=True)
@@ -274,17 +275,33 @@ def is_noticed(engine: Prover) -> bool:
         return True
 
 
+class Programs(unittest.TestCase):
+    def test_each_is_made_once(self) -> None:
+        """Others that want it at the same time wait for it."""
+        runs = []
+
+        def make(folder: Path) -> None:
+            runs.append(folder)
+            time.sleep(0.1)
+            (folder / "new").touch()
+
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(prover, "FOLDER", Path(folder)), \
+                ThreadPoolExecutor() as pool:
+            paths = list(pool.map(lambda text: prover.made("program", [text], [], make), ("a", "a", "b")))
+        self.assertEqual((len(runs), len({*paths})), (2, 2))
+
+
 class Engine(unittest.TestCase):
     def test_random_texts(self) -> None:
         """Runs stay within the bounds, and come near them."""
-        found = shares(Prover(BODIES, options=OPTIONS))
+        found = shares(Prover(BODIES))
         self.assertEqual([], [f"{share} {case}" for share, case in found if not share <= 1])
         self.assertGreater(np.mean([share > 0.5 for share, _ in found]), 0.15)
 
     def test_seams(self) -> None:
         """Cells meet if both have the same points there, and else their errors are the difference."""
         jobs = [Job(f"seam{i}", ("v",), {}, most=2000) for i in range(len(SEAMS))]
-        for (radius, step, least, most), found in zip(SEAMS, Prover(BODIES, options=OPTIONS).prove(jobs)):
+        for (radius, step, least, most), found in zip(SEAMS, Prover(BODIES).prove(jobs)):
             with self.subTest(radius=radius, step=step):
                 self.assertLess(least, found.bound)
                 self.assertLess(found.bound, most)
@@ -295,7 +312,7 @@ class Engine(unittest.TestCase):
             self.assertEqual(1, (ENGINE / file).read_text(encoding="utf-8").count(old), f"{file}: {old}")
         for mistake in some(MISTAKES, 0):
             with self.subTest(mistake), mistaken(*mistake):
-                self.assertTrue(is_noticed(Prover({"text": TEXT}, options=OPTIONS)))
+                self.assertTrue(is_noticed(Prover({"text": TEXT})))
 
     def test_intervals(self) -> None:
         self.assertEqual("", output_of_intervals())

@@ -3,11 +3,12 @@ function is named by its row in the suite's table, or has a body like those."""
 
 from __future__ import annotations
 
+import fcntl
 import hashlib
 import json
 import math
 import subprocess
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -18,9 +19,25 @@ from proof.bounds import rounded, sine
 from proof.bounds.rounded import Body, with_literals, write_literal_text
 
 ENGINE = CONFORMANCE / "prover"
-OPTIONS = ("-w", "-frounding-math")
+OPTIONS = ("-O1", "-w", "-frounding-math")  # optimized more, it is compiled longer and runs no faster
 MACROS = ("always_inline=unused", f"PROVER_SINE={sine.polynomial_error()!r}")
 FOLDER = ROOT / "build" / "prover"
+
+
+def made(name: str, texts: Iterable[str], sources: Iterable[Path], make: Callable[[Path], None]) -> Path:
+    """The file of that name in a folder of these texts and sources, and of the library. If it is not there, `make`
+    makes it in the folder, as "new"; other processes that want the same wait for that."""
+    digest = hashlib.sha256("\n".join(texts).encode())
+    for path in sorted([*sources, *GLSL.rglob("*.glsl"), *(ROOT / "include").rglob("*.h*")]):
+        digest.update(path.read_bytes())
+    folder = FOLDER / digest.hexdigest()[:16]
+    folder.mkdir(parents=True, exist_ok=True)
+    with open(folder / "lock", "w", encoding="utf-8") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)  # until it is closed
+        if not (folder / name).exists():
+            make(folder)
+            (folder / "new").rename(folder / name)
+    return folder / name
 
 
 @dataclass(frozen=True)
@@ -65,20 +82,16 @@ class Prover:
     def __init__(self, bodies: Mapping[str, Body], *macros: str, text: str = "", options: tuple[str, ...] = ()):
         self.bodies = dict(bodies)
         source = "".join(f"FUNCTION({body.code})\n" for body in self.bodies.values())
-        sum_ = hashlib.sha256(" ".join((*macros, *options, text, source)).encode())
-        of_text = [*GLSL.rglob("*.glsl"), *(ROOT / "include").rglob("*.h*")]
-        for path in sorted([Path(rounded.__file__), *ENGINE.glob("*.[ch]pp"), *of_text]):
-            sum_.update(path.read_bytes())
-        folder = FOLDER / sum_.hexdigest()[:16]
-        self.program = folder / "prove"
-        if not self.program.exists():
-            folder.mkdir(parents=True, exist_ok=True)
+
+        def make(folder: Path) -> None:
             write_literal_text(folder)
             (folder / "bodies.inc").write_text(with_literals(source), encoding="utf-8")
             (folder / "own.inc").write_text(text, encoding="utf-8")
             compile_program("the text over numbers that prove", ENGINE / "prove.cpp", folder / "new", *OPTIONS, *options,
                             f"-I{folder}", macros=(*MACROS, *macros))
-            (folder / "new").rename(self.program)
+
+        self.program = made("prove", (*OPTIONS, *MACROS, *macros, *options, text, source),
+                            [Path(rounded.__file__), *ENGINE.glob("*.[ch]pp")], make)
 
     def prove(self, jobs: Iterable[Job]) -> list[Proven]:
         """In their order."""
