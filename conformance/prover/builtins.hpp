@@ -42,12 +42,9 @@ auto swizzled(const T& v) {
 // GLSL defines these by others. A compiler may write mix in either of two ways, which are the same number.
 inline Float mix(Float a, Float b, Float t) {
   const Form one = (a + t * (b - a)).form(), other = (a * (Float(1.0f) - t) + b * t).form();
-  const Interval error = hull(one.error(), other.error());
-  Form f = one;
-  std::erase_if(f.terms, [](const Term& x) { return symbols[x.symbol].kind == kError; });
+  Form f = with_error(one, hull(one.error(), other.error()));
   f.range = hull(one.range, other.range);
   f.grid = kNoGrid, f.bits = 24;
-  if (error.lo < 0 || error.hi > 0) f.terms.push_back({symbol(kError, error), {1, 1}});
   return Float::of(f);
 }
 inline Float fract(Float x) { return x - floor(x); }

@@ -77,7 +77,7 @@ struct Integer : Word {
     else if (form.range.lo == form.range.hi && form.terms.empty() && !(kFixed && is_fraction(form)))
       value = static_cast<std::uint32_t>(static_cast<std::int64_t>(form.range.lo));
     else if (const double lo = std::trunc(form.range.lo), hi = std::trunc(form.range.hi);
-             HN_ARITHMETIC != HN_FIXED && hi - lo < 64 && std::fabs(lo) < 0x1p31)
+             !kFixed && hi - lo < 64 && std::fabs(lo) < 0x1p31)
       value = static_cast<std::uint32_t>(static_cast<std::int64_t>(one_of('t', f, lo, hi).form().range.lo));
     else if (kFixed && form.grid >= 0 && form.range.size() < 0x1p31) {
       *this = numeric(Float::of(Form(form)));

@@ -14,7 +14,7 @@ from proof.bounds.boxes import Boxes, corners, fade, fade_derivative
 from proof.bounds.gradients import OCTAHEDRAL
 from proof.bounds.noises import perlin
 from proof.bounds.prover import Job, Prover
-from proof.bounds.rounded import EXACT, FIXED, Body, Rounding, along_axes, table
+from proof.bounds.rounded import EXACT, FIXED, SINES, Body, Rounding, along_axes, table
 from proof.bounds.rounded import Text as RoundedText
 
 ONE = 2**20  # of fractions
@@ -25,7 +25,7 @@ STEPS = {"fade": "hn_i_fade(int(a.x))", "slope": "hn_i_d_fade(int(a.x))", "sine"
 
 @functools.cache
 def text():
-    return RoundedText([], FIXED, "HN_GRADIENT=HN_GRADIENT_SINE", optimized=True, **{
+    return RoundedText([], FIXED, SINES, optimized=True, **{
         name: Body.of("x:u32 y:u32 z:u32", "n:i32", f"return uvec4(uint({step}), 0u, 0u, 0u);")
         for name, step in STEPS.items()})
 

@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 
 from proof.bounds.features import METRICS
-from proof.bounds.rounded import Rounding, Text, roundings, table
+from proof.bounds.rounded import FIXED, Rounding, Text, roundings, table
 
 COUNT = 200
 
@@ -44,7 +44,7 @@ class Fixed(unittest.TestCase):
     def test_bits_are_the_same_in_every_rounding(self):
         ids = [id for id in table() if not id.startswith("hash.") and "sine" not in id]
         self.assertGreater(len(ids), 300)
-        text = Text(ids, "HN_ARITHMETIC=HN_FIXED", optimized=True)
+        text = Text(ids, FIXED, optimized=True)
         self.assertEqual(self.differing(text, ids, roundings(2)), [])
 
     def test_floats_have_others(self):

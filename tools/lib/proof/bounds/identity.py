@@ -34,10 +34,10 @@ from base.tree import GOLDEN
 from catalog.tables.configurations import DEFAULT_HASH
 from catalog.tables.functions import Column, Function, read_functions
 from proof.bounds.gradients import SINE
-from proof.bounds.rounded import EXACT, Text
+from proof.bounds.rounded import EXACT, SINES, Text
 from proof.bounds.text import Line, cases, provers_of
 
-SETTINGS = {DEFAULT_HASH: (), f"{DEFAULT_HASH}+sine": ("HN_GRADIENT=HN_GRADIENT_SINE",)}  # macros
+SETTINGS = {DEFAULT_HASH: (), f"{DEFAULT_HASH}+sine": (SINES,)}  # macros
 DOUBLES, ANGLES = 1e-12, 2.0**-25
 LEAST_JITTER = 2.0**-40
 CUT = 2.0**20  # steps of a fraction in HN_FIXED

@@ -20,6 +20,7 @@ from proof.bounds.floats import position_error
 from proof.bounds.prover import Job, Proven, Prover
 from proof.bounds.rounded import Body
 from proof.bounds.table import scientific
+from translate.parsing.tokens import NUMBER, SIGN, WORD
 
 SECONDS = 30  # for a result
 MEASURES = {"error": 0.003, "least": 1e-4, "most": 1e-4, "slope": 0.01}  # with their tolerances
@@ -29,10 +30,8 @@ MACROS = ("PROVER_OWN", "PROVER_TRACE")
 
 # --- The text ---------------------------------------------------------------------------------------------------------
 
-WORD = r"[A-Za-z_]\w*"
 TOKEN = re.compile(rf"(?P<blank>\s+|//[^\n]*|/\*.*?\*/)|(?P<directive>^[ \t]*#(?:[^\n\\]|\\\n|\\.)*)"
-                   rf"|(?P<float>(?:\d+\.\d*|\.\d+)(?:[eE][+-]?\d+)?[fF]?|\d+[eE][+-]?\d+[fF]?)"
-                   rf"|(?P<other>0[xX][0-9a-fA-F]+[uU]?|\d+[uU]?|{WORD}|<<=|>>=|[-+*/%&|^<>=!]=|.)", re.DOTALL | re.MULTILINE)
+                   rf"|(?P<number>{NUMBER})|(?P<other>{WORD}|{SIGN}|.)", re.DOTALL | re.MULTILINE)
 DROPPED = {"highp", "mediump", "lowp", "precise", "invariant", "in"}
 CLOSING = {"(": ")", "[": "]", "{": "}"}
 BEFORE_EXPRESSION = {"return", ",", ";", "{", "}", "?", ":", "=", "+=", "-=", "*=", "/=", "&=", "|=", "^="}
@@ -48,9 +47,9 @@ def tokens_of(text: str) -> list[str]:
     for match in TOKEN.finditer(text):
         if match.lastgroup == "blank":
             found.append("\n" * match[0].count("\n") or " ")
-        elif match.lastgroup == "float":
+        elif match.lastgroup == "number" and re.match(r"(?!0[xX]).*[.eE]", match[0]):
             found.append(f"{match[0].rstrip('fF')}_f")
-        elif match[0][0].isdigit():
+        elif match.lastgroup == "number":
             found.append(f"{'Uint' if match[0][-1] in 'uU' else 'Int'}({match[0]})")
         else:
             directive = match[0].split()[0] if match.lastgroup == "directive" else ""

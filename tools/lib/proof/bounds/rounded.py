@@ -24,7 +24,8 @@ from catalog.tables.functions import Column, read_functions
 SOURCE = Path(__file__).with_suffix(".cpp")
 MODES = ("nearest", "down", "up", "random")
 DOUBLES = "doubles"  # the mode in which nothing rounds
-FIXED = "HN_ARITHMETIC=HN_FIXED"  # a macro: then only inputs and outputs round
+# Macros. With FIXED only inputs and outputs round.
+FIXED, SINES = "HN_ARITHMETIC=HN_FIXED", "HN_GRADIENT=HN_GRADIENT_SINE"
 
 
 @dataclass(frozen=True)

@@ -16,7 +16,7 @@ from catalog.tables.functions import read_functions
 from proof.bounds import gullies, jacobians, sums, text_test
 from proof.bounds.floats import to_float
 from proof.bounds.gradients import OCTAHEDRAL, SINE
-from proof.bounds.rounded import EXACT, FIXED, NEAREST, Rounding, Text, along_axes, roundings
+from proof.bounds.rounded import EXACT, FIXED, NEAREST, SINES, Rounding, Text, along_axes, roundings
 from proof.bounds.sums import CATALOG, KINDS, SHIFTS, SLOPED, Sum
 from proof.bounds.table import bounds_of, read_gullies, slope_bounds_of
 
@@ -35,7 +35,7 @@ def rows():
 
 @functools.cache
 def text(gradient, *macros):
-    macros += ("HN_GRADIENT=HN_GRADIENT_SINE",) * (gradient is SINE)
+    macros += (SINES,) * (gradient is SINE)
     return Text([id for id, function in rows().items() if has(function, gradient)], *macros, optimized=True)
 
 

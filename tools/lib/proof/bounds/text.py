@@ -20,7 +20,7 @@ from proof.bounds.floats import position_error
 from proof.bounds.gradients import OCTAHEDRAL, SINE, Gradient
 from proof.bounds.noises import ProvenBounds
 from proof.bounds.prover import Job, Proven, Prover, is_within
-from proof.bounds.rounded import table
+from proof.bounds.rounded import FIXED, SINES, table
 from proof.bounds.table import Bounds, closer, published
 
 Key = tuple[str, int, Gradient | None]
@@ -55,8 +55,7 @@ class Line:
 
     @property
     def macros(self) -> tuple[str, ...]:
-        return (("HN_ARITHMETIC=HN_FIXED",) * self.fixed + ("HN_GRADIENT=HN_GRADIENT_SINE",) * (self.gradient is SINE)
-                + ("PROVER_EXACT_SINES=1",) * self.exact_sines)
+        return (FIXED,) * self.fixed + (SINES,) * (self.gradient is SINE) + ("PROVER_EXACT_SINES=1",) * self.exact_sines
 
     def holds(self, key: Key, fixed: bool, kind: str = VALUE) -> bool:
         name, dims, gradient = key

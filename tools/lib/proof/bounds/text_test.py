@@ -18,12 +18,12 @@ from proof.bounds.gradients import OCTAHEDRAL, ROTATED, SINE
 from proof.bounds.noises import phasor
 from proof.bounds.noises.perlin import SCALE
 from proof.bounds.prover import usual_argument
-from proof.bounds.rounded import EXACT, FIXED, NEAREST, Text, along_axes, roundings
+from proof.bounds.rounded import EXACT, FIXED, NEAREST, SINES, Text, along_axes, roundings
 from proof.bounds.table import bounds_of, slope_bounds_of
 from proof.bounds.text import rows as every_row
 
 COUNT = {1: 4000, 2: 3000, 3: 2000, 4: 1000}
-OF_GRADIENT = {OCTAHEDRAL: (), SINE: ("HN_GRADIENT=HN_GRADIENT_SINE",)}  # macros
+OF_GRADIENT = {OCTAHEDRAL: (), SINE: (SINES,)}  # macros
 CLEAR = 2.0**-10  # how much farther the second point is than the first, where these do not change places
 # Which part of a bound random points reach, in floats and in integers, where it is less than usual: a noise that jumps
 # has errors at few places, a border one of points that nearly touch, and errors of large numbers seldom add up.
