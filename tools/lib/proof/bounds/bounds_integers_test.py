@@ -144,17 +144,23 @@ PLANTED = {
 
 class FixedText(unittest.TestCase):
     """The prover runs the text of HN_FIXED."""
+    ID = "noise2d.perlin_d_cell"
+
+    @staticmethod
+    @functools.cache
+    def prover():
+        return Prover({FixedText.ID: table()[FixedText.ID]} | {name: Body.of(
+            "f:f32", "n:f64", f"hn_int f = hn_i_to_num(float_of(a.x)); return uvec4(bits_of(hn_i_value({code})), 0u, 0u, 0u);")
+            for name, (code, _) in PLANTED.items()}, FIXED)
 
     def test_planted_steps(self):
-        bodies = {name: Body.of("f:f32", "n:f64", f"hn_int f = hn_i_to_num(float_of(a.x)); return uvec4(bits_of("
-                                f"hn_i_value({code})), 0u, 0u, 0u);") for name, (code, _) in PLANTED.items()}
-        found = Prover(bodies, FIXED).prove([Job(name, ("n",), {}, most=40) for name in bodies])
+        found = self.prover().prove([Job(name, ("n",), {}, most=40) for name in PLANTED])
         for (name, (_, right)), proven in zip(PLANTED.items(), found):
             self.assertTrue(0.9 * right <= proven.bound <= 1.01 * right, (name, proven, right))
 
     def test_no_run_leaves_a_box(self):
-        rng, id = np.random.default_rng(21), "noise2d.perlin_d_cell"
-        prover, fixed, exact = Prover({id: table()[id]}, FIXED), RoundedText([id], FIXED), RoundedText([id])
+        rng, id = np.random.default_rng(21), self.ID
+        prover, fixed, exact = self.prover(), RoundedText([id], FIXED), RoundedText([id])
         outputs = [column.name for column in table()[id].outputs]
         for _ in range(6):
             lo = rng.integers(0, 15, 2) / 16

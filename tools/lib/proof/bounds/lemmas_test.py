@@ -89,6 +89,17 @@ def of_octaves(add, end):
 
 
 BODIES = {name: of_octaves(*of) for name, of in OCTAVES.items()}
+LOOPS = {  # the number of octaves, and the noise
+    "four": (4, "hn_perlin(o.place, o.seed)"), "five": (5, "hn_perlin(o.place, o.seed)"),
+    "sine": (4, "sin(hn_perlin(o.place, o.seed))"), "fraction": (4, "o.place.fraction.x"),
+    "bits": (4, "hn_i_float(o.place.cell.x & 7)")}
+LOOP = ("hn_octaves2 o = hn_octaves(vec2(float_of(a.x), 0.5f), {}, 2.0f, 0.5f, 7u); do hn_add(o, {}); while (hn_next(o)); "
+        "return uvec4(bits_of(hn_mean(o)), 0u, 0u, 0u);")
+
+
+@functools.cache
+def in_floats():
+    return Sums(bodies=BODIES | {name: Body.of("x:f32", "value:f32", LOOP.format(*of)) for name, of in LOOPS.items()})
 
 
 class Roundings(unittest.TestCase):
@@ -107,10 +118,9 @@ class Roundings(unittest.TestCase):
 
     def test_roundings_of_each_step_are_counted(self):
         """None is left out, and few are counted that do not occur."""
-        sums = Sums(bodies=BODIES)
         for name in BODIES:
             with self.subTest(name):
-                self.assertTrue(1 / 10 < self.ratio(name, sums) <= 1, self.ratio(name, sums))
+                self.assertTrue(1 / 10 < self.ratio(name, in_floats()) <= 1, self.ratio(name, in_floats()))
 
 
 def planted(changes, *arguments, **others):
@@ -140,15 +150,8 @@ class Planted(unittest.TestCase):
 
 class Unseen(unittest.TestCase):
     def test_a_step_that_nobody_has_proven_is_named(self):
-        loop = "hn_octaves2 o = hn_octaves(vec2(float_of(a.x), 0.5f), {}, 2.0f, 0.5f, 7u); {} return uvec4(bits_of({}), 0u, 0u, 0u);"
-        step = "do hn_add(o, {}); while (hn_next(o));"
-        bodies = {name: Body.of("x:f32", "value:f32", loop.format(count, step.format(noise), end)) for name, (count, noise, end) in {
-            "four": (4, "hn_perlin(o.place, o.seed)", "hn_mean(o)"), "five": (5, "hn_perlin(o.place, o.seed)", "hn_mean(o)"),
-            "sine": (4, "sin(hn_perlin(o.place, o.seed))", "hn_mean(o)"),
-            "fraction": (4, "o.place.fraction.x", "hn_mean(o)"), "bits": (4, "hn_i_float(o.place.cell.x & 7)", "hn_mean(o)")}.items()}
-        sums = Sums(bodies=bodies)
-        (four,), (five,) = (sums.errors(name, {"x": "float:-16:16"}) for name in ("four", "five"))
+        (four,), (five,) = (in_floats().errors(name, {"x": "float:-16:16"}) for name in ("four", "five"))
         self.assertTrue(1.2 * four < five < 2.5 * four, (four, five))  # an octave more
         for name, reason in (("sine", "a sine"), ("fraction", "a fraction of a number that rounds"), ("bits", "bits of an integer")):
             with self.assertRaisesRegex(LookupError, f"no proof of {reason}"):
-                sums.errors(name, {"x": "float:-16:16"})
+                in_floats().errors(name, {"x": "float:-16:16"})
