@@ -5,8 +5,7 @@
 //                   The noise is its axes, and error, slope and limit of the value and of a derivative; none if
 //                   SUMS_OWN has own_noises
 //   answer_gullies  of the arguments in their order (gullies.hpp; a footprint of -1 is none), and of GULLIES_BOUNDS:
-//   the
-//                   errors of the height and of a slope
+//                   the errors of the height and of a slope
 //
 // answer returns a sentence where there is no proof.
 #include "sums/gullies.cpp"

@@ -5,6 +5,7 @@ of it calls, are proven: their floats beside the same text in exact arithmetic."
 
 from __future__ import annotations
 
+import contextlib
 import math
 import re
 import subprocess
@@ -293,18 +294,22 @@ def first_error(output: str) -> str:
 # --- Sums -------------------------------------------------------------------------------------------------------------
 
 
-def of_sum(path: Path, one: Result, within: Mapping[str, str]) -> float | None:
-    """The error of a function over noises of the library at any place: numbers of their ranges, with the published
-    errors. None if it is not proven so either."""
-    body, given = body_and_arguments(one.function, within)
-    usual = {column.name: "any" for column in body.inputs} | {
-        name: re.sub("^(box|position):", "float:", argument) for name, argument in given.items()}
+def errors_of_sums(path: Path, results: Sequence[Result], within: Mapping[str, str]) -> dict[tuple[str, str], float]:
+    """Of functions over noises of the library at any place: numbers of their ranges, with the published errors. By
+    function and output; without those that are not proven so either."""
+    made, found = {str(one.function): body_and_arguments(one.function, within) for one in results}, {}
     try:
-        errors = Sums(bodies={"own": body}, own=transformed(path), options=(f"-I{path.parent}",)).errors("own", usual)
-    except (NotBuilt, LookupError):
-        return None
-    error = dict(zip((column.name for column in body.outputs), errors))[one.output]
-    return error if math.isfinite(error) else None
+        sums = Sums(bodies={name: body for name, (body, _) in made.items()}, own=transformed(path),
+                    options=(f"-I{path.parent}",)) if results else None
+    except NotBuilt:
+        return {}
+    for name, (body, given) in made.items():
+        usual = {column.name: "any" for column in body.inputs} | {
+            column: re.sub("^(box|position):", "float:", argument) for column, argument in given.items()}
+        with contextlib.suppress(LookupError):
+            found |= {(name, column.name): error for column, error in zip(body.outputs, sums.errors(name, usual))
+                      if math.isfinite(error)}
+    return found
 
 
 # --- For a reader -----------------------------------------------------------------------------------------------------
@@ -324,13 +329,14 @@ def place_of(frames: Sequence[int], prover: Prover) -> str:
 def report(path: Path, wanted: Sequence[str], within: Mapping[str, str]) -> int:
     """The exit status."""
     results, prover = prove(path, wanted, within)
+    of_sums = errors_of_sums(path, [one for one in results if one.proven["error"].problem], within)
     last, right = None, 0
     for one in results:
         if one.function is not last:
             print(f"{path}:{one.function.line}: {one.function}")
         last, error = one.function, one.proven["error"]
         title = f"  {one.output or 'value':12}"
-        if error.problem and (sum_error := of_sum(path, one, within)) is not None:
+        if error.problem and (sum_error := of_sums.get((str(one.function), one.output))) is not None:
             print(f"{title} error {scientific(sum_error)}, as a sum of noises with their published errors")
             right += 1
         elif error.problem:
