@@ -43,6 +43,21 @@ export const kStepBeside = 0.0625;
 export const partOf = ({ arithmetic }, value) =>
   arithmetic === "fixed" ? Math.round(value * kSteps) / kSteps : value;
 
+// From which value on a layer counts, in how wide an edge, and the reciprocal of that: of a whole number of steps a little
+// too large, so that it counts whole where the edge ends.
+export function edgeOf(state, { from, soft }) {
+  const width = Math.abs(partOf(state, soft)) || 1;
+  const rate = state.arithmetic === "fixed" ? Math.ceil(kSteps / width) / kSteps : Number((1 / width).toPrecision(7));
+  return { from: partOf(state, from), width, rate };
+}
+
+// What a coordinate is multiplied by for the distance from the middle, in radii: a power of two, which is exact, and a rest
+// from 1 to 2.
+export function spreadOf(state, { radius }) {
+  const unit = 2 ** -Math.ceil(Math.log2(radius));
+  return { unit, ratio: partOf(state, Number((1 / (radius * unit)).toPrecision(7))) };
+}
+
 // The numbers with which the functions of each visible layer are called.
 export function numbers(language, state) {
   const { int } = kTypes[language];
@@ -51,7 +66,9 @@ export function numbers(language, state) {
   return shownLayers(state).map((layer) => {
     const whole = String(state.period * layer.scale);
     const alike = language === "hlsl" && n > 1 ? Array(n).fill(whole).join(", ") : whole;
+    const others = Object.entries({ ...edgeOf(state, layer), ...spreadOf(state, layer) });
     return {
+      ...Object.fromEntries(others.map(([name, value]) => [name, literal(language, value)])),
       seed: `${layer.seed}u`, otherSeed: `${(layer.seed + 1) % 4294967296}u`, octaves: String(layer.octaves),
       lacunarity: literal(language, layer.lacunarity), gain: literal(language, layer.gain),
       strength: literal(language, layer.strength), amplitude: literal(language, layer.amplitude),
@@ -81,6 +98,7 @@ export function shapes(state) {
         moved: offset !== 0,
         scaled: used.scale && layer.scale !== 1,
         tinted: tinted.includes(layer),
+        soft: used.soft ? layer.soft : 0,
       },
     ];
   });
@@ -164,6 +182,7 @@ class Writer {
   // The noise itself at a place: the lines before its value, and the value.
   noiseAt(where, values) {
     const { noise, state } = this;
+    if (noise.shape) return this.middleAt(where, values);
     const { float, int } = this.types;
     const cellular = noise.metric || noise.jitter;
     const full = state.full || this.short;
@@ -196,6 +215,27 @@ class Writer {
       return { lines: [this.let(float(2), "distances", call)], value: "distances.y - distances.x" };
     }
     return { lines: [], value: noise.of ? noise.of(call) : call };
+  }
+
+  // How far a place is from the middle. From a cell both parts of a coordinate are whole numbers of steps before they meet.
+  middleAt({ position, cell, f }, { unit, ratio }) {
+    const { n, state } = this;
+    const { product, stepped } = steppedWords(state.arithmetic === "fixed");
+    const along = (axis) => {
+      const of = (place) => (n === 1 ? place : /^\w+$/.test(place) ? `${place}.${axis}` : `(${place}).${axis}`);
+      const whole = cell && `${this.types.float(1)}(${of(cell)})`;
+      const shown = cell
+        ? `${stepped(`${whole} * ${unit}`)} + ${stepped(`${of(f)} * ${unit}`)}`
+        : stepped(`${of(position)} * ${unit}`);
+      return this.let(this.types.float(1), `u${axis}`, product(this.number(`min(max(${shown}, -2.0), 2.0)`), ratio));
+    };
+    const axes = n === 1 ? ["x"] : state.shape.startsWith("along_") ? [state.shape.at(-1)] : ["x", "y"];
+    const squares = axes.map((axis) => product(`u${axis}`, `u${axis}`));
+    const value = {
+      round: () => `max(1.0 - (${squares.join(" + ")}), -1.0)`,
+      square: () => `max(1.0 - ${squares.length > 1 ? `max(${squares.join(", ")})` : squares[0]}, -1.0)`,
+    }[state.shape]?.() ?? `min(max(u${axes[0]}, -1.0), 1.0)`;
+    return { lines: axes.map(along), value: this.number(value) };
   }
 
   // The noise that a sum takes: the library's own, or a function of ours that makes one of distances.
@@ -336,6 +376,11 @@ class Writer {
   }
 }
 
+const steppedWords = (isExact) => ({
+  product: (one, other) => (isExact ? `layer_product(${one}, ${other})` : `${one} * ${other}`),
+  stepped: (value) => (isExact ? `layer_steps(${value})` : value),
+});
+
 // Layers in one value, as combine.js has it.
 class Mixer {
   constructor(language, shown, writers) {
@@ -348,12 +393,12 @@ class Mixer {
 
   get words() {
     const [writer] = this.writers;
-    const stepped = (value) => (this.fixed ? `layer_steps(${value})` : value);
+    const { product, stepped } = steppedWords(this.fixed);
     return {
       name: (kind, at) => (kind === "v" ? "v" : `m${at + 1}`),
       numbers: (at) => [this.writers[at].values.weight, this.writers[at].values.offset],
-      product: (one, other) => (this.fixed ? `layer_product(${one}, ${other})` : `${one} * ${other}`),
-      stepped, result: stepped, isExact: this.fixed,
+      ease: (at) => ["from", "width", "rate"].map((name) => this.writers[at].values[name]),
+      product, stepped, result: stepped, isExact: this.fixed, zero: writer.number("0.0"),
       part: (value) => stepped(writer.number(`min(max(${value}, 0.0), 1.0)`)),
       lower: (...values) => `min(${values.join(", ")})`,
       higher: (...values) => `max(${values.join(", ")})`,
@@ -467,7 +512,8 @@ class Mixer {
 // in these forms: `end` makes its last lines of how much the layers with colours count. "pattern" may have such lines, too.
 export function functions(language, state, values, forms = ["cell", "position"], short = false, end = undefined) {
   const shown = shapes(state);
-  const alone = shown.length === 1 && !shown[0].weighted && !shown[0].moved;
+  const [{ weighted, moved, noise }] = shown;
+  const alone = shown.length === 1 && !weighted && !moved && !kNoises[noise].shape;
   const writers = shown.map((shape, at) => {
     const name = alone ? "pattern" : `layer_${at + 1}`;
     return new Writer(language, shape, values[at], name, alone ? "" : `_${at + 1}`, short);
@@ -483,11 +529,12 @@ export function functions(language, state, values, forms = ["cell", "position"],
 // The name of the shader of a state: states with the same key differ in uniforms alone.
 export function shaderKey(state) {
   const { dimensions, arithmetic, hash } = state;
-  const layers = shapes(state).map((shape, at) => {
-    const { noise, sum, warp, metric, tiled, turned, full, weighted, moved, scaled, blend, tinted } = shape;
-    return [noise, sum, warp, full ? metric : "", tiled, turned, weighted, moved, scaled, at ? blend : "", tinted].join(" ");
+  const layers = shapes(state).map((given, at) => {
+    const { noise, sum, warp, metric, tiled, turned, full, weighted, moved, scaled, blend, tinted, soft, shape } = given;
+    const ofNoise = kNoises[noise].shape ? shape : full ? metric : "";
+    return [noise, sum, warp, ofNoise, tiled, turned, weighted, moved, scaled, at ? blend : "", tinted, Math.sign(soft)].join(" ");
   });
-  return [dimensions, arithmetic, hash, isSolid(state) ? state.view : isLeaning(state) ? "leaning" : "", ...layers].join(" ");
+  return [dimensions, arithmetic, hash, isSolid(state) ? state.view : isLeaning(state) ? "leaning" : "", state.masks, ...layers].join(" ");
 }
 
 // The knobs that differ from the library's defaults.

@@ -4,13 +4,13 @@ import { exported, exportedText, kKinds } from "./export.js";
 import { byId, element } from "./elements.js";
 import { LayerList } from "./layerlist.js";
 import { kLooks, parsed } from "./links.js";
-import { dimensionsOf, isSolid, kLeastTilt, kSettings, noisesOf, settingsOf, uses } from "./model.js";
+import { dimensionsOf, easeOf, isSolid, kLeastTilt, kSettings, noisesOf, settingsOf, uses } from "./model.js";
 import { positionText } from "./numbers.js";
 import { gradientOf } from "./palette.js";
 import { StopList } from "./stoplist.js";
 import { kLockable } from "./randomize.js";
 import {
-  kAbout, kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kSums, kTints, kViews, kWarps,
+  kAbout, kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kShapes, kSums, kTints, kViews, kWarps,
 } from "./tables.js";
 
 // name: [label, step, from, to]. Without ends a slider has those of its setting.
@@ -29,8 +29,12 @@ const kSliders = {
   turn: ["Turn", 0.01],
   tilt: ["Tilt", 0.01],
   steep: ["Relief", 0.01],
+  sea: ["Sea level", 0.01],
+  radius: ["Radius", 0.05, 0.25, 16],
   weight: ["Weight", 0.05],
   offset: ["Offset", 0.05],
+  from: ["From", 0.005, -2, 2],
+  soft: ["Softness", 0.005, -2, 2],
 };
 const kChoices = {
   dimensions: { 1: "1D", 2: "2D", 3: "3D", 4: "4D" },
@@ -43,6 +47,7 @@ const kSelects = {
   sum: labels(kSums),
   noise: labels(kNoises),
   metric: kMetrics,
+  shape: kShapes,
   hash: kHashes,
   file: labels(kFiles),
   blend: labels(kBlends),
@@ -54,7 +59,7 @@ const kNumbers = {
   width: ["Width", "pixels"], height: ["Height", "pixels"], frames: ["Frames", "25 a second"],
 };
 const kLabels = {
-  sum: "Fractal", noise: "Noise", metric: "Metric", hash: "Hash", file: "Save as", blend: "Combined", scale: "Scale",
+  sum: "Fractal", noise: "Noise", metric: "Metric", shape: "Shape", hash: "Hash", file: "Save as", blend: "Combined", scale: "Scale",
 };
 const kJumps = { Layers: "heading-layers", Shape: "heading-noise", Colours: "heading-colours", Code: "heading-code", File: "heading-file" };
 const kNotes = {
@@ -68,8 +73,8 @@ function labels(table) {
 
 export class Controls {
   // `change` takes the chosen settings, {name: value}, and the number of their layer; `look` the name of a look; `replace` a state with
-  // other layers, and a sentence on it; `say` a sentence alone.
-  constructor(library, { change, look, replace, say }) {
+  // other layers, and a sentence on it; `say` a sentence alone. `chose` is called when the panel shows another layer.
+  constructor(library, { change, chose, look, replace, say }) {
     this.library = library;
     this.change = change;
     this.language = "glsl";
@@ -79,7 +84,7 @@ export class Controls {
     this.typed = undefined; // the field whose text nobody has entered yet
     const choose = (layer) => {
       this.layer = layer;
-      this.show(this.state);
+      chose();
     };
     this.layers = new LayerList({
       choose,
@@ -274,12 +279,24 @@ export class Controls {
     byId("text-uncopied").select();
   }
 
+  // The sliders of where a layer counts go as far as the values that decide it.
+  showEnds(least, greatest) {
+    const [low, high] = [Math.floor(least * 20) / 20, Math.ceil(greatest * 20) / 20];
+    for (const [id, ends] of [["from", [low, high]], ["soft", [low - high, high - low]]])
+      [byId(id).min, byId(id).max] = ends;
+    this.show(this.state);
+  }
+
   show(whole) {
     this.state = whole;
     this.layer = Math.min(this.layer, whole.layers.length - 1);
     this.layers.show(whole, this.layer);
-    const state = (this.settings = settingsOf(whole, this.layer));
     const used = uses(whole, this.layer);
+    const state = settingsOf(whole, this.layer);
+    if (used.ease) {
+      Object.assign(state, easeOf(state));
+      Object.assign(used, { from: true, soft: true, weight: false, offset: false });
+    }
     const noises = noisesOf(state.sum);
     byId("heading-noise").textContent = whole.layers.length > 1 ? `Noise of layer ${this.layer + 1}` : "Noise";
     byId("label-weight").textContent = used.blend && state.blend === "mix" ? "Its part" : "Weight";
@@ -304,6 +321,7 @@ export class Controls {
       if (name === "tilt") input.min = isSolid(state) ? kSettings.tilt.from : kLeastTilt;
       if (name === "strength") input.max = kSums[state.sum].strength?.most ?? kSettings.strength.to;
       if (name === "lacunarity") input.step = state.period ? 1 : 0.01;
+      for (const [end, best] of [["min", Math.min], ["max", Math.max]]) if (used[name]) input[end] = best(input[end], state[name]);
       input.value = state[name];
       byId(`of-${name}`).textContent = name === "octaves" ? state[name] : state[name].toFixed(2);
     }

@@ -1,5 +1,5 @@
 // The picture as lines for tools/bake and for Python, which compute grids.
-import { kStepBeside, shapes } from "./code.js";
+import { edgeOf, kStepBeside, shapes } from "./code.js";
 import { combined } from "./combine.js";
 import { kAxes } from "./scalar.js";
 import { kNoises, kSums } from "./tables.js";
@@ -30,7 +30,7 @@ function optionsOf(state, layer, at) {
 // cell, and sums of distances.
 function functionOf({ sum, noise }) {
   if (sum !== "none") return kNoises[noise].signed ? undefined : sum;
-  return ["cellular_between", "cells"].includes(noise) ? undefined : kNoises[noise].calls.replace("hn_", "");
+  return ["cellular_between", "cells", "middle"].includes(noise) ? undefined : kNoises[noise].calls.replace("hn_", "");
 }
 
 const isOneLine = (state) => {
@@ -104,7 +104,14 @@ export function pythonLines(state) {
 }
 
 const indexOf = (layer) => (layer.sum === "none" && kShown[layer.noise] !== undefined ? `[${kShown[layer.noise]}]` : "");
-const isInPython = (state) => shownLayers(state).every((layer) => functionOf(layer));
+const isInPython = (state) => shownLayers(state).every((layer) => functionOf(layer) || layer.noise === "middle");
+// The distance from the middle, of the expressions of coordinates.
+const middleInPython = ({ shape, radius }, [x, y = "0 * x"]) =>
+  ({
+    round: `numpy.maximum(1 - ((${x}) ** 2 + (${y}) ** 2) / ${radius * radius}, -1)`,
+    square: `numpy.maximum(1 - numpy.maximum(abs(${x}), abs(${y})) ** 2 / ${radius * radius}, -1)`,
+    along_x: `numpy.clip((${x}) / ${radius}, -1, 1) + 0 * (${y})`,
+  })[shape] ?? `numpy.clip((${y}) / ${radius}, -1, 1) + 0 * (${x})`;
 const pythonOptions = (state, options) =>
   Object.entries({
     ...(state.period ? { period: state.period } : {}),
@@ -133,6 +140,7 @@ function patternOf(state, place) {
       warps[number] = `    ${moves.join(", ")} = hashnoise.${layer.warp}(${scaled.join(", ")}, ${ofWarp})`;
     }
     const passed = isWarped ? scaled.map((axis, i) => `${axis} + ${moves[i]}`) : scaled;
+    if (kNoises[layer.noise].shape) return middleInPython(layer, passed);
     return `hashnoise.${functionOf(layer)}(${passed.join(", ")}, ${options})${indexOf(layer)}`;
   });
   // As integers are in other languages, as soon as something is done with the value of a noise.
@@ -140,6 +148,7 @@ function patternOf(state, place) {
   const words = {
     name: (kind, at) => (kind === "v" ? "v" : `mask_${at + 1}`),
     numbers: (at) => [layers[at].weight, layers[at].offset],
+    ease: (at) => Object.values(edgeOf(state, layers[at])),
     product: (one, other) => `${one} * ${other}`,
     stepped: String,
     result: (value) => (isClipped ? `numpy.clip(${value}, -8, 8)` : value),

@@ -77,6 +77,25 @@ export function ignoredIn(link) {
 
 // Looks to begin with. `layers` are those above the first.
 export const kLooks = {
+  Marble: { sum: "turbulence", octaves: 7, warp: "warp_progressive", amplitude: 1.4, map: "marble", cells: 4, seed: 5, contrast: 1.2 },
+  Wood: {
+    sum: "ping_pong", noise: "value_cubic", octaves: 2, gain: 0.12, strength: 8, warp: "warp", amplitude: 0.5, cells: 4, seed: 6, map: "own",
+    stops: "0-7a4522_30-a4682f_70-c68e52_100-dfb57c",
+    layers: [{ blend: "add", octaves: 4, gain: 0.8, weight: 0.5, scale: 32, seed: 5 }],
+  },
+  Moss: {
+    octaves: 5, gain: 0.8, scale: 4, cells: 5, map: "own",
+    stops: "0-2b2a2c_40-4d4a4a_70-7a7673_90-a5a09a_100-cfcac2",
+    layers: [
+      { blend: "max", sum: "ridged", gain: 0.6, weight: 3, offset: -2.1, seed: 8 },
+      { blend: "mask", sum: "fbm", seed: 18, from: -0.02, soft: 0.12 },
+      { blend: "mix", sum: "billow", scale: 8, weight: 0.5, tint: "moss", seed: 4 },
+    ],
+  },
+  Island: {
+    sum: "fbm", octaves: 9, seed: 21, map: "land", cells: 8, view: "terrain", sea: 0.4, steep: 0.3, tilt: 0.09,
+    layers: [{ blend: "add", sum: "none", noise: "middle", radius: 3 }],
+  },
   Hills: { sum: "fbm", octaves: 8, map: "land", cells: 5, seed: 21 },
   Dusk: {},
   Ridges: { sum: "ridged", octaves: 8, map: "grey", cells: 3, seed: 3 },

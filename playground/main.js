@@ -7,7 +7,7 @@ import { byId } from "./elements.js";
 import { linkInFile, planeOf } from "./files.js";
 import { anywhere, listen, listKeys, undoing } from "./input.js";
 import { ignoredIn, linkOf, stateOf, stateOfLook } from "./links.js";
-import { changed, chosen, isTurned, kSettings, rangeOf, titlesOf, uses } from "./model.js";
+import { changed, chosen, easeAround, easeOf, isTurned, kSettings, maskState, rangeOf, settingsOf, titlesOf, uses } from "./model.js";
 import { positionText } from "./numbers.js";
 import { gradientOf } from "./palette.js";
 import { kCanvases, Picture } from "./picture.js";
@@ -16,7 +16,7 @@ import { kBits } from "./shaders.js";
 import { kViews } from "./tables.js";
 import { randomized } from "./randomize.js";
 import { Steps } from "./undo.js";
-import { histogramOf, summaryOf, wordsOf } from "./values.js";
+import { coveredBy, edgeIn, histogramOf, percent, summaryOf, wordsOf } from "./values.js";
 import { panned, partsOf, positionOfPixel, zoomed } from "./view.js";
 
 const kLinkDelay = 300; // browsers refuse an address that changes too often
@@ -38,6 +38,7 @@ class Playground extends Picture {
     this.pointer = undefined; // where the value is read
     this.controls = new Controls(library, {
       change: (changes, at) => this.change(changes, at),
+      chose: () => this.take(this.state),
       look: (name) => this.look(name),
       replace: (state, said) => this.replace(state, said),
       say: (sentence) => this.say(sentence),
@@ -56,12 +57,34 @@ class Playground extends Picture {
   // Settings of this layer, and of the whole picture.
   change(changes, at = this.controls.layer) {
     const next = chosen(this.state, changes, at);
-    this.steps.note(this.state, next, [at, ...Object.keys(changes)].join(" "));
+    const key = [at, ...Object.keys(changes)].join(" ");
+    this.steps.note(this.state, next, key);
+    this.take(next);
+    if (changes.blend) this.ease(at, key).catch(() => {});
+  }
+
+  // Where a layer counts follows from the values that decide it, in the step of the choice.
+  async ease(at, key) {
+    const { layers } = this.state;
+    const values = await this.valuesOfMask(at);
+    if (!values?.length || JSON.stringify(layers) !== JSON.stringify(this.state.layers)) return;
+    const next = chosen(this.state, easeAround(values), at);
+    this.steps.note(this.state, next, key, true);
     this.take(next);
   }
 
+  // The state that is drawn: of a mask, while the button shows it.
+  get seen() {
+    return (this.masking && maskState(this.state, this.controls.layer)) || this.state;
+  }
+
+  showMask(on) {
+    this.masking = on;
+    byId("mask").ariaPressed = String(on);
+    this.take(this.state);
+  }
+
   take(state) {
-    const { canvas } = this;
     this.state = state;
     if (this.playing && !this.animated) this.play(false);
     byId("play").setAttribute("aria-disabled", String(!this.animated));
@@ -75,13 +98,14 @@ class Playground extends Picture {
       this.controls.showUncopied();
     }
     this.controls.show(state);
+    byId("row-ease").hidden = !maskState(state, this.controls.layer);
     this.describe();
     if (this.measured && this.measured !== this.costKey) {
       byId("cost").textContent = "Cost on this GPU";
       byId("note-cost").hidden = true;
       this.measured = undefined;
     }
-    if (this.canvas !== canvas) this.chooseCanvas();
+    this.chooseCanvas();
     this.restless();
     this.request();
     clearTimeout(this.linkTimer);
@@ -166,22 +190,42 @@ class Playground extends Picture {
     // Reading in the frame in which a picture was drawn can take the picture from the screen.
     await this.drawing;
     await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
-    const state = this.state;
-    const [width, height] = this.size;
-    const scale = kSampled / Math.min(width, height);
-    const size = [width, height].map((side) => Math.min(Math.round(side * scale), 4 * kSampled));
-    const bytes = await this.pixels(...size, kBits);
+    const { state, seen } = this;
+    const deciding = await this.valuesOfMask(this.controls.layer);
+    const values = seen.masks ? deciding : await this.sampled(seen);
     if (state !== this.state) return;
-    const range = rangeOf(state);
-    // Beside a solid there are no values.
-    const values = new Float32Array(bytes.buffer).filter((value) => !Number.isNaN(value));
+    if (deciding) {
+      const ease = easeOf(settingsOf(state, this.controls.layer));
+      const { least, greatest } = summaryOf(deciding, [0, 1]);
+      byId("covered").textContent = `Counts on ${percent(coveredBy(deciding, ease))}`;
+      this.controls.showEnds(least, greatest);
+      this.showValues(values, seen.masks ? [least, greatest] : rangeOf(seen), seen.masks ? edgeIn([least, greatest], ease) : gradientOf(seen));
+    } else this.showValues(values, rangeOf(seen), gradientOf(seen));
+    await this.comparison.draw();
+  }
+
+  showValues(values, range, colours) {
     const summary = summaryOf(values, range);
     const { words, shape } = histogramOf(summary);
     byId("values").textContent = wordsOf(summary, range);
     byId("histogram").setAttribute("aria-label", words);
     byId("bars").style.clipPath = shape;
-    byId("bars").style.background = gradientOf(state);
-    await this.comparison.draw();
+    byId("bars").style.background = colours;
+  }
+
+  // The values of some pixels. Beside a solid there are none.
+  async sampled(state) {
+    const [width, height] = this.size;
+    const scale = kSampled / Math.min(width, height);
+    const size = [width, height].map((side) => Math.min(Math.round(side * scale), 4 * kSampled));
+    const bytes = await this.pixels(...size, kBits, state);
+    return new Float32Array(bytes.buffer).filter((value) => !Number.isNaN(value));
+  }
+
+  // The values that decide how much a layer counts; nothing for a layer that has none.
+  async valuesOfMask(at) {
+    const state = maskState(this.state, at, true);
+    return state && (await this.sampled(state)).map((part) => 16 * part - 8);
   }
 
   // The value below the pointer.
@@ -415,7 +459,7 @@ class Playground extends Picture {
       out: () => this.zoom(2 ** 0.5), home: () => this.home(), surprise: () => this.randomize(),
       save: () => this.save(), measure: () => this.measure(),
       copy: () => this.copy(this.controls.code, byId("copy"), "The code"), link: () => this.copyLink(),
-      undo: () => this.undo(), redo: () => this.redo(), help: () => byId("keys-list").showModal(),
+      mask: () => this.showMask(!this.masking), undo: () => this.undo(), redo: () => this.redo(), help: () => byId("keys-list").showModal(),
     };
     for (const [id, action] of Object.entries(clicks)) byId(id).addEventListener("click", action);
     this.comparison = new Comparison(this);

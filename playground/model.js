@@ -3,7 +3,7 @@
 import { scaleWithin, wrapped } from "./numbers.js";
 import { possibleStops, stopsOfMap } from "./palette.js";
 import {
-  kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kSums, kTints, kViews, kWarps,
+  kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kShapes, kSums, kTints, kViews, kWarps,
 } from "./tables.js";
 
 // The settings, in the order of a link. A number has its ends; x and y are read and written by the view. Each layer has
@@ -20,12 +20,16 @@ export const kSettings = {
   period: { usual: 0, from: 0, to: 65536, whole: true },
   jitter: { usual: 1, from: 0, to: 1, layer: true },
   metric: { usual: "euclidean", of: kMetrics, layer: true },
+  shape: { usual: "round", of: kShapes, layer: true },
+  radius: { usual: 3, from: 0.25, to: 64, layer: true },
   warp: { usual: "none", of: kWarps, layer: true },
   amplitude: { usual: 2, from: 0, to: 16, layer: true },
   on: { usual: 1, from: 0, to: 1, whole: true, layer: true },
   blend: { usual: "add", of: kBlends, layer: true },
   weight: { usual: 1, from: -4, to: 4, layer: true },
   offset: { usual: 0, from: -4, to: 4, layer: true },
+  from: { usual: 0, from: -8, to: 8, layer: true },
+  soft: { usual: 0, from: -16, to: 16, layer: true }, // usual: the weight and the offset count, as in links before 1.1
   scale: { usual: 1, from: 1, to: 64, power: true, layer: true },
   tint: { usual: "none", of: kTints, layer: true },
   tints: { usual: "0-000000_100-ffffff", fit: possibleStops, layer: true },
@@ -39,6 +43,7 @@ export const kSettings = {
   turn: { usual: 0.1, from: 0, to: 1 },
   tilt: { usual: 0.1, from: -0.25, to: 0.25 },
   steep: { usual: 0.2, from: 0, to: 1 },
+  sea: { usual: 0, from: 0, to: 1 },
   map: { usual: "dusk", of: kMaps },
   stops: { usual: "0-000000_100-ffffff", fit: possibleStops },
   contrast: { usual: 1, from: 0.25, to: 4 },
@@ -53,6 +58,7 @@ export const kSettings = {
 
 export const kMostLayers = 8;
 const kMostSlopes = 2; // layers, since each needs what is below it at several places
+const kLeastSoft = 0.016; // so that its reciprocal has few bits
 export const kLeastTilt = 0.02; // of terrain, which has nothing to be seen from below
 const kUsualTile = 4; // cells of a period that nobody has chosen
 
@@ -88,7 +94,8 @@ const isTinted = (layer, at) => at > 0 && layer.tint !== "none" && canTint(layer
 export const tintedLayers = (state) => shownLayers(state).filter(isTinted);
 // Their numbers among those that are shown, from 1 on, as code has them.
 export const numbersOfTinted = (state) => tintedLayers(state).map((layer) => shownLayers(state).indexOf(layer) + 1);
-export const mapsOf = (state) => [state, ...tintedLayers(state).map(({ tint, tints }) => ({ map: tint, stops: tints }))];
+export const mapsOf = (state) =>
+  state.masks ? [{ map: "grey" }] : [state, ...tintedLayers(state).map(({ tint, tints }) => ({ map: tint, stops: tints }))];
 
 // A ball or a cube of space, for which there have to be three dimensions.
 export const isSolid = ({ view, dimensions }) => dimensions > 2 && (view === "sphere" || view === "cube");
@@ -136,8 +143,8 @@ export function chosen(state, changes, at = 0) {
   const layer = next.layers[at];
   if (changes.sum && changes.sum !== state.layers[at].sum) layer.strength = usualOf("strength", layer);
   if (changes.blend === "mix" && layer.weight === 1) layer.weight = 0.5;
-  if (changes.blend === "mask" && layer.weight === 1 && !layer.offset) Object.assign(layer, { weight: 3, offset: 0.5 });
-  if (changes.blend === "slope" && layer.weight === 1 && !layer.offset) Object.assign(layer, { weight: 2, offset: -2 });
+  if (changes.blend && canEase(layer)) Object.assign(layer, easeBelow(next, at));
+  if (changes.from !== undefined || changes.soft !== undefined) Object.assign(layer, easeOf(state.layers[at]), changes);
   if (changes.view) Object.assign(next, goingWith(next));
   const untouched = next.stops === kSettings.stops.usual;
   if (changes.map === "own" && state.map !== "own" && untouched) next.stops = stopsOfMap(state.map);
@@ -170,6 +177,7 @@ function possibleLayer(given, period) {
   const layer = possibleSettings(usualLayer(), given);
   if (!noisesOf(layer.sum).includes(layer.noise)) layer.noise = "perlin";
   const { strength } = kSums[layer.sum];
+  if (layer.soft) layer.soft = Math.sign(layer.soft) * Math.max(Math.abs(layer.soft), kLeastSoft);
   layer.strength = strength ? Math.min(layer.strength, strength.most) : kSettings.strength.usual;
   if (period && layer.sum !== "none") layer.lacunarity = Math.floor(layer.lacunarity);
   return layer;
@@ -212,16 +220,20 @@ export function uses(state, at = 0) {
   const several = state.layers.length > 1;
   const mixed = at > 0 && layer.blend === "mix";
   const warped = state.dimensions === 2 || state.dimensions === 3;
+  const octaves = sum || (warped && layer.warp !== "none");
+  const ease = at > 0 && canEase(layer);
+  const eased = ease && layer.soft !== 0;
+  const middle = Boolean(noise.shape);
   const turns = (other) => other.sum === "none" && Boolean(kNoises[other.noise].phase);
   return {
-    sum: true, noise: true, dimensions: true, seed: true, period: true, arithmetic: true, hash: true, map: true,
+    sum: true, noise: true, dimensions: true, seed: !middle || octaves, period: true, arithmetic: true, hash: true, map: true,
     stops: state.map === "own", contrast: true, x: true, y: state.dimensions > 1, cells: state.view !== "tiles",
-    view: state.dimensions > 1, turn: turned, tilt: turned, steep: state.view === "terrain" || state.file === "normals",
+    view: state.dimensions > 1, turn: turned, tilt: turned, steep: state.view === "terrain" || state.file === "normals", sea: state.view === "terrain",
     file: true, width: state.file !== "json", height: state.file !== "json", frames: isLoop(state),
-    octaves: sum, lacunarity: sum, gain: sum, strength: Boolean(kSums[layer.sum].strength),
-    jitter: Boolean(noise.jitter), metric: Boolean(noise.metric),
+    octaves, lacunarity: octaves, gain: octaves, strength: Boolean(kSums[layer.sum].strength),
+    jitter: Boolean(noise.jitter), metric: Boolean(noise.metric), shape: middle, radius: middle,
     warp: warped, amplitude: warped && layer.warp !== "none",
-    on: several, blend: at > 0, weight: several, offset: several && !mixed, scale: several,
+    on: several, blend: at > 0, weight: several && !eased, offset: several && !mixed && !eased, ease, from: eased, soft: eased, scale: several,
     tint: at > 0 && canTint(layer), tints: at > 0 && canTint(layer) && layer.tint === "own",
     phase: warped && state.layers.some(turns), z: state.dimensions > 2, w: state.dimensions > 3, lean: canLean(state),
   };
@@ -230,9 +242,50 @@ export function uses(state, at = 0) {
 // The factor and the summand of the values of a layer, before the layer is combined. The weight of a
 // mixture is another thing.
 export function remapOf({ layers }, at) {
-  const { weight, offset, blend } = layers[at];
-  const plain = layers.length === 1 || (at > 0 && ["mix", "height", "slope"].includes(blend));
+  const { weight, offset, soft, blend } = layers[at];
+  const plain = layers.length === 1 || (at > 0 && (["mix", "height", "slope"].includes(blend) || (blend === "mask" && soft)));
   return plain ? { weight: 1, offset: 0 } : { weight, offset };
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Where a layer counts: not at all up to a value, "from", and whole from there "soft" higher on, or lower if that is below 0.
+
+const canEase = ({ blend }) => ["mask", "height", "slope"].includes(blend);
+
+// These of a layer; those with a weight and an offset mean the same by other numbers.
+export function easeOf({ weight, offset, from, soft }) {
+  if (soft) return { from, soft };
+  return weight ? { from: -offset / weight, soft: 1 / weight } : { from: offset > 0 ? -8 : 8, soft: kLeastSoft };
+}
+
+// For a layer whose values, or those below it, nobody has seen yet: about a third of what may be there.
+export function easeBelow(state, at) {
+  const { blend } = state.layers[at];
+  const layers = blend === "mask" ? [state.layers[at]] : state.layers.slice(0, at).map((layer) => ({ ...layer, on: 1 }));
+  const [low, high] = rangeOf({ ...state, layers, contrast: 1 });
+  const [least, span] = blend === "slope" ? [0, 3 * (high - low)] : [low, high - low];
+  return { from: least + 0.5 * span, soft: 0.2 * span };
+}
+
+// The same from numbers: the highest third counts, and a quarter of how far they usually go is its edge.
+export function easeAround(values) {
+  const sorted = values.toSorted();
+  const at = (part) => sorted[Math.floor(part * (sorted.length - 1))];
+  const soft = Math.max((at(0.9) - at(0.1)) / 4, kLeastSoft);
+  return { from: at(2 / 3) - soft / 2, soft };
+}
+
+// The picture of how much a layer counts; or, if that is wanted, of the values that decide it: where it is p, the value is
+// 16 p - 8. Nothing for a layer without such values.
+export function maskState(state, at, ofValues) {
+  if (!state.layers[at]?.on || !uses(state, at).ease) return undefined;
+  const layers = state.layers.slice(0, at + 1).map((layer, k) => ({ ...layer, tint: k === at ? "grey" : "none" }));
+  if (ofValues) {
+    Object.assign(layers[at], { from: -8, soft: 16 });
+    if (layers[at - 1].blend === "mask") layers[at - 1].on = 0;
+  }
+  if (shownLayers({ layers }).length === 1) return undefined;
+  return { ...state, layers, contrast: 1, masks: true, view: state.view === "terrain" ? "plane" : state.view };
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -293,6 +346,7 @@ const kRanges = {
 
 // The values that the lowest and the highest colour stand for.
 export function rangeOf(state) {
+  if (state.masks) return [0, 1];
   const found = state.layers.flatMap((layer, at) => {
     if (!layer.on) return [];
     const { weight, offset } = remapOf(state, at);

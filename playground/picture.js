@@ -6,7 +6,7 @@ import { linkOf } from "./links.js";
 import { isLoop, mapsOf, rangeOf, reliefHeight } from "./model.js";
 import { wrapped } from "./numbers.js";
 import { gradientOf, paletteOf, palettesOf } from "./palette.js";
-import { reliefOf, surfaceOf } from "./relief.js";
+import { onBackdrop, reliefOf, surfaceOf } from "./relief.js";
 import { frameOf, kBits, kColours, pageShader } from "./shaders.js";
 import { Speed } from "./speed.js";
 import { originOf, partsOf, stepOf } from "./view.js";
@@ -43,7 +43,12 @@ export class Picture {
 
   // Terrain is drawn on a canvas of its own, of the values that the GPU computes.
   get canvas() {
-    return byId(kCanvases[this.state.view === "terrain" ? 1 : 0]);
+    return byId(kCanvases[this.seen.view === "terrain" ? 1 : 0]);
+  }
+
+  // The state that is drawn.
+  get seen() {
+    return this.state;
   }
 
   chooseCanvas() {
@@ -192,7 +197,7 @@ export class Picture {
 
   async draw() {
     const wanted = this.state;
-    const state = { ...wanted };
+    const state = { ...this.seen };
     const program = await this.program(state);
     this.usePalette(state);
     if (state.view === "terrain") return this.drawTerrain(program, state, wanted);
@@ -216,19 +221,29 @@ export class Picture {
     await this.drawn();
   }
 
-  // The bytes of a square with so many pixels on a side, in strips between which the page does other things. Nothing if
-  // another picture is wanted meanwhile.
-  async squareOf(program, state, side, mode) {
+  // The bytes of a square with so many pixels on a side, in strips between which the page does other things. Nothing if it
+  // gives way to another picture that is wanted meanwhile.
+  async squareOf(program, state, side, mode, givesWay = true) {
     const bytes = new Uint8Array(4 * side * side);
     const speed = await this.speedOf(program, state);
     for (let row = 0; row < side; ) {
-      if (row > 0 && this.wanted) return undefined;
+      if (row > 0 && this.wanted && givesWay) return undefined;
       const rows = Math.min(side - row, Math.max(Math.ceil(side / kMostStrips), Math.floor(speed.pixelsIn(kStrip) / side)));
       const frame = frameOf(state, side, side, mode, { first: row, rows });
       bytes.set(await this.gpu.read(program, frame, side, rows), 4 * row * side);
       row += rows;
     }
     return bytes;
+  }
+
+  // The heights and the colours of terrain with so many values on a side, or nothing.
+  async surfaceFor(program, state, side, givesWay) {
+    const values = await this.squareOf(program, state, side, kBits, givesWay);
+    const hasTints = mapsOf(state).length > 1;
+    const colours = hasTints && (await this.squareOf(program, state, side, kColours, givesWay));
+    if (!values || colours === undefined) return undefined;
+    const shape = { steep: reliefHeight(state), sea: state.sea };
+    return surfaceOf(new Float32Array(values.buffer), side, rangeOf(state), paletteOf(state), shape, colours);
   }
 
   // The surface is kept, since often the block is only rotated. At rest it first has as many values as it takes to look
@@ -239,12 +254,9 @@ export class Picture {
     const had = this.surface?.key === key ? this.surface.side : 0;
     const side = this.moves ? Math.max(had, kSideOfMoving) : had < kSideOfTerrain ? kSideOfTerrain : finest;
     if (had !== side) {
-      const values = await this.squareOf(program, state, side, kBits);
-      const hasTints = mapsOf(state).length > 1;
-      const colours = hasTints && (await this.squareOf(program, state, side, kColours));
-      if (!values || colours === undefined) return;
-      const heights = new Float32Array(values.buffer);
-      this.surface = { key, ...surfaceOf(heights, side, rangeOf(state), paletteOf(state), reliefHeight(state), colours) };
+      const surface = await this.surfaceFor(program, state, side);
+      if (!surface) return;
+      this.surface = { key, ...surface };
     }
     const sharp = !this.moves && side === finest;
     const most = sharp ? kPixelsOfSharpTerrain : kPixelsOfTerrain;
@@ -266,8 +278,7 @@ export class Picture {
   }
 
   // Four bytes a pixel from the lower left corner on, of a picture of this size: of colours, or of the bits of values.
-  async pixels(width, height, mode = kColours) {
-    const state = { ...this.state };
+  async pixels(width, height, mode = kColours, state = { ...this.seen }) {
     const program = await this.program(state);
     this.usePalette(state);
     return this.gpu.read(program, frameOf(state, width, height, mode), width, height);
@@ -278,6 +289,11 @@ export class Picture {
     const program = await this.program(isLoop(state) ? framesOf(state)[0] : state);
     this.usePalette(state);
     const { width, height } = state;
+    if (state.view === "terrain" && state.file === "colours") {
+      const side = Math.min(kFinestTerrain, Math.max(kSideOfTerrain, Math.min(width, height)));
+      const bytes = reliefOf(await this.surfaceFor(program, state, side, false), state, width, height);
+      return fileOf(state, onBackdrop(bytes, width, height), tell);
+    }
     const read = (mode, first, rows, shown, border) => {
       if (!border) return this.gpu.read(program, frameOf(shown, width, height, mode, { first, rows }), width, rows);
       const step = BigInt(stepOf(shown, width, height));
@@ -291,7 +307,7 @@ export class Picture {
 
   // The values at these points, each [x, y, z, w] in parts of a cell.
   async values(points) {
-    const state = planeOf(this.state);
+    const state = planeOf(this.seen);
     const program = await this.program(state);
     const values = new Float32Array(points.length);
     for (const [i, point] of points.entries()) {

@@ -1,18 +1,27 @@
 // Terrain: a square of heights as a block that one looks at from above, without perspective. It is drawn column by
 // column of the screen and from the front to the back, so that what stands in front hides what is behind it.
+import { turned } from "./files.js";
 
 const kBase = 0.04; // of the side of the block, below the lowest height
 const kMargin = 1.04; // around the block
 const kLight = [-0.45, 0.55, 0.7]; // from where light comes: right, up on the plane, and above
 const kDark = 0.35; // of the colour, where no light comes
 const kFlank = [52, 48, 50]; // the colour of the sides of the block
+const kWater = [14, 58, 92];
+const kShallow = 0.5; // of the colour of water where it is shallowest
+const kDeep = 0.25; // how far below the sea it has all of it
+const kSky = [150, 176, 190]; // what water mirrors: more of it far away, and most where the sun is
+const kOfWater = 1e-5; // of a height that roundings may take it above the sea
+const kBackdrop = [[42, 44, 54], [16, 17, 21]]; // above and below, as in style.css
 const kRound = 2 * Math.PI;
 
 // The heights of values, from 0 for the lowest colour to 1 for the highest, and the colour of each with its light.
 // `side` is the number of values on a side, the first in the lower left corner; `steep` is the height of the highest
-// colour in sides of the block. Colours are the palette's, or of `pixels` if there are some.
-export function surfaceOf(values, side, [low, high], palette, steep, pixels) {
-  const heights = Float32Array.from(values, (value) => Math.min(Math.max((value - low) / (high - low), 0), 1));
+// colour in sides of the block. Colours are the palette's, or of `pixels` if there are some. What is lower than `sea` is
+// under water, which is flat.
+export function surfaceOf(values, side, [low, high], palette, { steep, sea = 0 }, pixels) {
+  const beds = Float32Array.from(values, (value) => Math.min(Math.max((value - low) / (high - low), 0), 1));
+  const heights = beds.map((bed) => Math.max(bed, sea));
   const colours = new Uint8Array(3 * side * side);
   const size = Math.hypot(...kLight);
   const light = kLight.map((part) => part / size);
@@ -23,11 +32,14 @@ export function surfaceOf(values, side, [low, high], palette, steep, pixels) {
       const slope = [-right, -up].map((part) => part * steep * side * 0.5);
       const shine = (slope[0] * light[0] + slope[1] * light[1] + light[2]) / Math.hypot(slope[0], slope[1], 1);
       const bright = kDark + (1 - kDark) * Math.min(Math.max(shine / light[2], 0), 1.25);
-      const colour = 4 * (pixels ? at : Math.min(Math.floor(heights[at] * 256), 255));
-      for (let part = 0; part < 3; ++part)
-        colours[3 * at + part] = Math.min((pixels || palette)[colour + part] * bright, 255);
+      const colour = 4 * (pixels ? at : Math.min(Math.floor(beds[at] * 256), 255));
+      const water = beds[at] < sea ? Math.min(kShallow + (sea - beds[at]) / kDeep, 1) : 0;
+      for (let part = 0; part < 3; ++part) {
+        const own = (pixels || palette)[colour + part];
+        colours[3 * at + part] = Math.min((own + (kWater[part] - own) * water) * bright, 255);
+      }
     }
-  return { heights, colours, side, steep };
+  return { heights, colours, side, steep, sea };
 }
 
 // How far along a line it is in the block, by one axis and those before it.
@@ -40,7 +52,7 @@ function crossed(start, direction, [enters, leaves]) {
 // The bytes of a picture, from the upper row on; where there is no block they are 0. `turn` is how far the block is
 // turned, and `tilt` how far one looks down, in turns: 0.25 is from above. The block is in the middle of the first
 // `free` columns. It sets the bytes of the columns from `begin` to `end` alone.
-export function reliefOf({ heights, colours, side, steep }, { turn, tilt }, width, height, free = width,
+export function reliefOf({ heights, colours, side, steep, sea }, { turn, tilt }, width, height, free = width,
   bytes = new Uint8ClampedArray(4 * width * height), [begin, end] = [0, width]) {
   const [sine, cosine] = [Math.sin(turn * kRound), Math.cos(turn * kRound)];
   const [down, across] = [Math.sin(tilt * kRound), Math.cos(tilt * kRound)];
@@ -68,7 +80,12 @@ export function reliefOf({ heights, colours, side, steep }, { turn, tilt }, widt
       const top = Math.min(Math.floor(middle + (depth * down + z * across) * scale), height);
       if (top <= filled) continue;
       const colour = 3 * (at + (u > 0.5 ? 1 : 0) + (v > 0.5 ? side : 0));
-      const [red, green, blue] = front ? kFlank : colours.subarray(colour, colour + 3);
+      let [red, green, blue] = front ? kFlank : colours.subarray(colour, colour + 3);
+      if (sea > 0 && z <= (sea + kOfWater) * steep) {
+        const sun = Math.max(1 - 5 * right * right - 3 * (depth - 0.2) ** 2, 0) ** 2;
+        const part = across * (0.14 + 0.12 * depth + 0.5 * sun);
+        [red, green, blue] = (front ? kWater : [red, green, blue]).map((own, k) => own + (kSky[k] - own) * part);
+      }
       for (; filled < top; ++filled) {
         const to = 4 * ((height - 1 - filled) * width + column);
         bytes[to] = red;
@@ -79,4 +96,14 @@ export function reliefOf({ heights, colours, side, steep }, { turn, tilt }, widt
     }
   }
   return bytes;
+}
+
+// The bytes of a picture with what is behind the block, in strips from the lower row on, as a GPU gives them.
+export function onBackdrop(bytes, width, height) {
+  for (let at = 0; at < bytes.length; at += 4) {
+    if (bytes[at + 3]) continue;
+    const part = Math.floor(at / 4 / width) / height;
+    bytes.set([...kBackdrop[0].map((above, k) => above + (kBackdrop[1][k] - above) * part), 255], at);
+  }
+  return async (_, first, rows) => turned(bytes.subarray((height - first - rows) * width * 4, (height - first) * width * 4), width);
 }

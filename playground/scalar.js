@@ -1,6 +1,6 @@
 // The picture as a function of numbers, for languages without vectors: C, Rust, C#, Java, Go, JavaScript and OSL. It calls
 // what tools/pick writes, so that here are calls and sums alone.
-import { decimal, kStepBeside, partOf, shapes } from "./code.js";
+import { decimal, edgeOf, kStepBeside, partOf, shapes, spreadOf } from "./code.js";
 import { combined } from "./combine.js";
 import { remapOf } from "./model.js";
 import { named } from "./pieces.js";
@@ -104,6 +104,10 @@ class ScalarWriter {
   noiseAt(layer, place, seed, forSum) {
     const { n } = this;
     const noise = kNoises[layer.noise];
+    if (noise.shape) {
+      const { unit, ratio } = spreadOf(this.state, layer);
+      return this.call(`hn_play_${layer.shape}${n}_place`, place, this.float(unit), this.float(ratio));
+    }
     const suffix = forSum && noise.signed ? "_signed" : "";
     if (layer.turned) return this.call(`${noise.calls}${n}_place_phase`, place, this.float(this.state.phase), seed);
     const jitter = this.float(layer.jitter);
@@ -198,6 +202,8 @@ class ScalarWriter {
     return {
       name: (kind, at) => `${kind}${at + 1}`,
       numbers: (at) => [shown[at].weight, shown[at].offset].map((number) => this.float(partOf(this.state, number))),
+      ease: (at) => Object.values(edgeOf(this.state, shown[at])).map((number) => this.float(number)),
+      zero: this.float(0),
       product: (one, other) => (isExact ? this.call("hn_play_product1", one, other) : `${one} * ${other}`),
       stepped, result: stepped, isExact, hasTints: true, lower, higher,
       part: (value) => stepped(lower(higher(value, this.float(0)), this.float(1))),

@@ -1,7 +1,8 @@
 // The shaders of the page, and the numbers that they read. With HN_FIXED they draw the same bytes on every GPU, since
 // everything from the position to the colour is whole numbers.
-import { functions, numbers, partOf } from "./code.js";
+import { edgeOf, functions, numbers, partOf, shapes, spreadOf } from "./code.js";
 import { isLeaning, isSolid, kMostLayers, rangeOf, shownLayers, tintedLayers, usualLayer } from "./model.js";
+import { kNoises } from "./tables.js";
 import { solidPlace, solidShader, wordsOfSolid } from "./solid.js";
 import { cellOf, leaningSteps, leant, originOf, partsOf, placeOf, stepOf, tileOf } from "./view.js";
 
@@ -60,12 +61,16 @@ export function frameOf(state, width, height, mode, { position, first = 0, rows 
   float.set([state.phase, 0, 0, 0], 20);
   if (isSolid(state)) whole.set(wordsOfSolid(state, free, height), 24);
   if (isLeaning(state)) whole.set(leaningSteps(state, step).flatMap((way) => [...way.map(cellOf), 0, ...way.map(placeOf), 0]), 24);
+  const soft = shapes(state).map((shape) => shape.soft);
   for (const [at, layer] of shownLayers(state).entries()) {
     const start = kWordsOfFrame + at * kWordsOfLayer;
-    const { scale, lacunarity, gain, strength, amplitude, seed } = layer;
-    const [weight, offset] = [layer.weight, layer.offset].map((part) => partOf(state, part));
+    const { scale, lacunarity, gain, amplitude, seed } = layer;
+    const { from, width, rate } = edgeOf(state, layer);
+    const counts = soft[at] ? [from, width, rate] : [layer.weight, layer.offset].map((part) => partOf(state, part));
+    const { unit, ratio } = spreadOf(state, layer);
+    const [strength, jitter] = kNoises[layer.noise].shape ? [unit, ratio] : [layer.strength, layer.jitter];
     whole.set([layer.octaves, scale, state.period * scale, 0], start);
-    float.set([lacunarity, gain, strength, amplitude, layer.jitter, weight, offset, 0], start + 4);
+    float.set([lacunarity, gain, strength, amplitude, jitter, ...counts], start + 4);
     word.set([seed, (seed + 1) % 4294967296, 0, 0], start + 12);
   }
   return bytes;
@@ -80,7 +85,8 @@ function uniforms(state) {
     return {
       seed: `${of}.seed.x`, otherSeed: `${of}.seed.y`, octaves: `${of}.octaves.x`, lacunarity: `${of}.sum.x`,
       gain: `${of}.sum.y`, strength: `${of}.sum.z`, amplitude: `${of}.sum.w`, jitter: `${of}.more.x`,
-      weight: `${of}.more.y`, offset: `${of}.more.z`, phase: "u_turn.x",
+      weight: `${of}.more.y`, offset: `${of}.more.z`, from: `${of}.more.y`, width: `${of}.more.z`, rate: `${of}.more.w`,
+      unit: `${of}.sum.z`, ratio: `${of}.more.x`, phase: "u_turn.x",
       period: `${ints}(${of}.octaves.z)`, scale: `float(${of}.octaves.y)`, wholeScale: `uint(${of}.octaves.y)`,
     };
   });
@@ -143,11 +149,12 @@ void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2
 // shown. One that is timed computes it at several cells, so that the GPU has more to do than to write pixels. Both
 // coordinates go on, so that no compiler computes one of them before the loop.
 function shader(library, state, values, { timed, form = "cell", value } = {}) {
-  const tints = timed ? 0 : tintedLayers(state).length;
-  const { lines, public: called } = functions("glsl", state, values, [form], true, tints ? kept : undefined);
+  const tints = timed || state.masks ? 0 : tintedLayers(state).length;
+  const { lines, at: defined, public: called } = functions("glsl", state, values, [form], true, tints ? kept : undefined);
+  const mask = state.masks ? defined("mask", ([part]) => [`return ${part};`]) : [];
   const solid = isSolid(state) && !timed ? solidShader(state, kBits) : undefined;
   const n = state.dimensions;
-  const shown = value ?? `pattern(${argumentsOf(n, form, solid || (!timed && isLeaning(state)))})`;
+  const shown = value ?? `${state.masks ? "mask" : "pattern"}(${argumentsOf(n, form, solid || (!timed && isLeaning(state)))})`;
   return [
     "#version 300 es",
     "precision highp float;",
@@ -160,6 +167,7 @@ function shader(library, state, values, { timed, form = "cell", value } = {}) {
     "const float kPart = 1.0 / 16777216.0;",
     shade(tints),
     ...lines,
+    ...mask,
     kPlace,
     ...(solid ? [solid.point] : []),
     "void main() {",

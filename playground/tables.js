@@ -46,6 +46,10 @@ const kNoiseRows = {
     label: "Cellular: cells", shows: "cellular", range: [0, 1], nearest: true,
     signed: (value) => `2.0 * ${value} - 1.0`,
   },
+  middle: {
+    label: "Distance from the middle", dimensions: [1, 2, 3, 4], range: [-1, 1], shape: true,
+    about: "No noise: 1 in the middle, x = y = 0, 0 at the radius, and -1 far from it. It makes islands, and edges dark.",
+  },
 };
 const kNoiseFunctions = Object.entries(kCatalog.noises).map(([name, noise]) => [
   name,
@@ -74,6 +78,7 @@ export const kWarps = { none: "None", warp: "Warp", warp_progressive: "Progressi
 export const kMetrics = Object.fromEntries(
   kCatalog.metrics.map((name) => [name, name[0].toUpperCase() + name.slice(1)]),
 );
+export const kShapes = { round: "Round", square: "Square", along_x: "Along x", along_y: "Along y" };
 export const kArithmetics = { fast: "Floats", fixed: "Integers" };
 export const kHashes = {
   lattice: "Lattice, the default", fnv1: "FNV-1", partial_fnv1: "FNV-1, partial", jenkins: "Jenkins",
@@ -103,9 +108,9 @@ export const kBlends = {
   min: { label: "Take the lower", sign: "min" },
   max: { label: "Take the higher", sign: "max" },
   mix: { label: "Mix", sign: "mix" },
-  mask: { label: "Mask of the next layer", sign: "mask" },
-  height: { label: "Where it is high below", sign: "high" },
-  slope: { label: "Where it is steep below", sign: "steep" },
+  mask: { label: "Mask of the next", sign: "mask" },
+  height: { label: "Where it is high", sign: "high" },
+  slope: { label: "Where it is steep", sign: "steep" },
 };
 // The titles of the rows of settings.
 export const kAbout = {

@@ -23,11 +23,11 @@ export class Steps {
     this.last = undefined; // {key, time} of the last change
   }
 
-  // `key` names which settings are changed. Changes without one are a step each.
-  note(before, after, key) {
+  // `key` names which settings are changed. Changes without one are a step each; one that `follows` is of the step before.
+  note(before, after, key, follows = false) {
     if (!differing(before, after).length) return;
     const time = this.now();
-    const goesOn = key !== undefined && this.last?.key === key && time - this.last.time < kOneStep;
+    const goesOn = key !== undefined && this.last?.key === key && (follows || time - this.last.time < kOneStep);
     this.last = { key, time };
     this.undone = [];
     if (!goesOn) this.done.push({ before });

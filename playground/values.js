@@ -21,7 +21,7 @@ export function summaryOf(values, [low, high]) {
 }
 
 const shown = (value) => String(Number(value.toFixed(3)) || 0).replace("-", "−");
-const percent = (share) => `${share > 0 && share < 0.01 ? "less than 1" : Math.round(share * 100)} %`;
+export const percent = (share) => `${share > 0 && share < 0.01 ? "less than 1" : Math.round(share * 100)} %`;
 
 export function wordsOf({ least, greatest, mean, below, above }, [low, high]) {
   const beyond = below + above > 0 ? `; ${percent(below)} of the values are below, and ${percent(above)} above` : "";
@@ -29,6 +29,17 @@ export function wordsOf({ least, greatest, mean, below, above }, [low, high]) {
     `The values are from ${shown(least)} to ${shown(greatest)}, and ${shown(mean)} in the mean. ` +
     `The colours go from ${shown(low)} to ${shown(high)}${beyond}.`
   );
+}
+
+// On which share of values a layer counts.
+export const coveredBy = (values, { from, soft }) =>
+  values.reduce((sum, value) => sum + Math.min(Math.max((value - from) / soft, 0), 1), 0) / values.length;
+
+// The colours of the histogram of these values: black where the layer does not count, and white where it does.
+export function edgeIn([low, high], { from, soft }) {
+  const stops = [[from, "#000"], [from + soft, "#fff"]].sort(([one], [other]) => one - other);
+  const place = (value) => `${(((value - low) / (high - low || 1)) * 100).toFixed(2)}%`;
+  return `linear-gradient(90deg, ${stops.map(([value, colour]) => `${colour} ${place(value)}`).join(", ")})`;
 }
 
 // The histogram in words, and as a shape for CSS.

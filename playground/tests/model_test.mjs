@@ -8,7 +8,7 @@ import { shaderKey } from "../code.js";
 import { exported, exportedText, kKinds, kLicense } from "../export.js";
 import { ignoredIn, kLooks, linkOf, stateOf, stateOfLook } from "../links.js";
 import {
-  changed, dimensionsOf, kSettings, noisesOf, possible, settingsOf, shownLayers, usualLayer, usualState,
+  changed, dimensionsOf, kSettings, noisesOf, possible, settingsOf, shownLayers, uses, usualLayer, usualState,
 } from "../model.js";
 import { chance, settingsBy } from "./states.mjs";
 import { parsedNumber, parsedPosition, positionText } from "../numbers.js";
@@ -51,7 +51,7 @@ test("a link brings its state back", () => {
     assert.equal(linkOf(stateOf(link)), link);
     // Settings that the state does not use are not in its link; all others are.
     const shader = (of) => {
-      const seeds = shownLayers(of).map(({ seed }) => seed);
+      const seeds = shownLayers(of).map((layer) => (uses(of, of.layers.indexOf(layer)).seed ? layer.seed : 0));
       const place = of.dimensions === 1 ? [of.x] : [of.x, of.y];
       return [...place, shaderKey(of), ...seeds, of.period, ...paletteOf(of), cellsAcross(of)];
     };

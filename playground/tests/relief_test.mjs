@@ -10,9 +10,9 @@ import { reliefOf, surfaceOf } from "../relief.js";
 
 const kSide = 32;
 const kGrey = paletteOf({ map: "grey" });
-const surface = (of, steep = 0.2) => {
+const surface = (of, steep = 0.2, sea = 0) => {
   const values = Array.from({ length: kSide * kSide }, (_, at) => of(at % kSide, Math.floor(at / kSide)));
-  return surfaceOf(values, kSide, [0, 1], kGrey, steep);
+  return surfaceOf(values, kSide, [0, 1], kGrey, { steep, sea });
 };
 const kWidth = 90;
 const kHeight = 60;
@@ -41,7 +41,7 @@ test("from above it is the plane, and a turn turns it", () => {
 test("a surface has the colours of pixels, where layers have their own", () => {
   const flat = new Float32Array(4).fill(0.5);
   const pixels = Uint8Array.from([9, 8, 7, 255, 1, 2, 3, 255, 4, 5, 6, 255, 7, 8, 9, 255]);
-  const { colours } = surfaceOf(flat, 2, [0, 1], kGrey, 0.2, pixels);
+  const { colours } = surfaceOf(flat, 2, [0, 1], kGrey, { steep: 0.2 }, pixels);
   assert.deepEqual([...colours], [...pixels].filter((_, at) => at % 4 < 3));
 });
 

@@ -65,6 +65,17 @@ def text_of_cpu(n: int) -> str:
         "HN_FN hn_float hn_play_lower(hn_float a, hn_float b) { return min(a, b); }",
         "HN_FN hn_float hn_play_higher(hn_float a, hn_float b) { return max(a, b); }",
     ]
+    # The distance from the middle, in radii: of the cell and of the place in it, whose parts are whole numbers of steps.
+    lines.append("HN_FN hn_float hn_play_along(hn_int cell, hn_float f, hn_float unit, hn_float ratio) { hn_float at = "
+                 "hn_play_steps(hn_float(cell) * unit) + hn_play_steps(f * unit); "
+                 "return hn_play_product(min(max(at, -2.0f), 2.0f), ratio); }")
+    for shape, value in {"round": "max(1.0f - (hn_play_product(x, x) + hn_play_product(y, y)), -1.0f)",
+                         "square": "max(1.0f - max(hn_play_product(x, x), hn_play_product(y, y)), -1.0f)",
+                         "along_x": "min(max(x, -1.0f), 1.0f)", "along_y": "min(max(y, -1.0f), 1.0f)"}.items():
+        set_ = "".join(f"hn_float {axis} = " + (f"hn_play_along(place.cell{at}, hn_i_position_of(0, place.fraction{at}, place.rest{at}), "
+                       "unit, ratio); " if n > 1 or axis == "x" else f"{'x' if shape == 'along_y' else '0.0f'}; ")
+                       for axis in "xy" for at in ["" if n == 1 else f".{axis}"] if axis in value or axis == "x")
+        lines.append(f"HN_FN hn_float hn_play_{shape}({place} place, hn_float unit, hn_float ratio) {{ {set_}return {value}; }}")
     if n in (2, 3):
         for warp in ("warp", "warp_progressive"):
             moved = "octaves, lacunarity, gain, amplitude, seed"
