@@ -55,7 +55,7 @@ const kSelects = {
 };
 // The labels of the numbers, each with what stands small below it, and of the selects.
 const kNumbers = {
-  seed: ["Seed"], period: ["Period", "cells, 0 is none"], x: ["x"], y: ["y"], cells: ["Cells across"],
+  seed: ["Seed"], period: ["Period"], x: ["x"], y: ["y"], cells: ["Cells across"],
   width: ["Width", "pixels"], height: ["Height", "pixels"], frames: ["Frames", "25 a second"],
 };
 const kLabels = {
@@ -101,7 +101,10 @@ export class Controls {
     for (const [name, setting] of Object.entries(kSliders)) this.makeSlider(name, ...setting);
     for (const [name, table] of Object.entries(kChoices)) this.makeChoices(name, table);
     for (const [name, words] of Object.entries(kNumbers)) this.makeNumber(name, ...words);
-    for (const [name, about] of Object.entries(kAbout)) byId(`row-${name}`).title = about;
+    for (const [name, about] of Object.entries(kAbout)) {
+      byId(`row-${name}`).append(element("small", { id: `about-${name}`, textContent: about }));
+      byId(name).setAttribute("aria-describedby", `about-${name}`);
+    }
     this.makeSwatches();
     this.makeLanguages();
     this.makeJumps();
@@ -114,6 +117,9 @@ export class Controls {
         element("button", { type: "button", className: "quiet", onclick: () => look(name) }, dot, name),
       );
     }
+    byId("more-looks").addEventListener("click", () => {
+      byId("more-looks").ariaPressed = String(byId("looks").classList.toggle("all"));
+    });
     byId("whole").addEventListener("change", () => this.showCode());
     byId("kind").addEventListener("change", () => this.chooseKind(byId("kind").value));
     byId("panel").addEventListener("submit", (event) => event.preventDefault());

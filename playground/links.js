@@ -96,6 +96,14 @@ export const kLooks = {
     sum: "fbm", octaves: 9, seed: 21, map: "land", cells: 8, view: "terrain", sea: 0.4, steep: 0.3, tilt: 0.09,
     layers: [{ blend: "add", sum: "none", noise: "middle", radius: 3 }],
   },
+  Planet: {
+    octaves: 8, gain: 0.55, dimensions: 3, view: "sphere", tilt: 0.06, cells: 3.4, z: 0, seed: 11, map: "own",
+    stops: "0-051238_44-0f4766_44-33592a_60-6e7a4a_72-9e876b_86-9e876b_90-f5f8ff_100-ffffff",
+    layers: [
+      { blend: "add", sum: "ridged", octaves: 7, weight: 0.5, offset: -0.32, seed: 3 },
+      { blend: "max", sum: "clouds", octaves: 7, gain: 0.55, weight: 1.2, offset: -0.3, scale: 2, seed: 5 },
+    ],
+  },
   Hills: { sum: "fbm", octaves: 8, map: "land", cells: 5, seed: 21 },
   Dusk: {},
   Ridges: { sum: "ridged", octaves: 8, map: "grey", cells: 3, seed: 3 },
@@ -121,14 +129,6 @@ export const kLooks = {
     layers: [
       { blend: "min", sum: "none", noise: "cell_border", scale: 4, weight: 0.8, offset: 0.1, seed: 4 },
       { blend: "add", sum: "billow", weight: 0.08, scale: 8, seed: 9 },
-    ],
-  },
-  Planet: {
-    octaves: 8, gain: 0.55, dimensions: 3, view: "sphere", tilt: 0.06, cells: 3.4, z: 0, seed: 11, map: "own",
-    stops: "0-051238_44-0f4766_44-33592a_60-6e7a4a_72-9e876b_86-9e876b_90-f5f8ff_100-ffffff",
-    layers: [
-      { blend: "add", sum: "ridged", octaves: 7, weight: 0.5, offset: -0.32, seed: 3 },
-      { blend: "max", sum: "clouds", octaves: 7, gain: 0.55, weight: 1.2, offset: -0.3, scale: 2, seed: 5 },
     ],
   },
   Caustics: {

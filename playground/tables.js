@@ -112,20 +112,28 @@ export const kBlends = {
   height: { label: "Where it is high", sign: "high" },
   slope: { label: "Where it is steep", sign: "steep" },
 };
-// The titles of the rows of settings.
+// The line below each setting. The glossary has these, too (docs/reference/glossary.md). A fractal and a noise have a note.
 export const kAbout = {
   ...kCatalog.settings,
-  sum: "Which fractal: octaves of the noise are summed, each finer and weaker than the one before.",
-  noise: "Which noise: the pattern, or what the fractal sums.",
   strength: "How much the fractal does what it is named for.",
   metric: "How distances to points are measured.",
-  warp: "Noise that moves each place before the pattern is computed there, and so bends the pattern.",
+  shape: "Of the lines on which the value is the same.",
+  radius: "Where the value is 0, in cells from the middle.",
+  warp: "Noise moves each place first, and so bends the pattern.",
   amplitude: "How far the warp moves a place at most, in cells.",
+  blend: "What the layer does to the value of those above it.",
   weight: "The values of the layer are multiplied by it.",
-  offset: "It is added to the values of the layer, behind the weight.",
-  hash: "The function that makes random numbers of cells. Another one makes another picture of the same kind.",
-  lean: "How far the slice leans towards the diagonal of the cells, in turns.",
+  offset: "It is added to the values of the layer.",
+  from: "Where the layer begins to count, by the value.",
+  soft: "How wide its edge is. Below 0 it counts downwards.",
+  scale: "How many times as fine as the picture the layer is.",
+  z: "Which slice of space the picture shows.",
+  w: "Which part of the fourth dimension it shows.",
+  lean: "How far the slice leans to the diagonal, in turns.",
+  hash: "It makes the random numbers. Each makes another picture.",
   contrast: "How steeply colours follow the values.",
+  steep: "How high the highest colour is.",
+  sea: "What is lower is under water. 0 is no sea.",
 };
 
 // Colours from the lowest value to the highest, at even distances; between them they are mixed.

@@ -8,7 +8,7 @@ import { kWgslVertex } from "../export.js";
 import { linkOf, stateOf } from "../links.js";
 import { changed, mapsOf, usualState } from "../model.js";
 import { hasCompiler, kCompiled, wordsOf, wordsOfJavaScript } from "./languages.mjs";
-import { anyStates, simpleStates } from "./states.mjs";
+import { anyStates, kSteered, simpleStates } from "./states.mjs";
 import { copiedCode, floatOf, inFolder, kRoot, launched, opened, pixels, run, setState } from "./support.mjs";
 
 const kThorough = Boolean(process.env.HN_THOROUGH);
@@ -60,7 +60,7 @@ const calmed = (layers) => {
 const any = (kThorough ? anyStates(50) : []).map((state) =>
   changed({ ...state, layers: calmed(state.layers) }, { z: 0.75, w: 1.5, ...kOrigin }),
 );
-const whole = [...chosen.map((settings) => placed(settings)), ...layered, ...any];
+const whole = [...chosen.map((settings) => placed(settings)), ...layered, placed({}, stateOf(kSteered)), ...any];
 const states = [...whole, ...picked.filter((_, at) => at % 101 === 7)];
 
 // A call of pattern() at the pixel, at a position or from a cell.

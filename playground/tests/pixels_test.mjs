@@ -6,6 +6,7 @@ import { linkOf, stateOf } from "../links.js";
 import { changed, isLeaning, mapsOf, numbersOfTinted, rangeOf, usualState } from "../model.js";
 import { kMaps } from "../tables.js";
 import { leaningSteps, leant } from "../view.js";
+import { kSteered } from "./states.mjs";
 import { compiled, copiedCode, floatOf, kForWebGl, launched, opened, pixels, setState } from "./support.mjs";
 
 const kParts = 16777216;
@@ -38,6 +39,8 @@ const kOthers =
   "#noise=value&blend2=multiply&weight2=1.3&blend3=min&sum3=none&noise3=cellular&offset3=-0.6&" +
   "blend4=max&sum4=none&noise4=curl&weight4=0.2&scale4=64&dimensions=3&z=7.3&period=3";
 pictures.push(changed(stateOf(kLayered), { ...far, arithmetic: "fixed", map: "land" }));
+pictures.push(changed(stateOf(kSteered), { ...far, arithmetic: "fixed", map: "land" }));
+pictures.push(changed(stateOf(kSteered), { x: 5n, y: -7n, cells: 6, arithmetic: "fixed", hash: "pcg" }));
 pictures.push(changed(stateOf(kOthers), { x: 5n, y: -7n, cells: 6, arithmetic: "fixed" }));
 const kWidth = 40;
 const kHeight = 32;

@@ -41,6 +41,12 @@ export const settingsBy = (next) => (ofLayer) => {
   return found;
 };
 
+// Layers that count by values, and distances from the middle of all kinds.
+export const kSteered =
+  "#sum=ridged&blend2=add&sum2=none&noise2=middle&radius2=2.7&weight2=0.6&blend3=mask&sum3=none&noise3=middle&shape3=along_x" +
+  "&radius3=5&from3=-0.3&soft3=-0.5&blend4=mix&sum4=none&tint4=moss&blend5=height&sum5=none&noise5=middle&shape5=square" +
+  "&scale5=2&from5=0.4&soft5=0.3&tint5=grey&blend6=slope&sum6=none&noise6=middle&shape6=along_y&from6=1.2&soft6=0.016&tint6=land";
+
 // Pictures of up to three layers, with integers and without a solid, for compilers.
 export function anyStates(count, seed = 5) {
   const from = chance(seed);
