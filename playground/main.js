@@ -80,7 +80,6 @@ class Playground extends Picture {
 
   showMask(on) {
     this.masking = on;
-    byId("mask").ariaPressed = String(on);
     this.take(this.state);
   }
 
@@ -98,7 +97,10 @@ class Playground extends Picture {
       this.controls.showUncopied();
     }
     this.controls.show(state);
-    byId("row-ease").hidden = !maskState(state, this.controls.layer);
+    const hasMask = Boolean(maskState(state, this.controls.layer));
+    byId("row-ease").hidden = !hasMask;
+    this.masking &&= hasMask;
+    byId("mask").ariaPressed = String(Boolean(this.masking));
     this.describe();
     if (this.measured && this.measured !== this.costKey) {
       byId("cost").textContent = "Cost on this GPU";

@@ -6,7 +6,7 @@ import test from "node:test";
 import {
   browser, focused, keepCopies, kLaptop, kThorough, press, settled, shownOnShared, tabTo, visibleText, wait,
 } from "./input_support.mjs";
-import { kPhone, opened, pixels, ready, stateOfPage } from "./support.mjs";
+import { kPhone, kRoot, opened, pixels, ready, stateOfPage } from "./support.mjs";
 
 test("a keyboard alone is enough", async () => {
   const page = await opened(browser, { viewport: kLaptop, before: keepCopies });
@@ -206,6 +206,55 @@ test("layers are added, chosen, moved, switched off and removed by the keyboard,
   await page.click("#undo");
   assert.deepEqual(await pixels(page, 16, 16), two);
   assert.deepEqual(page.complaints, []);
+});
+
+test("a mask of about a third is chosen, shown, steered, and undone in one step", async () => {
+  const page = await shownOnShared("#sum=none&noise=value&map=ember&blend2=add&sum2=none");
+  const covered = () => visibleText(page, "covered");
+  await page.click("#layer-2");
+  assert.equal(await covered(), "");
+  await page.select("#blend", "height");
+  await page.waitForFunction(() => /3\d %$/.test(document.getElementById("covered").textContent));
+  const { from, soft } = (await stateOfPage(page)).layers[1];
+  assert.ok(from > -0.5 && from < 0.5 && soft > 0.1, `${from}, ${soft}`);
+  await page.click("#mask");
+  const bytes = await pixels(page, 40, 22);
+  assert.ok(bytes.every((byte, at) => at % 4 === 3 || byte === bytes[at - (at % 4)])); // grey
+  const mean = bytes.reduce((sum, byte, at) => sum + (at % 4 ? 0 : byte), 0) / (bytes.length / 4) / 255;
+  assert.ok(mean > 0.25 && mean < 0.42, `${mean}`);
+  await page.waitForFunction(() => /rgb\(0, 0, 0\)/.test(document.getElementById("bars").style.background));
+  await page.focus("#from");
+  await press(page, "End");
+  await page.waitForFunction(() => /Counts on (less than 1|0) %/.test(document.getElementById("covered").textContent));
+  await page.click("#undo");
+  await page.click("#undo");
+  assert.equal(await page.evaluate(() => window.hashnoise.link), "#sum=none&noise=value&map=ember&sum2=none&blend2=add");
+  assert.deepEqual([await covered(), await page.$eval("#mask", (button) => button.ariaPressed)], ["", "false"]);
+  assert.deepEqual(page.complaints, []);
+});
+
+test("each setting that is open has one line, which the glossary has", async () => {
+  const page = await shownOnShared("#sum=ping_pong&noise=cellular&dimensions=3&warp=warp&metric=manhattan&view=terrain&blend2=height&noise2=middle&sum2=none");
+  const glossary = await readFile(resolve(kRoot, "docs", "reference", "glossary.md"), "utf8");
+  await page.setViewport({ width: 1400, height: 900, deviceScaleFactor: 0.125 });
+  const seen = new Set();
+  for (const layer of [1, 2]) {
+    await page.click(`#layer-${layer}`);
+    const found = await page.$$eval(".row", (rows) =>
+      rows.filter((row) => row.checkVisibility() && row.id).map((row) => {
+        const line = row.querySelector(":scope > small");
+        return [row.id.slice(4), line?.textContent, line && line.offsetHeight < 1.6 * parseFloat(getComputedStyle(line).fontSize)];
+      }));
+    for (const [name, line, isOne] of found) {
+      seen.add(name);
+      if (["sum", "noise", "x", "y", "cells", "turn", "tilt", "ease", "kind", "file", "width", "height"].includes(name)) continue; // a note or the name tells all
+      assert.ok(isOne, `${name}: ${line}`);
+      assert.ok(glossary.includes(`| ${line.replace(/\.$/, "")} |`), `${name}: ${line}`);
+    }
+  }
+  for (const name of ["lacunarity", "gain", "jitter", "warp", "period", "seed", "from", "soft", "radius", "sea"]) assert.ok(seen.has(name), name);
+  await page.setViewport(kLaptop);
+  await ready(page);
 });
 
 test("a map of one's own is made by the keyboard", async () => {

@@ -34,7 +34,7 @@ test("it opens from a disk, and loads nothing", async () => {
 
 test("a link shows the same picture", async () => {
   const page = await opened(browser, { viewport: kLaptop, before: keepCopies });
-  await page.click("#looks button:nth-child(4)");
+  await page.click("#looks button:nth-child(9)");
   await page.click("#in");
   await page.click("#dice");
   await wait(settled);

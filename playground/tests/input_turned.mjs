@@ -38,6 +38,19 @@ test("terrain is turned by keys and by a finger, and is sharp at rest", async ()
   assert.deepEqual(page.complaints, []);
 });
 
+test("terrain is saved as it is shown", async () => {
+  const page = await shownOnShared("#view=terrain&sea=0.6&width=90&height=70&blend2=add&sum2=none&noise2=middle");
+  const [corner, middle] = await page.evaluate(async () => {
+    const image = await createImageBitmap(await window.hashnoise.file(() => {}));
+    const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, image.width, image.height);
+    return [0, 4 * (90 * 50 + 45)].map((at) => Array.from(data.subarray(at, at + 4)));
+  });
+  assert.deepEqual(corner, [42, 44, 54, 255]);
+  assert.ok(middle[2] > middle[0] + 20, `${middle}`); // water
+});
+
 test("a sphere is turned by keys", async () => {
   const page = await shownOnShared("#sum=none&noise=value");
   await page.click("#view label:nth-child(4)");

@@ -6,9 +6,10 @@ import { exported } from "../export.js";
 import { scalarCode } from "../scalar.js";
 import { linkOf, stateOf } from "../links.js";
 import {
-  changed, chosen, detailsOf, dimensionsOf, kMostLayers, mapsOf, rangeOf, settingsOf, titlesOf, usualState, uses,
-  withLayer, withoutLayer,
+  changed, chosen, detailsOf, dimensionsOf, easeAround, easeOf, kMostLayers, mapsOf, maskState, noisesOf, rangeOf, settingsOf,
+  titlesOf, usualState, uses, withLayer, withoutLayer,
 } from "../model.js";
+import { coveredBy } from "../values.js";
 
 const kThree = "#sum=none&noise=value&weight=2&sum2=none&blend2=add&offset2=0.5&scale2=4&blend3=mix&weight3=0.25";
 // The text alone, without that of the library.
@@ -57,9 +58,48 @@ test("there are up to eight layers, each with noise of its own", () => {
   assert.equal(withLayer(state).layers.length, kMostLayers);
 });
 
-test("who chooses a mask gets one that has an edge, and a mask of nothing changes nothing", () => {
-  assert.deepEqual(chosen(stateOf("#blend2=add"), { blend: "mask" }, 1).layers[1].weight, 3);
+test("who chooses a mask gets one of about a third, and a mask of nothing changes nothing", () => {
+  const { from, soft } = chosen(stateOf("#blend2=add"), { blend: "mask" }, 1).layers[1]; // of values from -0.4 to 0.4
+  assert.deepEqual([from, soft], [0, 0.16]);
+  for (const values of [Array.from({ length: 900 }, (_, at) => at / 300 - 1), [1, 1, 1, 1]]) {
+    const ease = easeAround(Float32Array.from(values));
+    assert.ok(Math.abs(coveredBy(values, ease) - (values.length > 4 ? 1 / 3 : 0.5)) < 0.01, JSON.stringify(ease));
+  }
   assert.deepEqual(rangeOf(stateOf("#seed=3&blend2=mask")), rangeOf(stateOf("#seed=3")));
+});
+
+test("a layer with a weight and an offset counts as it always did, until its edge is chosen", () => {
+  const old = stateOf("#sum=none&blend2=height&weight2=4&offset2=-1&sum2=none&blend3=add");
+  assert.equal(linkOf(old), "#sum=none&sum2=none&blend2=height&weight2=4&offset2=-1&blend3=add");
+  assert.match(textOf(old), /min\(max\(4\.0 \* v \+ -1\.0, 0\.0\), 1\.0\)/);
+  assert.deepEqual(easeOf(old.layers[1]), { from: 0.25, soft: 0.25 });
+  const next = chosen(old, { from: 0.125 }, 1);
+  assert.equal(linkOf(next), "#sum=none&sum2=none&blend2=height&from2=0.125&soft2=0.25&blend3=add");
+  assert.match(textOf(next), /min\(max\(\(v - 0\.125\) \* 4\.0, 0\.0\), 1\.0\)/);
+  // Below 0 it counts downwards; and an edge is never so narrow that integers have no room for its reciprocal.
+  assert.match(textOf(chosen(next, { soft: -0.5 }, 1)), /\(0\.125 - v\) \* 2\.0/);
+  assert.equal(chosen(next, { soft: -0.001 }, 1).layers[1].soft, -0.016);
+  assert.notEqual(shaderKey(next), shaderKey(old));
+});
+
+test("the picture of a mask is grey, of the layers up to it", () => {
+  const state = stateOf("#view=terrain&map=land&blend2=mask&soft2=0.5&blend3=height&soft3=0.5&tint3=moss&blend4=add");
+  const mask = maskState(state, 2);
+  assert.deepEqual([mask.layers.length, mapsOf(mask), rangeOf(mask), mask.view], [3, [{ map: "grey" }], [0, 1], "plane"]);
+  assert.notEqual(shaderKey(mask), shaderKey({ ...mask, masks: undefined }));
+  // The values that decide it are those below, whatever another mask makes of it.
+  assert.deepEqual(maskState(state, 2, true).layers.map(({ on }) => on), [1, 0, 1]);
+  for (const [link, at] of [["#blend2=add", 1], ["#blend2=mask", 0], ["#blend2=mask&on2=0", 1], ["#on=0&blend2=mask", 1]])
+    assert.equal(maskState(stateOf(link), at), undefined, link);
+});
+
+test("a distance from the middle is a layer without a seed", () => {
+  const state = stateOf("#blend2=add&noise2=middle&sum2=none&radius2=99&seed2=5&shape2=along_y&period=4");
+  assert.equal(linkOf(state), "#period=4&sum2=none&noise2=middle&shape2=along_y&radius2=64&blend2=add");
+  assert.deepEqual(noisesOf("fbm").includes("middle"), false);
+  const text = textOf(stateOf("#sum=none&noise=middle"));
+  assert.match(text, /float ux = min\(max\(p\.x \* 0\.25, -2\.0\), 2\.0\) \* 1\.333333;/);
+  assert.match(text, /return max\(1\.0 - \(ux \* ux \+ uy \* uy\), -1\.0\);/);
 });
 
 test("a layer has colours of its own where it counts", () => {
@@ -83,8 +123,8 @@ test("a layer has colours of its own where it counts", () => {
 
 test("a layer counts where it is steep below", () => {
   const state = chosen(stateOf("#sum=none&blend2=slope&noise2=value&sum2=none"), { blend: "slope" }, 1);
-  assert.deepEqual([state.layers[1].weight, state.layers[1].offset], [2, -2]);
-  assert.equal(detailsOf(changed(state, { scale: 4 }, 1).layers[1], 1), "Where it is steep below · seed 7 · 4 × as fine");
+  assert.deepEqual([state.layers[1].from, state.layers[1].soft], [1.95, 0.78]);
+  assert.equal(detailsOf(changed(state, { scale: 4 }, 1).layers[1], 1), "Where it is steep · seed 7 · 4 × as fine");
   // Each such layer needs what is below it at three places, so there are at most two.
   const blends = stateOf("#blend2=slope&blend3=slope&blend4=slope").layers.map(({ blend }) => blend);
   assert.deepEqual(blends.slice(1), ["slope", "slope", "height"]);

@@ -2,11 +2,11 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { shaderKey } from "../code.js";
-import { fileState } from "../files.js";
+import { fileState, turned } from "../files.js";
 import { linkOf, stateOf } from "../links.js";
 import { chosen, uses, usualState } from "../model.js";
 import { paletteOf } from "../palette.js";
-import { reliefOf, surfaceOf } from "../relief.js";
+import { onBackdrop, reliefOf, surfaceOf } from "../relief.js";
 
 const kSide = 32;
 const kGrey = paletteOf({ map: "grey" });
@@ -16,8 +16,8 @@ const surface = (of, steep = 0.2, sea = 0) => {
 };
 const kWidth = 90;
 const kHeight = 60;
-const drawn = (of, { turn = 0, tilt = 0.25, steep, free } = {}) => {
-  const bytes = reliefOf(surface(of, steep), { turn, tilt }, kWidth, kHeight, free);
+const drawn = (of, { turn = 0, tilt = 0.25, steep, free, sea } = {}) => {
+  const bytes = reliefOf(surface(of, steep, sea), { turn, tilt }, kWidth, kHeight, free);
   // A pixel, counted from the middle, to the right and up.
   return (right, up) => {
     const at = 4 * ((kHeight / 2 - 1 - up) * kWidth + kWidth / 2 + right);
@@ -64,6 +64,35 @@ test("what stands in front hides what is behind, and a flat look sees its side",
 test("slopes towards the light are brighter than those away from it", () => {
   const shade = (sign) => drawn((x) => 0.5 + (sign * (x - 16)) / 64, { steep: 1 })(0, 0)[0];
   assert.ok(shade(1) > shade(-1) + 40, `${shade(1)} and ${shade(-1)}`);
+});
+
+test("water is flat, and mirrors the sky, whatever is below it", () => {
+  const bed = (x, y) => 0.1 * ((x + y) % 2);
+  const { heights, colours } = surface(bed, 0.5, 0.4);
+  assert.deepEqual([...new Set(heights)], [Math.fround(0.4)]);
+  assert.equal(new Set([10, 11].map((at) => String(colours.subarray(3 * at, 3 * at + 3)))).size, 1); // deep water has one colour
+  const shallow = surface(() => 0.38, 0.5, 0.4).colours;
+  assert.ok(shallow[0] > colours[0]);
+  const lights = (of) => {
+    const at = drawn(of, { tilt: 0.08, steep: 0.5, sea: 0.4 });
+    const column = [...Array(60).keys()].map((row) => at(0, row - 30)).filter((pixel) => pixel[3]);
+    return new Set(column.slice(-8).map(String)).size; // without the side in front
+  };
+  assert.deepEqual([lights(() => 0.1) > 5, lights(() => 0.9)], [true, 1]);
+});
+
+test("terrain is saved as it is shown, before what is behind it", async () => {
+  const bytes = reliefOf(surface(() => 1), { turn: 0.1, tilt: 0.1 }, kWidth, kHeight);
+  const covered = bytes.filter((byte, at) => at % 4 === 3 && byte).length;
+  const read = onBackdrop(bytes.slice(), kWidth, kHeight);
+  const rows = new Uint8Array(4 * kWidth * kHeight);
+  for (let row = 0; row < kHeight; row += 20) rows.set(await read(0, row, 20), 4 * kWidth * row);
+  const whole = turned(rows, kWidth);
+  const own = (at) => bytes[4 * at + 3] === 255;
+  for (let at = 0; at < kWidth * kHeight; ++at)
+    if (own(at)) assert.deepEqual(whole.subarray(4 * at, 4 * at + 4), new Uint8Array(bytes.subarray(4 * at, 4 * at + 4)));
+  assert.ok(covered > 500 && covered < kWidth * kHeight && !whole.filter((byte, at) => at % 4 === 3).includes(0));
+  assert.deepEqual([...whole.subarray(0, 3)], [42, 44, 54]);
 });
 
 test("all of the block is in the picture, and beside a panel", () => {
