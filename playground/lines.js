@@ -45,33 +45,44 @@ const isOneLine = (state) => {
   );
 };
 
-
-export function bakeLines(state) {
+// {source, commands}: a file of Python, if one is needed, and the words of the calls of tools/bake, each with the range of what
+// it writes: the values first, and then how much each layer counts that has colours of its own. Nothing for a picture that
+// it does not have.
+export function bakeParts(state) {
   const { width, height, dimensions } = state;
-  const size = [width, height, 1, 1].slice(0, dimensions).join("x");
+  if (!isOneLine(state) && !isInPython(state)) return undefined;
   const cell = cellsAcross(state) / Math.min(width, height);
   const across = [width * cell, height * cell].map((cells) => Number(cells.toPrecision(7)));
   const corner = [state.x, state.y].map((middle, axis) => Number(middle) / kPartsOfCell - across[axis] / 2);
-  const origin = [...corner, state.z, state.w].slice(0, dimensions);
-  const place = `--size ${size} --cells ${across[0]} --origin=${origin.map((part) => Number(part.toFixed(6))).join("x")}`;
-  const period = state.period ? ` --period ${Array(dimensions).fill(state.period).join("x")}` : "";
+  const origin = [...corner, state.z, state.w].slice(0, dimensions).map((part) => Number(part.toFixed(6)));
+  const place = [
+    "--size", [width, height, 1, 1].slice(0, dimensions).join("x"), "--cells", String(across[0]), `--origin=${origin.join("x")}`,
+    ...(state.period ? ["--period", Array(dimensions).fill(state.period).join("x")] : []), "--arithmetic", state.arithmetic,
+  ];
   const range = rangeOf(state).map((end) => Number(end.toFixed(4))).join(":");
-  const rest = `${period} --range=${range} --arithmetic ${state.arithmetic} -o noise.png`;
   if (!isOneLine(state)) {
-    if (!isInPython(state)) return ["# tools/bake has no sums of distances: GLSL and WGSL have all pictures."];
     const { lines, call } = patternOf(state, kAxes);
-    const masks = numbersOfTinted(state).map((number) => ` --range=0:1 -o mask_${number}.png`);
-    const commands = [` --range=${range} -o noise.png`, ...masks].map(
-      (end, at) => `tools/bake --expression '${call}${masks.length ? `[${at}]` : ""}' --source pattern.py ${place}${end}`,
-    );
-    return ["cat > pattern.py << END", ...lines, "END", ...commands];
+    const masks = numbersOfTinted(state).map((number) => ["0:1", `mask_${number}`]);
+    const commands = [[range, "noise"], ...masks].map(([ends, name], at) => ({
+      words: ["--expression", `${call}${masks.length ? `[${at}]` : ""}`, "--source", "pattern.py", ...place], range: ends, name,
+    }));
+    return { source: lines, commands };
   }
   const [layer] = shownLayers(state);
-  const at = state.layers.indexOf(layer);
-  const options = Object.entries(optionsOf(state, layer, at)).map(([name, value]) => `--${name} ${value}`);
+  const options = Object.entries(optionsOf(state, layer, state.layers.indexOf(layer))).flatMap(([name, value]) => [`--${name}`, String(value)]);
   const component = layer.sum === "none" ? kComponents[layer.noise] : undefined;
-  if (component) options.push(`--components ${component}`);
-  return [`tools/bake ${functionOf(layer)} ${options.join(" ")} ${place}${rest}`];
+  if (component) options.push("--components", component);
+  return { source: [], commands: [{ words: [functionOf(layer), ...options, ...place], range, name: "noise" }] };
+}
+
+export function bakeLines(state) {
+  const made = bakeParts(state);
+  if (!made) return ["# tools/bake has no sums of distances: GLSL and WGSL have all pictures."];
+  const quoted = (word) => (/^[\w.:=x-]+$/.test(word) ? word : `'${word}'`);
+  return [
+    ...(made.source.length ? ["cat > pattern.py << END", ...made.source, "END"] : []),
+    ...made.commands.map(({ words, range, name }) => `tools/bake ${words.map(quoted).join(" ")} --range=${range} -o ${name}.png`),
+  ];
 }
 
 const kSlope = [

@@ -4,7 +4,8 @@ import assert from "node:assert/strict";
 import { writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import test, { after, before } from "node:test";
-import { kWgslVertex } from "../export.js";
+import { kLanguages } from "../code.js";
+import { kKinds, kWgslVertex } from "../export.js";
 import { linkOf, stateOf } from "../links.js";
 import { changed, mapsOf, usualState } from "../model.js";
 import { hasCompiler, kCompiled, wordsOf, wordsOfJavaScript } from "./languages.mjs";
@@ -381,6 +382,32 @@ test("copied code of other languages computes the picture", async () => {
   const words = (text) => wordsOfJavaScript(text, whole[0], kWidth, kHeight);
   assert.notDeepEqual(await words(code.replace(", 7)", ", 8)")), await words(code));
 });
+
+// Twenty links, in every language and as every kind of text.
+const kLinked = Object.keys(kLanguages)
+  .flatMap((language) => Object.keys(kKinds[language]).map((kind) => [language, kind]))
+  .map(([language, kind], at) => [linkOf(whole[(at * 5) % whole.length]), language, kind]);
+
+test("the text of a link is what the page copies, in a terminal, too: of twenty links", () =>
+  inFolder(async (folder) => {
+    assert.ok(kLinked.length >= 20, `${kLinked.length}`);
+    const [version, pieces] = await page.evaluate(() => ["version", "pieces"].map((id) => document.getElementById(id).textContent));
+    await writeFile(join(folder, "pieces"), pieces);
+    const printer = join(kRoot, "playground", "text.mjs");
+    const print = (...words) => run(process.execPath, [printer, join(folder, "pieces"), version, ...words], { maxBuffer: 1 << 24 });
+    for (const [link, language, kind] of kLinked) {
+      await page.evaluate((hash) => window.hashnoise.open(hash, ""), link);
+      const copied = await copiedCode(page, language, true, kind);
+      assert.equal((await print(language, kind, link)).stdout, copied, `${language}, ${kind}: ${link}`);
+    }
+    const [[link, language, kind]] = kLinked;
+    assert.notEqual((await print(language, kind, `${link}&seed=8`)).stdout, (await print(language, kind, `${link}&seed=9`)).stdout);
+    await assert.rejects(print(language, kind, "#blen2=add"), /does not know: blen2=add/);
+    await assert.rejects(print("cobol", kind, link), /cobol is none of the page/);
+    // The command, with the address of a page in front and another arithmetic.
+    const picked = await run(join(kRoot, "tools", "pick"), ["a.html#seed=9&arithmetic=fast", "--language", "go", "--arithmetic", "fixed"]);
+    assert.equal(picked.stdout, (await print("go", "function", "#seed=9&arithmetic=fixed")).stdout);
+  }));
 
 test("code that is wrong is noticed", async () => {
   const state = states[0];

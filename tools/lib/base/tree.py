@@ -61,3 +61,9 @@ def address() -> str:
     """Of the project. It stands once in code, where the page that checks a browser reads it, and in pages for users."""
     text = (CONFORMANCE / "web" / "address.js").read_text(encoding="utf-8")
     return re.search(r'^export const kAddress = "([^"]+)";$', text, re.MULTILINE)[1]
+
+
+def site() -> str:
+    """Of the site, which has the playground: the pages of a repository on GitHub, where .github/workflows/pages.yml puts it."""
+    found = re.fullmatch(r"https://github\.com/([\w-]+)/([\w.-]+)", address())
+    return f"https://{found[1].lower()}.github.io/{found[2]}" if found else address()

@@ -5,15 +5,16 @@ from __future__ import annotations
 
 import re
 
-from base.tree import ROOT, address, version
+from base.tree import ROOT, address, site, version
 
 ANY = {"VERSION": r"\d+\.\d+\.\d+", "RELEASED": r"\d+\.\d+\.\d+", "MAJOR": r"\d+", "MINOR": r"\d+",
-       "ADDRESS": r'https://[^\s"`]+?'}
+       "ADDRESS": r'https://[^\s"`]+?', "SITE": r'https://[^\s"`]+?'}
 NAME = re.compile("|".join(ANY))
 # Each stands in its file, if that was not deleted, at least once. RELEASED is the last version that has a tag.
 LINES = {file: lines for file, lines in {
     "CITATION.cff": ("\nversion: VERSION\n", "\nrepository-code: ADDRESS\n"),
     "docs/guide/build-systems.md": ("GIT_TAG vRELEASED`", "revision = vRELEASED`", "\nhashnoise/VERSION\n", "ADDRESS.git"),
+    "docs/guide/playground.md": ("](SITE/playground.html)",),
     "docs/guide/godot.md": ("hashnoise-godot-VERSION.zip",),
     "docs/guide/javascript.md": ("hashnoise-VERSION.tgz",),
     "docs/reference/frozen.md": ("`hashnoise::vMAJOR_MINOR`", "`hashnoise::vMAJOR`"),
@@ -33,7 +34,7 @@ def released() -> str:
 
 def values() -> dict[str, str]:
     major, minor, _ = version().split(".")
-    return {"VERSION": version(), "RELEASED": released(), "MAJOR": major, "MINOR": minor, "ADDRESS": address()}
+    return {"VERSION": version(), "RELEASED": released(), "MAJOR": major, "MINOR": minor, "ADDRESS": address(), "SITE": site()}
 
 
 def filled(line: str) -> str:

@@ -208,6 +208,11 @@ def texts(tell: Callable[[str], None] = lambda _: None) -> dict[str, str]:
     return {"pieces": compressed(json.dumps(data({key: every[key] for key in sorted(every)}), separators=(",", ":")))}
 
 
-def kept_text(tell: Callable[[str], None] = lambda _: None) -> str:
+def kept(tell: Callable[[str], None] = lambda _: None) -> Path:
+    """The folder of the texts."""
     sources = [*glsl_files().values(), *(ROOT / "catalog").glob("*.toml"), *modules.files_of([Path(__file__)])]
-    return (cached(FOLDER, sources, partial(texts, tell)) / "pieces").read_text(encoding="ascii")
+    return cached(FOLDER, sources, partial(texts, tell))
+
+
+def kept_text(tell: Callable[[str], None] = lambda _: None) -> str:
+    return (kept(tell) / "pieces").read_text(encoding="ascii")

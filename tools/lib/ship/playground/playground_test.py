@@ -4,6 +4,7 @@ import base64
 import contextlib
 import hashlib
 import io
+import json
 import re
 import subprocess
 import sys
@@ -17,7 +18,7 @@ import ship.playground.command as command
 import ship.playground.page as page
 from base.thorough import THOROUGH, in_thorough_runs
 from base.tree import TOOLS, version
-from ship.playground import picks
+from ship.playground import linked, picks
 from translate.pick.command import Choice, picked
 
 
@@ -52,6 +53,25 @@ class Page(unittest.TestCase):
     def test_the_functions_are_in_it(self):
         self.assertIn(f'<span id="version">{version()}</span>', self.text)
         self.assertIn(f'id="pieces">{self.pieces}<', self.text)
+
+
+class Linked(unittest.TestCase):
+    def test_tools_bake_is_called_with_the_words_of_the_link(self):
+        """Later words count. A file of floats has no range, and neither has one with a range of its own."""
+        with mock.patch.object(linked, "text", lambda *_: json.dumps({"source": ["a", "b"], "commands": [
+                {"words": ["fbm", "--source", "pattern.py"], "range": "-1:2"}, {"words": []}]})):
+            for options, added in {("-o", "a.exr"): [], ("-o", "a.png"): ["--range=-1:2"], ("--out=a.f32",): [],
+                                   ("-o", "a.png", "--range", "0:1"): [], ("-o", "a.png", "--normalize"): [],
+                                   ("-o", "a", "--format", "r16"): ["--range=-1:2"]}.items():
+                words, source = linked.words_of_bake("#", options)
+                self.assertEqual(words, ["fbm", "--source", "pattern.py", *added, *options])
+                self.assertEqual(source, "a\nb")
+
+    def test_a_link_that_cannot_be_baked_is_refused(self):
+        for link in ("#noise=cellular", "#hash=pcg", "#sum=none&noise=cells", "#seed=many"):
+            done = subprocess.run([TOOLS / "bake", link, "-o", "a.exr"], capture_output=True, text=True, check=False)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), link)
+            self.assertRegex(done.stderr, "^(tools/bake has|The link has)", link)
 
 
 class Picks(unittest.TestCase):

@@ -14,6 +14,7 @@ the CPU.
     tools/pick hn_fbm2_tile                            hn_tile2, and hn_fbm2_place, which takes what that makes
     tools/pick 'hn_fbm(hn_tile(vec2))'                 the same
     tools/pick --list                                  which functions there are, by noise
+    tools/pick '#sum=ridged&seed=42' --language rust   what the playground copies: its links have a #
 
 A function is called by its form: hn_perlin2 is hn_perlin(vec2 p, uint seed), and hn_perlin2_place is
 hn_perlin(hn_place2 place, uint seed). The functions that it calls are inlined; a function that is called more than once
