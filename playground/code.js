@@ -51,8 +51,8 @@ export function edgeOf(state, { from, soft }) {
   return { from: partOf(state, from), width, rate };
 }
 
-// What a coordinate is multiplied by for the distance from the middle, in radii: a power of two, which is exact, and a rest
-// from 1 to 2.
+// A coordinate times both numbers is the distance from the middle, in radii: a power of two, which is exact, and a rest from
+// 1 to 2.
 export function spreadOf(state, { radius }) {
   const unit = 2 ** -Math.ceil(Math.log2(radius));
   return { unit, ratio: partOf(state, Number((1 / (radius * unit)).toPrecision(7))) };

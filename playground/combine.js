@@ -8,7 +8,7 @@
 //   product(a, b), stepped(value), result(value): with integers each value is a whole number of steps, and a product is
 //     computed in integers, while sums are exact in floats; so no compiler can round one in another way
 //   part(value): from 0 to 1; lower(a, b), higher(a, b)
-//   slope(v, at, steps): how steep it is below a layer, if need be by steps of its own
+//   slope(v, at): how steep it is below a layer
 export function combined(shown, calls, words) {
   const { product, stepped, result, part, isExact } = words;
   const steps = [];
@@ -41,7 +41,7 @@ export function combined(shown, calls, words) {
       mix: () => weight,
       mask: () => (soft ? counts(own) : part(remapped)),
       height: () => counts(v),
-      slope: () => counts(words.slope(v, at, steps)),
+      slope: () => counts(words.slope(v, at)),
     }[blend]?.();
     const isMask = blend === "mask";
     const named = isMask || (tinted && words.hasTints) ? set("m", at, share) : share;

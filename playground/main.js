@@ -201,15 +201,17 @@ class Playground extends Picture {
       const { least, greatest } = summaryOf(deciding, [0, 1]);
       byId("covered").textContent = `Counts on ${percent(coveredBy(deciding, ease))}`;
       this.controls.showEnds(least, greatest);
-      this.showValues(values, seen.masks ? [least, greatest] : rangeOf(seen), seen.masks ? edgeIn([least, greatest], ease) : gradientOf(seen));
-    } else this.showValues(values, rangeOf(seen), gradientOf(seen));
+      if (seen.masks) this.showValues(values, [least, greatest], edgeIn([least, greatest], ease));
+    }
+    if (!seen.masks) this.showValues(values, rangeOf(seen), gradientOf(seen));
     await this.comparison.draw();
   }
 
   showValues(values, range, colours) {
     const summary = summaryOf(values, range);
     const { words, shape } = histogramOf(summary);
-    byId("values").textContent = wordsOf(summary, range);
+    const sentences = wordsOf(summary, range);
+    byId("values").textContent = this.seen.masks ? `${sentences.split(". ")[0]}. They decide where the layer counts.` : sentences;
     byId("histogram").setAttribute("aria-label", words);
     byId("bars").style.clipPath = shape;
     byId("bars").style.background = colours;

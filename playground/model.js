@@ -116,8 +116,8 @@ export const reliefHeight = ({ steep, cells }) => steep * Math.min(1, kCellsOfWh
 // The names of the layers, for people, and the settings by which layers of one name differ.
 export const titleOf = ({ sum, noise }) =>
   sum === "none" ? kNoises[noise].label : `${kSums[sum].label} of ${kNoises[noise].label}`;
-export const detailsOf = ({ blend, seed, scale }, at) =>
-  `${at ? kBlends[blend].label : "Base"} · seed ${seed}${scale > 1 ? ` · ${scale} × as fine` : ""}`;
+export const detailsOf = ({ blend, noise, seed, scale }, at) =>
+  `${at ? kBlends[blend].label : "Base"}${kNoises[noise].shape ? "" : ` · seed ${seed}`}${scale > 1 ? ` · ${scale} × as fine` : ""}`;
 export const titlesOf = ({ layers }) =>
   layers.map((layer, at) => `${at ? `${kBlends[layer.blend].sign} ` : ""}${titleOf(layer)}`);
 

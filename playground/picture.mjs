@@ -4,15 +4,14 @@
 import { writeFile } from "node:fs/promises";
 import { kForWebGl, launched, opened } from "./tests/support.mjs";
 
-const kLink = "#sum=eroded&seed=12&octaves=8&map=land&cells=4&view=terrain";
-const kDrawn = 9000; // ms: terrain is drawn step by step, and software takes seconds
+const kLink = "#seed=21&octaves=9&view=terrain&tilt=0.09&steep=0.3&sea=0.4&map=land&sum2=none&noise2=middle&blend2=add";
 const kSide = 64; // pixels of a look
 const kQuality = 0.55;
 
 const browser = await launched(kForWebGl);
 try {
   const page = await opened(browser, { link: kLink, viewport: { width: 1200, height: 720 } });
-  await new Promise((done) => setTimeout(done, kDrawn));
+  await page.waitForFunction(() => !window.hashnoise.moves && window.hashnoise.coarse === 1 && !window.hashnoise.drawing, { timeout: 300000 });
   await page.screenshot({ path: process.argv[3] });
   const looks = await opened(browser);
   const url = await looks.evaluate(
@@ -23,11 +22,13 @@ try {
       for (const [at, name] of names.entries()) {
         hashnoise.look(name);
         await hashnoise.drawing;
-        const bytes = await hashnoise.pixels(side, side);
-        for (let row = 0; row < side; ++row) {
-          const line = new ImageData(new Uint8ClampedArray(bytes.slice(row * side * 4, (row + 1) * side * 4)), side, 1);
-          canvas.getContext("2d").putImageData(line, at * side, side - 1 - row);
-        }
+        // Four by four pixels become one. The lower row comes first.
+        const large = new OffscreenCanvas(4 * side, 4 * side);
+        const bytes = new Uint8ClampedArray(await hashnoise.pixels(large.width, large.height));
+        large.getContext("2d").putImageData(new ImageData(bytes, large.width, large.height), 0, 0);
+        const context = canvas.getContext("2d");
+        Object.assign(context, { imageSmoothingQuality: "high" }).setTransform(1, 0, 0, -1, 0, side);
+        context.drawImage(large, at * side, 0, side, side);
       }
       return canvas.toDataURL("image/webp", quality);
     },

@@ -17,7 +17,7 @@ const kRound = 2 * Math.PI;
 
 // The heights of values, from 0 for the lowest colour to 1 for the highest, and the colour of each with its light.
 // `side` is the number of values on a side, the first in the lower left corner; `steep` is the height of the highest
-// colour in sides of the block. Colours are the palette's, or of `pixels` if there are some. What is lower than `sea` is
+// colour in sides of the block. Colours are the palette's, or of `pixels` if there are some. Ground lower than `sea` is
 // under water, which is flat.
 export function surfaceOf(values, side, [low, high], palette, { steep, sea = 0 }, pixels) {
   const beds = Float32Array.from(values, (value) => Math.min(Math.max((value - low) / (high - low), 0), 1));

@@ -171,24 +171,10 @@ class ScalarWriter {
     return { lines, value: `${name}(${this.call(`hn_octaves_of${this.n}_place`, this.placeOf(layer), ...settings, seed)})` };
   }
 
-  // How steep it is below a layer, as the shaders have it: names and their values, up to the slope of the value v.
+  // How steep it is below a layer.
   slopeBelow(number, v) {
-    const made = this.axes.flatMap((axis, at) => {
-      const places = this.axes.map((other) => (other === axis ? `${axis} + ${this.float(kStepBeside)}` : other));
-      const below = `b${number}${at}`;
-      const size = `${this.call("hn_play_higher1", `${below} - ${v}`, `${v} - ${below}`)} * ${this.float(1 / kStepBeside)}`;
-      return [
-        [below, `${this.ours(`below_${number}`)}(${places.join(", ")})`],
-        [`d${number}${at}`, this.call("hn_play_lower1", size, this.float(8))],
-      ];
-    });
-    const length = this.axes.map((_, at) => `d${number}${at}`).reduce((sum, d) => {
-      const half = `${this.float(0.5)} * ${this.call("hn_play_lower1", sum, d)}`;
-      const name = `${sum}${d}`;
-      made.push([name, this.stepped(`${this.call("hn_play_higher1", sum, d)} + ${half}`)]);
-      return name;
-    });
-    return [...made, [v.replace("v", "s"), length]];
+    const beside = this.axes.map((axis) => this.axes.map((other) => (other === axis ? `${axis} + ${this.float(kStepBeside)}` : other)));
+    return this.call("hn_play_slope1", v, ...beside.map((place) => `${this.ours(`below_${number}`)}(${place.join(", ")})`));
   }
 
   stepped(text) {
@@ -207,10 +193,7 @@ class ScalarWriter {
       product: (one, other) => (isExact ? this.call("hn_play_product1", one, other) : `${one} * ${other}`),
       stepped, result: stepped, isExact, hasTints: true, lower, higher,
       part: (value) => stepped(lower(higher(value, this.float(0)), this.float(1))),
-      slope: (v, at, steps) => {
-        steps.push(...this.slopeBelow(at + 1, v));
-        return steps.at(-1)[0];
-      },
+      slope: (v, at) => this.slopeBelow(at + 1, v),
     };
   }
 

@@ -122,7 +122,7 @@ export const kAbout = {
   radius: "Where the value is 0, in cells from the middle.",
   warp: "Noise moves each place first, so the pattern bends.",
   amplitude: "How far the warp moves a place at most, in cells.",
-  blend: "What the layer does to the value of those above it.",
+  blend: "How the layer changes the value of those above it.",
   weight: "The values of the layer are multiplied by it.",
   offset: "It is added to the values of the layer.",
   from: "Where the layer begins to count, by the value.",
@@ -134,7 +134,7 @@ export const kAbout = {
   hash: "It makes random numbers: each another picture.",
   contrast: "How steeply colours follow the values.",
   steep: "How high the highest colour is.",
-  sea: "What is lower is under water. 0 is no sea.",
+  sea: "Lower ground is under water. 0 is no sea.",
 };
 
 // Colours from the lowest value to the highest, at even distances; between them they are mixed.

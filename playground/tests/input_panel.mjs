@@ -247,7 +247,7 @@ test("each setting that is open has one line, which the glossary has", async () 
       }));
     for (const [name, line, isOne] of found) {
       seen.add(name);
-      if (["sum", "noise", "x", "y", "cells", "turn", "tilt", "ease", "kind", "file", "width", "height"].includes(name)) continue; // a note or the name tells all
+      if (["sum", "noise", "x", "y", "cells", "turn", "tilt", "ease", "kind", "file", "width", "height"].includes(name)) continue; // a note, or the name, is enough
       assert.ok(isOne, `${name}: ${line}`);
       assert.ok(glossary.includes(`| ${line.replace(/\.$/, "")} |`), `${name}: ${line}`);
     }

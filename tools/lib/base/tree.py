@@ -63,7 +63,8 @@ def address() -> str:
     return re.search(r'^export const kAddress = "([^"]+)";$', text, re.MULTILINE)[1]
 
 
-def site() -> str:
-    """Of the site, which has the playground: the pages of a repository on GitHub, where .github/workflows/pages.yml puts it."""
-    found = re.fullmatch(r"https://github\.com/([\w-]+)/([\w.-]+)", address())
-    return f"https://{found[1].lower()}.github.io/{found[2]}" if found else address()
+def site(of: str) -> str:
+    """Of the site of a project at this address: the pages of a repository on GitHub, where .github/workflows/pages.yml puts
+    it, with the playground."""
+    found = re.fullmatch(r"https://github\.com/([\w-]+)/([\w.-]+)", of)
+    return f"https://{found[1].lower()}.github.io/{found[2]}" if found else of

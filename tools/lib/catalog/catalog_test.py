@@ -11,7 +11,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from base.tree import ROOT
+from base.tree import ROOT, site
 from catalog import command, copies, grid, parameters, sections, shaders, suite
 from catalog.model import CATALOG, CatalogError, read
 from catalog.tables import functions
@@ -53,6 +53,7 @@ class Made(unittest.TestCase):
         self.assertIn("#define HN_I_NAMESPACE v2_13\n#define HN_I_LIBRARY v2\n", made["include/hashnoise/glsl.hpp"])
         self.assertIn("GIT_TAG v2.12.0", made["docs/guide/build-systems.md"])
         self.assertEqual(copies.wrong(), [])
+        self.assertEqual(site("https://github.com/Some-One/noise"), "https://some-one.github.io/noise")
 
     def test_a_line_that_is_missing_is_told(self):
         with self.assertRaisesRegex(LookupError, "CITATION.cff must have version: "):

@@ -34,7 +34,7 @@ def released() -> str:
 
 def values() -> dict[str, str]:
     major, minor, _ = version().split(".")
-    return {"VERSION": version(), "RELEASED": released(), "MAJOR": major, "MINOR": minor, "ADDRESS": address(), "SITE": site()}
+    return {"VERSION": version(), "RELEASED": released(), "MAJOR": major, "MINOR": minor, "ADDRESS": address(), "SITE": site(address())}
 
 
 def filled(line: str) -> str:

@@ -65,6 +65,12 @@ def text_of_cpu(n: int) -> str:
         "HN_FN hn_float hn_play_lower(hn_float a, hn_float b) { return min(a, b); }",
         "HN_FN hn_float hn_play_higher(hn_float a, hn_float b) { return max(a, b); }",
     ]
+    # How steep a value is, of those beside it, as a shader has it in line.
+    axes = "xyzw"[:n]
+    steps = "".join(f"s = hn_play_steps(max(s, d{axis}) + 0.5f * min(s, d{axis})); " for axis in axes)
+    beside = "".join(f"hn_float d{axis} = min(max({axis} - v, v - {axis}) * 16.0f, 8.0f); " for axis in axes)
+    lines.append(f"HN_FN hn_float hn_play_slope(hn_float v, {', '.join(f'hn_float {axis}' for axis in axes)}) {{ "
+                 f"{beside}hn_float s = 0.0f; {steps}return s; }}")
     # The distance from the middle, in radii: of the cell and of the place in it, whose parts are whole numbers of steps.
     lines.append("HN_FN hn_float hn_play_along(hn_int cell, hn_float f, hn_float unit, hn_float ratio) { hn_float at = "
                  "hn_play_steps(hn_float(cell) * unit) + hn_play_steps(f * unit); "

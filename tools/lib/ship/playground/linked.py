@@ -1,4 +1,4 @@
-"""What a link of the playground is in a terminal: a text, and a call of tools/bake. Both are written by the page's own modules.
+"""Links of the playground in a terminal: as a text, and as a call of tools/bake. The page's own modules write both.
 
     tools/pick '#sum=ridged&seed=42' --language rust [--out FILE]      the text that the page copies
     tools/pick LINK --language glsl --as shadertoy                     as the page's *Copy as*: shader, desktop, shadertoy
@@ -62,7 +62,7 @@ def pick(arguments: Sequence[str] | None = None) -> int:
 
 
 def words_of_bake(link: str, options: Sequence[str]) -> tuple[list[str], str]:
-    """The arguments of tools/bake, the later of which count, and its file of Python."""
+    """The arguments of tools/bake, where later ones count, and its file of Python."""
     made = json.loads(text(link, "arguments"))
     command = made["commands"][0]
     named = [word.partition("=")[2] or after for word, after in zip(options, [*options[1:], ""])

@@ -38,7 +38,7 @@ def other_addresses(root: Path) -> list[str]:
     """Addresses in files that end like the project's, and are others."""
     found = [(name, other.decode()) for name in files_of(root) for other in ADDRESS.findall((root / name).read_bytes())]
     return [f"{name}: {other} must be {address()}, which conformance/web/address.js has" for name, other in found
-            if other.endswith("/hashnoise") and other not in (address(), site()) and not other.startswith(REGISTRIES)]
+            if other.endswith("/hashnoise") and other not in (address(), site(address())) and not other.startswith(REGISTRIES)]
 
 
 class Project(unittest.TestCase):
@@ -62,7 +62,7 @@ class Project(unittest.TestCase):
         (cls.original / "CHANGELOG.md").write_text(
             f"# Changelog\n\n## {version()} (2026-11-22)\n\n- It is [there](docs/x.md).\n\n"
             "## 0.0.1 (2025-01-01)\n\n- Old.\n")
-        with mock.patch.multiple(copies, released=version, address=lambda: PLACE, site=lambda: PLACE):
+        with mock.patch.multiple(copies, released=version, address=lambda: PLACE):
             for name in copies.LINES:
                 cls.change(cls.original / name, lambda text, name=name: copies.made(name, text))
         cls.change(cls.original / "conformance/web/address.js", lambda text: text.replace(address(), PLACE))
