@@ -306,7 +306,7 @@ export class Controls {
     const noises = noisesOf(state.sum);
     byId("heading-noise").textContent = whole.layers.length > 1 ? `Noise of layer ${this.layer + 1}` : "Noise";
     byId("label-weight").textContent = used.blend && state.blend === "mix" ? "Its part" : "Weight";
-    for (const option of byId("noise").options) option.hidden = option.disabled = !noises.includes(option.value);
+    for (const option of byId("noise").options) option.hidden = option.disabled = !noises.includes(option.value) && !kNoises[option.value].shape;
     byId("label-noise").textContent = state.sum === "none" ? "Noise" : "of noise";
     for (const name of Object.keys(kSelects)) byId(name).value = state[name];
     const dimensions = dimensionsOf(state);

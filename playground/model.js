@@ -142,6 +142,7 @@ export function chosen(state, changes, at = 0) {
   const next = changed(state, changes, at);
   const layer = next.layers[at];
   if (changes.sum && changes.sum !== state.layers[at].sum) layer.strength = usualOf("strength", layer);
+  if (changes.noise && kNoises[changes.noise].shape) layer.sum = "none"; // no fractal has it
   if (changes.blend === "mix" && layer.weight === 1) layer.weight = 0.5;
   if (changes.blend && canEase(layer)) Object.assign(layer, easeBelow(next, at));
   if (changes.from !== undefined || changes.soft !== undefined) Object.assign(layer, easeOf(state.layers[at]), changes);

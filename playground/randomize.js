@@ -1,5 +1,5 @@
 // "Surprise me": any value of the unlocked settings, from ranges in which pictures are good.
-import { chosen, changed, dimensionsOf, noisesOf, possible, usualOf } from "./model.js";
+import { chosen, changed, dimensionsOf, easeBelow, noisesOf, possible, uses, usualOf } from "./model.js";
 import { kBlends, kMaps, kMetrics, kNoises, kSums } from "./tables.js";
 
 const between = (random, low, high, step = 0.01) => Math.round((low + (high - low) * random()) / step) * step;
@@ -36,6 +36,7 @@ export function randomized(state, locked, random = Math.random) {
     for (const [name, made] of Object.entries(kOfLayer))
       if (!locked.has(name) && (at > 0 || !["blend", "weight", "scale"].includes(name)))
         next = changed(next, { [name]: made(random, next.layers[at]) }, at);
+    if (!locked.has("blend") && uses(next, at).ease) next = changed(next, easeBelow(next, at), at);
   }
   for (const [name, made] of Object.entries(kOfPicture)) if (!locked.has(name)) next = changed(next, { [name]: made(random) });
   next = possible(next);

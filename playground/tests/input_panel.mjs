@@ -130,10 +130,11 @@ test("it fits a phone", async () => {
     [kPhone, 40],
     [{ ...kPhone, width: 320, height: 568 }, 40],
     [{ ...kPhone, width: 844, height: 390 }, 40],
-    [kLaptop, 28],
+    [{ width: 1400, height: 900 }, 28],
   ]) {
     await page.setViewport({ ...viewport, deviceScaleFactor: 0.25 });
     await ready(page);
+    await page.$eval("#layer-2", (radio) => radio.click()); // another kind of device loads the page again
     const found = await page.evaluate((size) => {
       const sheet = document.getElementById("sheet");
       const controls = "button, select, input:not([type=radio], [type=checkbox]), .choices label, .swatches label";

@@ -97,6 +97,7 @@ test("a distance from the middle is a layer without a seed", () => {
   const state = stateOf("#blend2=add&noise2=middle&sum2=none&radius2=99&seed2=5&shape2=along_y&period=4");
   assert.equal(linkOf(state), "#period=4&sum2=none&noise2=middle&shape2=along_y&radius2=64&blend2=add");
   assert.deepEqual(noisesOf("fbm").includes("middle"), false);
+  assert.equal(chosen(stateOf("#blend2=add"), { noise: "middle" }, 1).layers[1].sum, "none");
   const text = textOf(stateOf("#sum=none&noise=middle"));
   assert.match(text, /float ux = min\(max\(p\.x \* 0\.25, -2\.0\), 2\.0\) \* 1\.333333;/);
   assert.match(text, /return max\(1\.0 - \(ux \* ux \+ uy \* uy\), -1\.0\);/);
