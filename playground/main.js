@@ -5,18 +5,16 @@ import { Comparison } from "./compare.js";
 import { costOf } from "./cost.js";
 import { byId } from "./elements.js";
 import { linkInFile, planeOf } from "./files.js";
+import { Histogram } from "./histogram.js";
 import { anywhere, listen, listKeys, undoing } from "./input.js";
 import { ignoredIn, linkOf, stateOf, stateOfLook } from "./links.js";
-import { changed, chosen, easeAround, easeOf, isTurned, kSettings, maskState, rangeOf, settingsOf, titlesOf, uses } from "./model.js";
+import { changed, chosen, isTurned, kSettings, titlesOf, uses } from "./model.js";
 import { positionText } from "./numbers.js";
-import { gradientOf } from "./palette.js";
 import { kCanvases, Picture } from "./picture.js";
 import { Library, unpacked } from "./pieces.js";
-import { kBits } from "./shaders.js";
 import { kViews } from "./tables.js";
 import { randomized } from "./randomize.js";
 import { Steps } from "./undo.js";
-import { coveredBy, edgeIn, histogramOf, percent, summaryOf, wordsOf } from "./values.js";
 import { panned, partsOf, positionOfPixel, zoomed } from "./view.js";
 
 const kLinkDelay = 300; // browsers refuse an address that changes too often
@@ -26,7 +24,6 @@ const kLocal =
   "playground on a web site.";
 const kTurnOfPixel = 0.0008; // turns by a pixel
 const kTold = 1500; // milliseconds for which a button shows that it has copied
-const kSampled = 48; // pixels on the shorter side, whose values the page summarizes
 const kSpeed = 0.25; // cells, or turns over four, in a second
 
 class Playground extends Picture {
@@ -43,6 +40,7 @@ class Playground extends Picture {
       replace: (state, said) => this.replace(state, said),
       say: (sentence) => this.say(sentence),
     });
+    this.histogram = new Histogram(this);
     byId("drawing").hidden = false; // until there is a picture
   }
 
@@ -60,27 +58,12 @@ class Playground extends Picture {
     const key = [at, ...Object.keys(changes)].join(" ");
     this.steps.note(this.state, next, key);
     this.take(next);
-    if (changes.blend) this.ease(at, key).catch(() => {});
-  }
-
-  // Where a layer counts follows from the values that decide it, in the step of the choice.
-  async ease(at, key) {
-    const { layers } = this.state;
-    const values = await this.valuesOfMask(at);
-    if (!values?.length || JSON.stringify(layers) !== JSON.stringify(this.state.layers)) return;
-    const next = chosen(this.state, easeAround(values), at);
-    this.steps.note(this.state, next, key, true);
-    this.take(next);
+    if (changes.blend) this.histogram.ease(at, key).catch(() => {});
   }
 
   // The state that is drawn: of a mask, while the button shows it.
   get seen() {
-    return (this.masking && maskState(this.state, this.controls.layer)) || this.state;
-  }
-
-  showMask(on) {
-    this.masking = on;
-    this.take(this.state);
+    return this.histogram?.mask ?? this.state;
   }
 
   take(state) {
@@ -97,10 +80,7 @@ class Playground extends Picture {
       this.controls.showUncopied();
     }
     this.controls.show(state);
-    const hasMask = Boolean(maskState(state, this.controls.layer));
-    byId("row-ease").hidden = !hasMask;
-    this.masking &&= hasMask;
-    byId("mask").ariaPressed = String(Boolean(this.masking));
+    this.histogram.offerMask();
     this.describe();
     if (this.measured && this.measured !== this.costKey) {
       byId("cost").textContent = "Cost on this GPU";
@@ -187,49 +167,12 @@ class Playground extends Picture {
     if (this.probed) await this.probe();
   }
 
-  // How the values of the picture are distributed, of some of its pixels.
   async rested() {
     // Reading in the frame in which a picture was drawn can take the picture from the screen.
     await this.drawing;
     await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
-    const { state, seen } = this;
-    const deciding = await this.valuesOfMask(this.controls.layer);
-    const values = seen.masks ? deciding : await this.sampled(seen);
-    if (state !== this.state) return;
-    if (deciding) {
-      const ease = easeOf(settingsOf(state, this.controls.layer));
-      const { least, greatest } = summaryOf(deciding, [0, 1]);
-      byId("covered").textContent = `Counts on ${percent(coveredBy(deciding, ease))}`;
-      this.controls.showEnds(least, greatest);
-      if (seen.masks) this.showValues(values, [least, greatest], edgeIn([least, greatest], ease));
-    }
-    if (!seen.masks) this.showValues(values, rangeOf(seen), gradientOf(seen));
+    await this.histogram.draw();
     await this.comparison.draw();
-  }
-
-  showValues(values, range, colours) {
-    const summary = summaryOf(values, range);
-    const { words, shape } = histogramOf(summary);
-    const sentences = wordsOf(summary, range);
-    byId("values").textContent = this.seen.masks ? `${sentences.split(". ")[0]}. They decide where the layer counts.` : sentences;
-    byId("histogram").setAttribute("aria-label", words);
-    byId("bars").style.clipPath = shape;
-    byId("bars").style.background = colours;
-  }
-
-  // The values of some pixels. Beside a solid there are none.
-  async sampled(state) {
-    const [width, height] = this.size;
-    const scale = kSampled / Math.min(width, height);
-    const size = [width, height].map((side) => Math.min(Math.round(side * scale), 4 * kSampled));
-    const bytes = await this.pixels(...size, kBits, state);
-    return new Float32Array(bytes.buffer).filter((value) => !Number.isNaN(value));
-  }
-
-  // The values that decide how much a layer counts; nothing for a layer that has none.
-  async valuesOfMask(at) {
-    const state = maskState(this.state, at, true);
-    return state && (await this.sampled(state)).map((part) => 16 * part - 8);
   }
 
   // The value below the pointer.
@@ -463,7 +406,7 @@ class Playground extends Picture {
       out: () => this.zoom(2 ** 0.5), home: () => this.home(), surprise: () => this.randomize(),
       save: () => this.save(), measure: () => this.measure(),
       copy: () => this.copy(this.controls.code, byId("copy"), "The code"), link: () => this.copyLink(),
-      mask: () => this.showMask(!this.masking), undo: () => this.undo(), redo: () => this.redo(), help: () => byId("keys-list").showModal(),
+      undo: () => this.undo(), redo: () => this.redo(), help: () => byId("keys-list").showModal(),
     };
     for (const [id, action] of Object.entries(clicks)) byId(id).addEventListener("click", action);
     this.comparison = new Comparison(this);
