@@ -305,7 +305,9 @@ export class Controls {
     }
     const noises = noisesOf(state.sum);
     byId("heading-noise").textContent = whole.layers.length > 1 ? `Noise of layer ${this.layer + 1}` : "Noise";
-    byId("label-weight").textContent = used.blend && state.blend === "mix" ? "Its part" : "Weight";
+    const isMix = used.blend && state.blend === "mix";
+    byId("label-weight").textContent = isMix ? "Its part" : "Weight";
+    byId("about-weight").textContent = isMix ? "How much of the layer the mixture has." : kAbout.weight;
     for (const option of byId("noise").options) option.hidden = option.disabled = !noises.includes(option.value) && !kNoises[option.value].shape;
     byId("label-noise").textContent = state.sum === "none" ? "Noise" : "of noise";
     for (const name of Object.keys(kSelects)) byId(name).value = state[name];

@@ -235,11 +235,11 @@ test("a mask of about a third is chosen, shown, steered, and undone in one step"
 });
 
 test("each setting that is open has one line, which the glossary has", async () => {
-  const page = await shownOnShared("#sum=ping_pong&noise=cellular&dimensions=3&warp=warp&metric=manhattan&view=terrain&blend2=height&noise2=middle&sum2=none");
+  const page = await shownOnShared("#sum=ping_pong&noise=cellular&dimensions=3&warp=warp&metric=manhattan&view=terrain&blend2=height&noise2=middle&sum2=none&blend3=mix");
   const glossary = await readFile(resolve(kRoot, "docs", "reference", "glossary.md"), "utf8");
   await page.setViewport({ width: 1400, height: 900, deviceScaleFactor: 0.125 });
   const seen = new Set();
-  for (const layer of [1, 2]) {
+  for (const layer of [1, 2, 3]) {
     await page.click(`#layer-${layer}`);
     const found = await page.$$eval(".row", (rows) =>
       rows.filter((row) => row.checkVisibility() && row.id).map((row) => {
