@@ -21,7 +21,8 @@ LINES = {file: lines for file, lines in {
     "include/hashnoise/glsl.hpp": ("\n#define HN_I_NAMESPACE vMAJOR_MINOR\n", "\n#define HN_I_LIBRARY vMAJOR\n"),
     "packages/conan/conanfile.py": ('    url = "ADDRESS"', '    homepage = "ADDRESS"'),
     "packages/vcpkg/hashnoise/vcpkg.json": ('"version": "VERSION"', '"homepage": "ADDRESS"'),
-    "pyproject.toml": ('Repository = "ADDRESS"',),
+    "pyproject.toml": ('Repository = "ADDRESS"', 'Issues = "ADDRESS/issues"', 'Changelog = "ADDRESS/blob/main/CHANGELOG.md"'),
+    "README.md": ("](SITE/playground.html)",),
 }.items() if (ROOT / file).is_file()}
 
 
