@@ -136,13 +136,15 @@ SETS = {"nearest": NEAREST, "offset": OFFSET}
 
 
 def chosen(noise: Noise, function: Function, numbers: list[Real]) -> Noise:
-    """The noise with the wave, the phase, the jitter and the metric that it takes from the end of the numbers."""
+    """The noise with the wave, the bandwidth, the phase, the jitter and the metric that it takes from the end of the numbers."""
     choice = Choice()
     if "metric" in function.takes:
         choice = replace(choice, metric=numbers.pop())
     if "jitter" in function.takes:
         choice = replace(choice, jitter=numbers.pop())
     of = noise.rotated(numbers.pop()) if function.has_phase else noise
+    if "bandwidth" in function.takes:
+        choice = replace(choice, bandwidth=numbers.pop())
     if "wave" in function.takes:
         choice = replace(choice, wave=tuple(numbers[-function.axes:]))
         del numbers[-function.axes:]

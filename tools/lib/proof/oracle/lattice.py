@@ -20,10 +20,12 @@ def repeated(coordinate: int, period: int) -> int:
 
 @dataclass(frozen=True)
 class Choice:
-    """A caller's choices: for cellular noise the jitter and the metric (section 16), for phasor noise a wave (23)."""
+    """A caller's choices: for cellular noise the jitter and the metric (section 16), for phasor noise a wave and a
+    bandwidth (23)."""
     jitter: Real = 1
     metric: int = EUCLIDEAN
     wave: tuple[Real, ...] = ()  # one number for each axis
+    bandwidth: Real | None = None  # None: in the form without one
 
 
 @dataclass(frozen=True)

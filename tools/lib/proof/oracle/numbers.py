@@ -55,12 +55,16 @@ def radius(z: int) -> int:
     return fixed_root(2**32 - z * z >> 4) >> 3
 
 
-def sphere_units(h: int) -> tuple[int, int, int]:
-    """X, Y and Z."""
+def sphere_of(h: int, height: int) -> tuple[int, int, int]:
+    """X, Y and Z, with a word for the height: r_1, unless the caller has another."""
     c, s = circle_units(h)
-    z = 2 * (rehash(h, 1) >> 16) - 65535
+    z = 2 * (height >> 16) - 65535
     r = radius(z)
     return signed(c * r) >> 15, signed(s * r) >> 15, z
+
+
+def sphere_units(h: int) -> tuple[int, int, int]:
+    return sphere_of(h, rehash(h, 1))
 
 
 def largest(h: int, further: Sequence[int]) -> int:

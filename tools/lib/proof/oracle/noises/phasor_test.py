@@ -31,13 +31,22 @@ WEIGHT_ERROR, FALL_ERROR = Fraction(37, 4), Fraction(63, 4)
 
 
 def at(cell: Sequence[int], f: Sequence[Real], wave: Sequence[Real], phase: Real = 0, seed: int = 7,
-       periods: Sequence[int] = (), fixed: bool = False, of: Noise = PHASOR) -> tuple[Fraction, ...]:
-    noise = of.rotated(phase).chosen(Choice(wave=tuple(wave)))
+       periods: Sequence[int] = (), bandwidth: Real | None = None, fixed: bool = False, of: Noise = PHASOR
+       ) -> tuple[Fraction, ...]:
+    noise = of.rotated(phase).chosen(Choice(wave=tuple(wave), bandwidth=bandwidth))
     return (noise.fixed_cell if fixed else noise.exact_cell)(KNOBS, cell, f, seed, periods)
 
 
+def naive_direction(word: int, n: int) -> tuple[float, ...]:
+    """u, of which a float of the library has 16 bits."""
+    turns, height = ((word >> 8) * factor % 2**32 for factor in (0xEB1831, 0x84A5E5))
+    z = 0.0 if n == 2 else (2 * (height >> 16) - 65535) / 65536
+    angle, radius = 2 * math.pi * turns / 2**32, math.sqrt(1 - z * z)
+    return (radius * math.cos(angle), radius * math.sin(angle), z)[:n]
+
+
 def naive(cell: Sequence[int], f: Sequence[Real], wave: Sequence[Real], phase: Real = 0, seed: int = 7,
-          periods: Sequence[int] = ()) -> tuple[float, float]:
+          periods: Sequence[int] = (), bandwidth: Real | None = None) -> tuple[float, float]:
     """The sum over all points around a cell, in floats."""
     n, value, quadrature = len(cell), 0.0, 0.0
     turns = math.fmod(phase, 1)
@@ -55,8 +64,12 @@ def naive(cell: Sequence[int], f: Sequence[Real], wave: Sequence[Real], phase: R
             continue
         point = [steps * c + i for c, i in zip(cell, numbers)]
         point = [i % (steps * period) if period > 0 else i for i, period in zip(point, periods or (0,) * n)]
-        a = hashes.point_word("lattice", point, seed, centre) / 2**32 + turns
-        a += sum(max(-16.0, min(16.0, k)) * x for k, x in zip(wave, d))
+        word = hashes.point_word("lattice", point, seed, centre)
+        own = [max(-16.0, min(16.0, k)) for k in wave]
+        if bandwidth:
+            b = max(0.0, min(16.0, bandwidth))
+            own = [max(-16.0, min(16.0, k + b * u)) for k, u in zip(own, naive_direction(word, n))]
+        a = word / 2**32 + turns + sum(k * x for k, x in zip(own, d))
         weight = t**3 * (1 + 15 * (1 - t)**2)
         value += weight * math.cos(2 * math.pi * a)
         quadrature += weight * math.sin(2 * math.pi * a)
@@ -75,7 +88,8 @@ def some_wave(n: int, numbers: Generator) -> tuple[float, ...]:
     return tuple(numbers.integer(-2**20, 2**20) / 2**16 for _ in range(n))
 
 
-Place = tuple[list[int], Sequence[float], tuple[float, ...], float, int, Sequence[int]]
+Place = tuple[list[int], Sequence[float], tuple[float, ...], float, int, Sequence[int], float | None]
+BANDWIDTHS = (None, 0.0, 2.0**-16, 0.5, 3.25, 16.0, 17.0, -1.0)  # which fixed arithmetic does not cut
 
 
 def places(name: str, count: int = 24) -> Iterator[Place]:
@@ -85,7 +99,7 @@ def places(name: str, count: int = 24) -> Iterator[Place]:
         for index, f in enumerate(fractions(n, count, numbers)):
             cell = [numbers.pick((numbers.integer(-4, 3), numbers.pick(ENDS))) for _ in range(n)]
             phase = numbers.pick((numbers.pick(PHASES), numbers.uniform(-2, 2)))
-            yield cell, f, some_wave(n, numbers), phase, numbers.word(), TILES[n][index % 5]
+            yield cell, f, some_wave(n, numbers), phase, numbers.word(), TILES[n][index % 5], numbers.pick(BANDWIDTHS)
 
 
 def apart(a: Sequence[Real], b: Sequence[Real]) -> float:
@@ -93,24 +107,33 @@ def apart(a: Sequence[Real], b: Sequence[Real]) -> float:
 
 
 # From a program in C, with its words of 32 bits, which was written from the contract: the cell, the fraction in units
-# of 2^-20, the periods, the wave, the phase and the seed; value, quadrature and their derivatives.
+# of 2^-20, the periods, the wave, the phase and the seed; value, quadrature and their derivatives; a bandwidth, and the
+# same with it.
 VECTORS = (
     ((0, 0), (0, 0), (0, 0), (0.0, 0.0), 0.0, 0,
-     (-1191729, -462683, 0, 0, 0, 0)),
+     (-1191729, -462683, 0, 0, 0, 0),
+     0.0, (-1191729, -462683, 0, 0, 0, 0)),
     ((-1, INT_MAX), (300000, 700001), (3, 0), (16.0, -16.0), 0.75, 7,
-     (-1168895, -573555, 1792742, -3747043, -1798347, 3576300)),
+     (-1168895, -573555, 1792742, -3747043, -1798347, 3576300),
+     2.5, (810368, -1019595, 2939443, 2254931, -2871467, -2291556)),
     ((INT_MIN, -7), (UNIT, 524287), (0, 7), (-3e+38, 2.0**-17), -1 / 3, hashes.MASK,
-     (63154, -7117, -53212, -473364, 2, 1)),
+     (63154, -7117, -53212, -473364, 2, 1),
+     16.0, (-831748, 1408009, 4188549, 2298202, 3013264, 2805772)),
     ((4, -3), (12345, 1040000), (5, INT_MAX), (-9.625, 1e-40), 1000.125, 9,
-     (-1273031, 117376, 221825, 2405854, 0, 0)),
+     (-1273031, 117376, 221825, 2405854, 0, 0),
+     0.0999, (-1272875, 118897, 223632, 2394156, -2074, -22211)),
     ((0, 0, 0), (0, 0, 0), (0, 0, 0), (0.0, 0.0, 0.0), 0.0, 0,
-     (-1286713, -499559, 0, 0, 0, 0, 0, 0)),
+     (-1286713, -499559, 0, 0, 0, 0, 0, 0),
+     2.0**-17, (-1286713, -499559, 0, 0, 0, 0, 0, 0)),
     ((INT_MAX, INT_MIN, -1), (UNIT, 524287, 700001), (0, 0, 0), (16.0, 16.0, -16.0), 0.25, 3,
-     (281412, 152674, -659430, 1152848, -584228, 1077799, 574002, -833215)),
+     (281412, 152674, -659430, 1152848, -584228, 1077799, 574002, -833215),
+     3e38, (453139, -766979, 1101919, 867132, 2914633, 1467778, -1610771, -719618)),
     ((-3, 8, 1000), (262144, 262144, 262143), (3, 4, 0), (-1 - 2.0**-17, 2.0**-17, 17.0), -0.75, 5,
-     (102169, -1458972, -341774, -23934, -55305, -3873, 4528182, 317095)),
+     (102169, -1458972, -341774, -23934, -55305, -3873, 4528182, 317095),
+     5.3, (-865329, 593050, 515983, -321662, -51867, -622524, -1825230, -2663240)),
     ((1, 2, 3), (500000, 23456, 999999), (0, -48, 2), (11.390625, -7.2578125, 1.5), 0.4, 77,
-     (-593777, 1327792, -3106456, -1353753, 1899695, 890611, -405857, -194012)))
+     (-593777, 1327792, -3106456, -1353753, 1899695, 890611, -405857, -194012),
+     -2.0, (-593777, 1327792, -3106446, -1353760, 1899693, 890615, -405849, -194013)))
 
 
 class Phasor(unittest.TestCase):
@@ -118,7 +141,8 @@ class Phasor(unittest.TestCase):
 
     def test_floats(self) -> None:
         for place in places("floats"):
-            self.assertLess(apart(at(*place), naive(*place)), 1e-12, place)
+            # A direction of the library has 16 bits, and is off by up to 2^-14.9 of the bandwidth.
+            self.assertLess(apart(at(*place), naive(*place)), 1e-2 if place[-1] else 1e-12, place)
 
     def test_fixed_is_near(self) -> None:
         """Of places and waves that are not cut."""
@@ -129,10 +153,27 @@ class Phasor(unittest.TestCase):
             self.assertEqual(fixed[:2], at(*place, fixed=True))
 
     def test_beside_a_program(self) -> None:
-        for cell, fraction, periods, wave, phase, seed, expected in VECTORS:
-            f, wave = [Fraction(x, UNIT) for x in fraction], map(to_f32, wave)
-            found = at(cell, f, wave, to_f32(phase), seed, periods, True, SLOPES)
-            self.assertEqual(tuple(x * unit for x, unit in zip(found, SLOPES.units)), expected)
+        for cell, fraction, periods, wave, phase, seed, without, bandwidth, with_bandwidth in VECTORS:
+            f, wave = [Fraction(x, UNIT) for x in fraction], tuple(map(to_f32, wave))
+            for b, expected in ((None, without), (to_f32(bandwidth), with_bandwidth)):
+                found = at(cell, f, wave, to_f32(phase), seed, periods, b, True, SLOPES)
+                self.assertEqual(tuple(x * unit for x, unit in zip(found, SLOPES.units)), expected)
+
+    def test_no_bandwidth(self) -> None:
+        """A bandwidth of 0 changes no value, and no derivative that is exact."""
+        for *place, _ in places("no bandwidth", 6):
+            for of, fixed in ((SLOPES, False), (PHASOR, True)):
+                self.assertEqual(*(at(*place, bandwidth, fixed, of) for bandwidth in (None, 0)))
+
+    def test_directions(self) -> None:
+        """They are about 1 long, and on all sides."""
+        words = [hashes.mix(i) for i in range(2000)]
+        for n in (2, 3):
+            units = [phasor.direction(word, n) for word in words]
+            for word, u in zip(words, units):
+                self.assertLess(apart(u, [2**16 * x for x in naive_direction(word, n)]), 5, (n, word))
+            for axis in range(n):
+                self.assertLess(abs(sum(u[axis] for u in units)) / len(units), 2**16 / 20)
 
     def test_waves_of_fixed_arithmetic(self) -> None:
         for of in (phasor.fixed_wave, lambda wave: [k * 2**16 for k in phasor.clamped(wave)]):
@@ -140,7 +181,7 @@ class Phasor(unittest.TestCase):
         self.assertEqual(phasor.fixed_wave((1 + 3 * 2.0**-17, -1 - 3 * 2.0**-17)), [65537, -65537])
         # Each product is rounded down. A last bit is 2^-32 of a turn, and no result shows it but by chance.
         products = (65537 * (16 - 2**17), -65537 * (2**18 + 1))
-        found = phasor.fixed_along(KERNELS[2], (1 + 2.0**-16, -1 - 2.0**-16), (16 - 2**17, 2**18 + 1))
+        found = phasor.fixed_along(KERNELS[2], (65537, -65537), (16 - 2**17, 2**18 + 1))
         self.assertEqual(found, products[0] // 32 + products[1] // 32)
         # Angles wrap. Half a step is 4 turns along each axis.
         lattice, d = Lattice(KNOBS, phase=-0.25, choice=Choice(wave=(16.0, -16.0))), (UNIT // 2, -(UNIT // 2))
