@@ -83,7 +83,7 @@ PARTS = {
 }
 PARTS["place_of_units"] = PARTS["units"]
 ITEMS = ("i", "k", "n", "seed")  # each of these words has a meaning of its own
-OF_SUMS = ("footprint", "slope", "octaves", "detail", "lacunarity", "gain", *STRENGTHS, "depth")
+OF_SUMS = ("phase", "footprint", "slope", "octaves", "detail", "lacunarity", "gain", *STRENGTHS, "depth")
 # Behind these there is always a seed.
 SEEDED = {"candidate", "cell", "period", "place_of_units", "phase", "jitter", "detail", "footprint", "slope", *STRENGTHS}
 

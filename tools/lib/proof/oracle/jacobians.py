@@ -1,5 +1,5 @@
-"""Section 7 of docs/reference/contract.md, slopes and shifts: sums with derivatives, eroded sums and warps. They are
-exact here, and in fixed arithmetic (section 8).
+"""Section 7 of docs/reference/contract.md, slopes, shifts and flows: sums with derivatives, eroded sums, warps, and sums
+of velocities. They are exact here, and in fixed arithmetic (section 8).
 
 The Jacobian of an octave is a matrix: what takes a small step of the position to the octave's, times its weight.
 """
@@ -16,7 +16,7 @@ from proof.oracle import sums
 from proof.oracle.gradients import Knobs, Real
 from proof.oracle.hashes import signed as wrapped
 from proof.oracle.integers import NOISE_UNIT, SLOPE_UNIT, word
-from proof.oracle.noises import Noise
+from proof.oracle.noises import Noise, find
 from proof.oracle.sums import FixedPlace, Options, Place, Terms, clamped, fixed_at, rotate
 
 LARGEST_STRENGTH, LARGEST_AMPLITUDE = 16, 64
@@ -132,6 +132,31 @@ def warp_progressive(noise: Noise, knobs: Knobs, place: Place, options: Options,
                      periods: Sequence[int] = ()) -> tuple[Fraction, ...]:
     octaves = progressive_octaves(noise, knobs, place, options, seed, periods)
     return shift_of([v for _, v in octaves], options, len(place))
+
+
+def back(v: Sequence[Fraction]) -> Vector:
+    """The velocity of an octave, rotated back by one octave."""
+    x, y, *rest = v
+    if rest:
+        (z,) = rest
+        x, y, rest = Fraction(1010, 1024) * x, (29 * y + 13 * z) / 32, [Fraction(1025, 1024) * (29 * z - 13 * y) / 32]
+    return [(25 * x + 20 * y) / 32, (25 * y - 20 * x) / 32, *rest]
+
+
+def curl_fbm(noise: Noise, knobs: Knobs, place: Place, options: Options, seed: int,
+             periods: Sequence[int] = ()) -> tuple[Fraction, ...]:
+    of, weights = flowing(noise, options), sums.weights(options)
+    velocities = [of.exact(knobs, q, s, p) for q, p, s in sums.octaves_of(place, options, seed, periods)]
+    # From the last octave to the first, as the sum of v_0 + back(v_1 + back(v_2 + ...)).
+    total = [Fraction(0)] * len(place)
+    for weight, velocity in zip(reversed(weights), reversed(velocities), strict=True):
+        total = [weight * v + x for v, x in zip(velocity, total if periods else back(total), strict=True)]
+    return tuple(x / sum(weights) if weights else x for x in total)
+
+
+def flowing(noise: Noise, options: Options) -> Noise:
+    """The noise of a sum of velocities, with the phase of the sum."""
+    return noise if options.phase is None else find(f"{noise.name}_phase").rotated(options.phase)
 
 
 # --- Fixed -------------------------------------------------------------------------------------------------------
@@ -303,6 +328,43 @@ def fixed_warp_progressive(noise: Noise, knobs: Knobs, place: FixedPlace, option
     return fixed_shift_of(vectors, options, len(place))
 
 
+# The rotations of the plane have determinants, 1025/1024 and 1010/1024. They are the stretches of the axes beside it.
+OF_Z, OF_X = 262400, 258560
+
+
+def stretched(jacobian: Plane | Space, axis: int, factor: int) -> Plane | Space:
+    """In space, with the row of an axis times the factor."""
+    if isinstance(jacobian, Plane):
+        return jacobian
+    return Space(tuple(tuple(prod(a, factor) for a in row) if i == axis else row
+                       for i, row in enumerate(jacobian.rows)))
+
+
+def fixed_backs_of(n: int, options: Options, periods: Sequence[int] = ()) -> Iterator[Plane | Space]:
+    """The transposed matrices that rotate velocities back, times the weights of the octaves, without end."""
+    matrix, gain = JACOBIANS[n](), sums.in_weights(options.gain)
+    while True:
+        yield matrix
+        if periods:
+            matrix = matrix.scaled(gain)
+        else:
+            matrix = stretched(stretched(matrix, 2, OF_Z).scaled(gain).rotated(), 0, OF_X)
+
+
+def fixed_curl_fbm(noise: Noise, knobs: Knobs, place: FixedPlace, options: Options, seed: int,
+                   periods: Sequence[int] = ()) -> tuple[int, ...]:
+    """In units of 2^-19."""
+    of, total = flowing(noise, options), sum(sums.fixed_weights(options))
+    velocities = [[clamped_to(v, LARGEST_SLOPE) for v in fixed_at(of, knobs, octave)]
+                  for octave in sums.fixed_octaves_of(place, options, seed, periods)]
+    if not velocities:
+        return (0,) * len(place)
+    # In this order, as for derivatives.
+    matrices = zip(velocities, fixed_backs_of(len(place), options, periods))
+    parts = [matrix.transposed_times(v) for v, matrix in matrices]
+    return tuple(coarse(math.trunc(Fraction(wrapped(sum(along)) * 2**18, total))) for along in zip(*parts))
+
+
 # --- By name -----------------------------------------------------------------------------------------------------
 
 
@@ -317,7 +379,8 @@ class Sum:
 
 SUMS = {"fbm_d": Sum("perlin_d", fbm_d, fixed_fbm_d, (NOISE_UNIT, *(SLOPE_UNIT,) * 3)),
         "eroded": Sum("perlin_d", eroded, fixed_eroded), "warp": Sum("value_vector", warp, fixed_warp),
-        "warp_progressive": Sum("value_vector", warp_progressive, fixed_warp_progressive)}
+        "warp_progressive": Sum("value_vector", warp_progressive, fixed_warp_progressive),
+        "curl_fbm": Sum("curl", curl_fbm, fixed_curl_fbm, (SLOPE_UNIT,) * 3)}
 
 
 def exact(name: str, noise: Noise, knobs: Knobs, place: Place, options: Options, seed: int = 0,

@@ -109,6 +109,63 @@ class Jacobians(unittest.TestCase):
         self.assertEqual(last, Plane(sums.wrapped(255**5 * ONE)))
 
 
+class Flows(unittest.TestCase):
+    """A velocity that is rotated the wrong way or cut, so that a flow has sources, or another phase."""
+
+    def test_back_is_the_inverse_of_the_rotation(self) -> None:
+        for v, determinant in (([3, 5], Fraction(1025, 1024)), ([3, 5, -7], Fraction(1025, 1024) * Fraction(1010, 1024))):
+            turned = sums.rotate(list(map(Fraction, v)), sums.thirty_second)
+            self.assertEqual(jacobians.back(turned), [determinant * x for x in v])
+
+    def test_fixed_matrices_are_the_transposed_backs(self) -> None:
+        for n in (2, 3):
+            of = itertools.islice(jacobians.fixed_backs_of(n, Options(5, 2.0, 0.5)), 5)
+            unit = [[Fraction(i == j) for j in range(n)] for i in range(n)]
+            for matrix in of:
+                for axis, expected in enumerate(jacobians.transposed(unit)):
+                    for a, b in zip(matrix.transposed_times([ONE * (i == axis) for i in range(n)]), expected, strict=True):
+                        self.assertAlmostEqual(a * 2.0**-18, float(b), delta=3e-5)
+                unit = [[x / 2 for x in row] for row in self.times_back(unit)]
+
+    @staticmethod
+    def times_back(matrix: list[list[Fraction]]) -> list[list[Fraction]]:
+        """The matrix times that of `back`."""
+        n = len(matrix)
+        back = jacobians.transposed([jacobians.back([Fraction(i == j) for j in range(n)]) for i in range(n)])
+        return [[sum(row[k] * back[k][j] for k in range(n)) for j in range(n)] for row in matrix]
+
+    def test_there_is_no_divergence(self) -> None:
+        step = Fraction(1, 2**50)
+        for p, seed, periods in cases("flows", 2):
+            for options in (Options(3, 2.0, 0.5), Options(3, 1.75, 1.5, phase=Fraction(3, 16))):
+                total = 0.0
+                for axis in range(len(p)):
+                    ends = []
+                    for sign in (-1, 1):
+                        q = list(p)
+                        q[axis] += sign * step
+                        ends.append(exact("curl_fbm", q, options, seed, periods)[axis])
+                    total += float((ends[1] - ends[0]) / (2 * step))
+                self.assertLess(abs(total), 1e-9)
+
+    def test_fixed_is_near(self) -> None:
+        for p, seed, periods in cases("fixed flows", 3):
+            for phase in (None, Fraction(5, 16)):
+                options = Options(4, 2.0, 0.5, phase=phase)
+                of = [run("curl_fbm", p, options, seed, periods) for run in (exact, fixed)]
+                for a, b in zip(*of, strict=True):
+                    self.assertLess(abs(float(a - b)), 2e-2)
+
+    def test_octaves_by_hand(self) -> None:
+        p, options = [Fraction(1, 3), Fraction(5, 7), Fraction(2, 9)], Options(2, 2.0, 0.5, phase=Fraction(1, 8))
+        curl = noises.find("curl_phase").rotated(Fraction(1, 8))
+        q = [x + s for x, s in zip(sums.rotate([2 * x for x in p], sums.thirty_second), sums.SHIFT)]
+        one, two = curl.exact(LATTICE, p, 7), jacobians.back(curl.exact(LATTICE, q, 7 + SEED_STEP & MASK))
+        self.assertEqual(exact("curl_fbm", p, options, 7), tuple((a + b / 2) / Fraction(3, 2) for a, b in zip(one, two)))
+        for of in (exact, fixed):
+            self.assertEqual(of("curl_fbm", p, Options(0, 2.0, 0.5), 7), (0, 0, 0))
+
+
 class Derivatives(unittest.TestCase):
     """A slope of a sum that is not the limit of differences, or is cut in another way."""
 

@@ -31,6 +31,7 @@ class Options:
     strength: Real = 0
     footprint: Real = 0  # all octaves are visible
     amplitude: Real = 0
+    phase: Real | None = None  # of the noise, the same in all octaves
     depth: Real = 0  # of gullies
     ex: Real = 0  # the slope that they begin with
     ey: Real = 0

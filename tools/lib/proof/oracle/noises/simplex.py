@@ -15,7 +15,7 @@ ROTATING = KERNELS | {3: replace(KERNELS[3], scale=4902)}
 SMOOTH = {2: Kernel(True, 1024, 1, CUBE, 3081), 3: Kernel(False, 768, 1, FIFTH, 4279)}
 
 SIMPLEX_D = Noise("simplex_d", *noise(KERNELS, with_derivatives=True))
+SIMPLEX_D_PHASE = rotating(Noise("", *noise(ROTATING, with_derivatives=True)), "simplex_d_phase")
 NOISES = (Noise("simplex", *noise(KERNELS)), SIMPLEX_D,
-          rotating(Noise("", *noise(ROTATING)), "simplex_phase"),
-          rotating(Noise("", *noise(ROTATING, with_derivatives=True)), "simplex_d_phase"),
+          rotating(Noise("", *noise(ROTATING)), "simplex_phase"), SIMPLEX_D_PHASE,
           Noise("simplex_smooth", *noise(SMOOTH)))
