@@ -31,7 +31,7 @@ std::vector<Relation> properties_of(const Evaluation& evaluation) {
   add("range", check_range);
   // A hash changes no value's size.
   if (configuration.hash == default_configuration().hash) add("finite", check_finite);
-  if (function.family == Family::curl) add("divergence", check_divergence);
+  if (function.is_flow()) add("divergence", check_divergence);
   if (!function.is_noise()) return properties;
   const bool has_seams = !function.inputs_are_units() && function.is_continuous;
   if (configuration.hash == default_configuration().hash && has_seams) add("seams", check_seams);

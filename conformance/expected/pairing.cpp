@@ -158,7 +158,7 @@ Place random_place(const Function& function, std::int64_t period, Random& random
 
 // Whether a function is of simplex noise, or of its lattice.
 bool is_of_simplex(const Function& function) {
-  return function.is_simplex_noise() || function.family == Family::curl || function.is_gullies();
+  return function.is_simplex_noise() || function.is_flow() || function.is_gullies();
 }
 
 // After how many cells a field repeats without a period: simplex noise on the plane has two lattice points to a cell
@@ -186,7 +186,7 @@ bool is_inside(const Function& function, std::int64_t rest, std::int64_t period)
   const bool cubic = function.bound == "value_cubic";
   const bool far = function.bound == "cellular_three" || function.bound == "cell_border";
   const std::int64_t before = far ? 2 : cubic || is_of_simplex(function) || function.is_cellular() ? 1 : 0;
-  const bool moved = function.family == Family::curl && function.axes == 3;
+  const bool moved = function.is_flow() && function.axes == 3;
   const std::int64_t after = cubic || far || moved ? 2 : 1;
   return rest >= before && rest + after < period;
 }
@@ -361,10 +361,12 @@ Pairing half_turn_pairing(const Evaluation& evaluation, std::uint64_t seed, std:
 namespace {
 
 // In space gradients that rotate reach larger values, so their noise has a smaller scale (docs/reference/contract.md,
-// section 14).
+// section 14). A flow is a product of two.
 double scale_with_phase(const Function& function) {
+  constexpr double kOfSimplex = 4902.0 / 4918.0;
   if (function.axes == 2) return 1.0;
-  return function.is_simplex_noise() ? 4902.0 / 4918.0 : 879.0 / 985.0;
+  if (function.is_flow()) return kOfSimplex * kOfSimplex;
+  return function.is_simplex_noise() ? kOfSimplex : 879.0 / 985.0;
 }
 
 }  // namespace

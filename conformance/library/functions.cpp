@@ -82,7 +82,7 @@ bool Function::is_further() const {
 bool Function::is_derived() const { return bound.ends_with("_d") || bound.ends_with("_d_phase"); }
 
 bool Function::is_costly() const {
-  return is_octave_sum() || family == Family::curl || (is_noise() && (has_slopes() || axes == 4)) ||
+  return is_octave_sum() || is_flow() || (is_noise() && (has_slopes() || axes == 4)) ||
          (is_cellular() && (axes == 3 || bound == "cell_border"));
 }
 

@@ -56,6 +56,8 @@ struct Function {
   bool is_cellular() const;
   bool is_octave_sum() const;
   bool is_gullies() const { return bound == "gullies"; }
+  bool is_flow() const { return family == Family::curl || is_sum_of_flows(); }  // velocities without divergence
+  bool is_sum_of_flows() const { return bound == "curl_fbm"; }
   bool is_further() const;                              // it is of a family that few settings have values of
   bool takes_cell() const { return input("cx") >= 0; }  // and the fraction in it, in place of a position
   bool takes_period() const { return period_word() >= 0; }

@@ -39,7 +39,8 @@ inline std::optional<Interval> documented_range(const Settings& settings, int di
   } else if (component.size() == 2 && component.front() == 'd') {
     name = "d";
   }
-  if (settings.fractal.empty() && settings.phase && (name == "d" || name == "f1" || name == "f2")) name += "_phase";
+  const bool differs = name == "d" || name == "axis" || name == "f1" || name == "f2";  // with a phase
+  if (settings.fractal.empty() && settings.phase && differs) name += "_phase";
   for (const RangeRow& row : kRangeRows) {
     if (row.noise == id && row.component == name && row.dimensions == dimensions) {
       return Interval{row.least, row.greatest};

@@ -34,6 +34,9 @@ difference, of a fraction from 1 - m on, is exact.) So the derivatives of the se
 Lipschitz constant, too. The products and the difference round. In integers the move is exact, and prod(a, b) is below
 the product by less than 2 units of 2^-20, 1 for the low digits and 1 for the shift. The result is rounded to a multiple
 of 2^-16.
+
+With a phase the gradients are ROTATED (gradients.py), and those of both noises are at phases of their own. All of the
+above holds, as rotated gradients have the same symmetries. (These are bounds for all pairs of phases.)
 """
 
 from __future__ import annotations
@@ -42,13 +45,14 @@ import functools
 import itertools
 import math
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
 from proof.bounds.boxes import SAFE, Boxes, cell, supremum
 from proof.bounds.floats import UNIT, rounding
-from proof.bounds.gradients import LENGTH, OCTAHEDRAL, Gradient
-from proof.bounds.kernels import SIMPLEX, Jet, Kernel, Offsets, Quantity, jet, vector, weight_jet
+from proof.bounds.gradients import LENGTH, OCTAHEDRAL, ROTATED, Gradient
+from proof.bounds.kernels import ROTATING, SIMPLEX, Jet, Kernel, Offsets, Quantity, jet, vector, weight_jet
 from proof.bounds.noises import Proof, ProvenBounds, derived, simplex
 
 TOLERANCE, LEVEL = 1e-3, 10
@@ -57,6 +61,7 @@ MOVE = (0.5, 0.0, 0.25)
 MOVE_ERROR = 2.0**-24  # of a fraction in floats
 AXES = ((1, 2), (0, 1))  # of the planes of the components along x, whose bounds that along y shares, and along z
 FIXED_PRODUCT = 2.0**-20  # the unit of prod
+KERNELS = {OCTAHEDRAL: SIMPLEX, ROTATED: ROTATING}
 
 Points = Sequence[np.ndarray]
 
@@ -76,7 +81,7 @@ def both(kernel: Kernel) -> tuple[Points, Points]:
 
 # --- The largest product ----------------------------------------------------------------------------------------------
 
-def along(kernel: Kernel, points: Points, place: np.ndarray, u: np.ndarray):
+def along(kernel: Kernel, points: Points, place: np.ndarray, u: np.ndarray, gradient: Gradient = OCTAHEDRAL):
     """The largest derivative along each direction at each place, per step: places by directions."""
     total = np.zeros((place.shape[1], u.shape[1]))
     for point in points:
@@ -84,7 +89,7 @@ def along(kernel: Kernel, points: Points, place: np.ndarray, u: np.ndarray):
         t = kernel.radius - kernel.fall * (d * d).sum(axis=0)
         near = np.flatnonzero(t > 0)
         d, (w, slope) = d[:, near], (kernel.weight.derivative(order, t[near])[:, None] for order in range(2))
-        total[near] += OCTAHEDRAL.support(w * u[:, None] - 2 * kernel.fall * slope * (d.T @ u) * d[:, :, None])
+        total[near] += gradient.support(w * u[:, None] - 2 * kernel.fall * slope * (d.T @ u) * d[:, :, None])
     return total
 
 
@@ -96,35 +101,36 @@ def directions(axes: tuple[int, int], turn: float, parts: int) -> np.ndarray:
     return u
 
 
-def product(kernel: Kernel, parts: int, place: np.ndarray):
+def product(gradient: Gradient, parts: int, place: np.ndarray):
     """The largest H(u) H_m(u') of these directions."""
-    of_planes = [math.prod(along(kernel, points, place, directions(axes, turn, parts))
+    kernel = KERNELS[gradient][3]
+    of_planes = [math.prod(along(kernel, points, place, directions(axes, turn, parts), gradient)
                            for points, turn in zip(both(kernel), (0.0, math.pi / 2))).max(axis=1) for axes in AXES]
     return np.maximum(*of_planes)
 
 
-def jets(kernel: Kernel, points: Points, boxes: Boxes) -> Iterator[Jet]:
+def jets(kernel: Kernel, points: Points, boxes: Boxes, gradient: Gradient = OCTAHEDRAL) -> Iterator[Jet]:
     """The jets of a derivative along any direction, for any gradients: by the place, along each axis."""
     near = [Offsets.of(kernel, boxes, tuple(point)) for point in points]
     for axis in range(kernel.dims):
         total = Jet(0.0)
         for offsets in near:
             of_u = Jet(np.sqrt((offsets.size**2).sum(axis=0)), 1.0)
-            falling = weight_jet(offsets, axis, 1) * of_u * Jet(OCTAHEDRAL.support(offsets.size),
-                                                                OCTAHEDRAL.component(kernel.dims))
+            falling = weight_jet(offsets, axis, 1) * of_u * Jet(gradient.support(offsets.size),
+                                                                gradient.component(kernel.dims))
             total = total + weight_jet(offsets, axis).times(LENGTH[kernel.dims]) + falling.times(2 * kernel.fall)
         yield total
 
 
 @functools.cache
-def largest_product() -> float:
+def largest_product(gradient: Gradient = OCTAHEDRAL) -> float:
     """Per cell."""
-    kernel = SIMPLEX[3]
+    kernel = KERNELS[gradient][3]
 
     def bound(boxes: Boxes):
         parts = min(2 ** max(boxes.level - 3, 0), PARTS)
-        reached = boxes.at_vertices(functools.partial(product, kernel, parts)).max(axis=0)
-        products = [a * b for a, b in zip(*(jets(kernel, points, boxes) for points in both(kernel)))]
+        reached = boxes.at_vertices(functools.partial(product, gradient, parts)).max(axis=0)
+        products = [a * b for a, b in zip(*(jets(kernel, points, boxes, gradient) for points in both(kernel)))]
         by_place, by_angle = sum(of_axis.second for of_axis in products), 2 * products[0].value
         return reached + (by_place * boxes.side**2 + by_angle * (math.pi / 2 / parts) ** 2) / 8, reached
     return (kernel.scale / 1024) ** 2 * supremum(bound, cell(3, half=True), LEVEL, TOLERANCE)
@@ -133,9 +139,9 @@ def largest_product() -> float:
 # --- The largest sum --------------------------------------------------------------------------------------------------
 
 @functools.cache
-def largest_sum() -> float:
+def largest_sum(gradient: Gradient = OCTAHEDRAL) -> float:
     """S, per cell."""
-    kernel = SIMPLEX[3]
+    kernel = KERNELS[gradient][3]
     planes = [[Quantity((tuple({axes[0]: 1.0, axes[1]: sign}.get(axis, 0.0) for axis in range(3)),))
                for sign in (1.0, -1.0)] for axes in AXES]
 
@@ -147,45 +153,58 @@ def largest_sum() -> float:
     def bound(boxes: Boxes):
         def second(point: np.ndarray, line: Quantity):
             offsets = Offsets.of(kernel, boxes, tuple(point))
-            return sum(jet(kernel, line, OCTAHEDRAL, offsets, axis).second for axis in range(kernel.dims))
+            return sum(jet(kernel, line, gradient, offsets, axis).second for axis in range(kernel.dims))
         reached = boxes.at_vertices(lambda place: largest(
-            lambda point, line: OCTAHEDRAL.support(vector(kernel, line, place - point[:, None])))).max(axis=0)
+            lambda point, line: gradient.support(vector(kernel, line, place - point[:, None])))).max(axis=0)
         return reached + largest(second) / 8 * boxes.side**2, reached
     return kernel.scale / 1024 * supremum(bound, cell(3, half=True), LEVEL, TOLERANCE)
 
 
 # --- Bounds -----------------------------------------------------------------------------------------------------------
 
-def off(error: float) -> float:
+def off(error: float, gradient: Gradient) -> float:
     """How far a component is off, if each derivative is by that."""
-    return largest_sum() * error + 2 * error**2
+    return largest_sum(gradient) * error + 2 * error**2
 
 
-def float_error(of_derivative: float) -> float:
-    error = off(of_derivative)
-    products = UNIT * (largest_sum() ** 2 / 4 + error)
-    return error + products + float(rounding(largest_product() + error + products))
+def float_error(of_derivative: float, gradient: Gradient) -> float:
+    error = off(of_derivative, gradient)
+    products = UNIT * (largest_sum(gradient) ** 2 / 4 + error)
+    return error + products + float(rounding(largest_product(gradient) + error + products))
 
 
-def derive(dims: int, _: Gradient | None) -> ProvenBounds:
-    slope = simplex.derived_slope(SIMPLEX[dims])
-    if dims == 2:
-        return slope
-    exact, lipschitz = largest_product(), largest_sum() * slope.lipschitz
-    cell_error = float_error(slope.cell_error + MOVE_ERROR * slope.lipschitz)
-    parts = {"cut": off(slope.fixed_parts["cut"]),
-             "points": off(slope.fixed_error) - off(slope.fixed_parts["cut"]) + 2 * FIXED_PRODUCT,
-             "scaling": 2.0**-17}
-    return derived(0.0, exact, lipschitz, cell_error, parts, fixed_largest=exact + sum(parts.values()) * SAFE)
+@dataclass(frozen=True)
+class Curl:
+    """Without a phase, or with one."""
+    gradient: Gradient
+    slope: Callable[[int], ProvenBounds]  # of the derivatives, by the number of dimensions
+    words: Callable[[int, Gradient | None], dict[str, float]]  # on the way to these
+
+    def derive(self, dims: int, _: Gradient | None) -> ProvenBounds:
+        slope = self.slope(dims)
+        if dims == 2:
+            return slope
+        exact, lipschitz = largest_product(self.gradient), largest_sum(self.gradient) * slope.lipschitz
+        cell_error = float_error(slope.cell_error + MOVE_ERROR * slope.lipschitz, self.gradient)
+        cut = off(slope.fixed_parts["cut"], self.gradient)
+        parts = {"cut": cut, "points": off(slope.fixed_error, self.gradient) - cut + 2 * FIXED_PRODUCT,
+                 "scaling": 2.0**-17}
+        return derived(0.0, exact, lipschitz, cell_error, parts, fixed_largest=exact + sum(parts.values()) * SAFE)
+
+    def largest_intermediates(self, dims: int, _: Gradient | None) -> dict[str, float]:
+        of_derivatives = self.words(dims, None)
+        if dims == 2:
+            return of_derivatives
+        derivative = self.slope(3).fixed_largest * 2**19
+        product = (derivative / 2**9 + 1) ** 2 + 2 * (derivative / 2**9 + 1) * 511 / 2**9 + 2
+        return of_derivatives | {"product": product, "difference of products": 2 * product + 8}
+
+    @property
+    def proof(self) -> Proof:
+        return Proof(((2, None), (3, None)), self.derive, self.largest_intermediates)
 
 
-def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
-    of_derivatives = simplex.largest_slope_intermediates(dims, None)
-    if dims == 2:
-        return of_derivatives
-    derivative = simplex.derived_slope(SIMPLEX[3]).fixed_largest * 2**19
-    product = (derivative / 2**9 + 1) ** 2 + 2 * (derivative / 2**9 + 1) * 511 / 2**9 + 2
-    return of_derivatives | {"product": product, "difference of products": 2 * product + 8}
-
-
-PROOFS = {"curl": Proof(((2, None), (3, None)), derive, largest_intermediates)}
+STILL = Curl(OCTAHEDRAL, lambda dims: simplex.derived_slope(SIMPLEX[dims]), simplex.largest_slope_intermediates)
+PHASE = Curl(ROTATED, lambda dims: simplex.PHASE_D.derive(dims, None).slope,
+             simplex.PHASE_D.largest_intermediates)
+PROOFS = {"curl": STILL.proof, "curl_phase": PHASE.proof}
