@@ -61,6 +61,10 @@ double largest_slope_of(const Function& function, const Configuration& configura
   return fixed && sum > 64.0 ? 4096.0 : largest;
 }
 
+// How much larger than a component of an octave one of a sum of flows may be, as the octaves are rotated back. On the
+// plane the rotation of the last octave has stretched by 1.00049^31.
+double largest_rotated(int axes) { return std::sqrt(axes) * (axes == 2 ? 1.016 : 1.00001); }
+
 // The largest height, or addition to a slope whose ends are both cut off. Integers round down with each octave.
 double largest_of_gullies(const Function& function, const Configuration& configuration,
                           std::span<const std::uint32_t> inputs, std::size_t output) {
@@ -96,7 +100,9 @@ Range range_of(const Function& function, const Configuration& configuration, std
     const auto amplitude = static_cast<float>(std::clamp(number_of(function, inputs, "amplitude"), 0.0, 64.0));
     return {-amplitude, amplitude};
   }
-  const auto largest = static_cast<float>(largest_of(function, configuration, output));
+  const auto largest = static_cast<float>(largest_of(function, configuration, output) *
+                                          (function.is_sum_of_flows() ? largest_rotated(function.axes) : 1.0));
+  if (function.is_flow()) return {-largest, largest};
   const bool distance = function.is_cellular() && !function.is_slope(output) && function.bound != "cellular_smooth";
   if (distance) return {0.0f, largest};
   if (!function.is_octave_sum()) return {function.is_never_negative ? 0.0f : -largest, largest};

@@ -92,6 +92,8 @@ sums::Noises noises_with(Gradient gradient) {
     const int axes = static_cast<int>(i);
     if (usual) noises.perlin_d[i] = {axes, value("perlin", axes), slope("perlin_d", axes)};
     noises.value_vector[i] = {axes, value("value_vector", axes), slope("value_d", axes)};
+    noises.curl[i] = {axes, value("curl", axes)};
+    noises.curl_phase[i] = {axes, value("curl_phase", axes)};
   }
   noises.cellular_d[3] = {3, value("cellular_d", 3)};
   return noises;
@@ -141,6 +143,7 @@ namespace {
 // The noise that an octave sum adds up; the first, of two.
 std::string_view summed_noise(const Function& function) {
   if (function.is_gullies()) return "phasor_d";
+  if (function.is_sum_of_flows()) return function.takes_phase() ? "curl_phase" : "curl";
   return function.bound == "perlin_worley" ? "perlin" : noise_of(octave_sum_of(function));
 }
 

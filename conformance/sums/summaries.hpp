@@ -96,6 +96,25 @@ inline vec2 hn_cellular(const hn_place3& place, const Uint&) {
   const Summarized n{noises->cellular_d[3], off_of(place)};
   return {n.value(), n.value()};
 }
+inline vec2 hn_curl(const hn_place2& place, const Uint&) {
+  const Summarized n{noises->curl[2], off_of(place)};
+  return {n.value(), n.value()};
+}
+inline vec3 hn_curl(const hn_place3& place, const Uint&) {
+  const Summarized n{noises->curl[3], off_of(place)};
+  return {n.value(), n.value(), n.value()};
+}
+// With a phase: the error of a rotation is a part of theirs.
+inline hn_i_num2 hn_i_new_curl_rotation2(const Float&) { return {}; }
+inline hn_i_num4 hn_i_new_curl_rotation3(const Float&) { return {}; }
+inline vec2 hn_i_curl(const hn_place2& place, const hn_i_num2&, const Uint&) {
+  const Summarized n{noises->curl_phase[2], off_of(place)};
+  return {n.value(), n.value()};
+}
+inline vec3 hn_i_curl(const hn_place3& place, const hn_i_num4&, const Uint&) {
+  const Summarized n{noises->curl_phase[3], off_of(place)};
+  return {n.value(), n.value(), n.value()};
+}
 // gullies.cpp has the proof of a sum of these.
 inline hn_derivatives2x2 hn_phasor_d(const hn_place2&, const vec2&, const Float&, const Uint&) { refuse("gullies"); }
 

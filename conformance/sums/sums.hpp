@@ -21,7 +21,7 @@ struct Noise {
 };
 // The noises that sums of the library add up, by the number of axes.
 struct Noises {
-  std::array<Noise, 5> perlin, perlin_d, value_vector, cellular_d;
+  std::array<Noise, 5> perlin, perlin_d, value_vector, cellular_d, curl, curl_phase;
 };
 
 // The error of each output of a row of the suite's table of functions, at these words, against the exact sums of

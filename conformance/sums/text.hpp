@@ -33,6 +33,7 @@ namespace hn::sums {
 #endif
 #define float Float
 #define int Int
+#include "curl_fbm.glsl"
 #include "fbm.glsl"
 #include "fbm_d.glsl"
 #include "gullies.glsl"

@@ -44,12 +44,13 @@ struct SumRow {
   float most_strength;
   Bounds bounds;
   double least, greatest;  // kThese
+  bool has_phase;
 
   constexpr bool takes_noise() const { return usual_noise != kNoises; }
 };
 
 // The range of a component that is not in [-1, 1]. "d" is each derivative, "d_phase" with a phase, as
-// "f1_phase" is of "f1", and "axis" each component of a vector.
+// "f1_phase" is of "f1", and "axis" each component of a vector, "axis_phase" with one.
 struct RangeRow {
   NoiseId noise;
   std::string_view component;
@@ -73,7 +74,8 @@ constexpr NoiseId noise_named(std::string_view name) { return static_cast<NoiseI
 constexpr NoiseId noise_or_none(std::string_view name) { return name == "none" ? kNoises : noise_named(name); }
 constexpr std::array<SumRow, kNamedSums> kSumRows = {{
 // "none" is the strength of a sum without one.
-#define HN_CATALOG_SUM(Id, name, first, last, shape, of, noise, strength, usual, most, bounds, least, greatest) \
+#define HN_CATALOG_SUM(Id, name, first, last, shape, of, noise, strength, usual, most, bounds, least, greatest, \
+                       has_phase) \
   {#name,                                                                                                       \
    first,                                                                                                       \
    last,                                                                                                        \
@@ -85,7 +87,8 @@ constexpr std::array<SumRow, kNamedSums> kSumRows = {{
    most,                                                                                                        \
    Bounds::bounds,                                                                                              \
    least,                                                                                                       \
-   greatest},
+   greatest,                                                                                                    \
+   has_phase},
 #include "catalog.inc"
 }};
 constexpr RangeRow kRangeRows[] = {

@@ -35,6 +35,7 @@ enum SumId {
   kNamedSums,
   kDetail = kNamedSums,  // fbm with a detail, and with a footprint
   kFootprint,
+  kFlowsWithPhase,  // curl_fbm with a phase
   kSums
 };
 

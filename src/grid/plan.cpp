@@ -109,14 +109,18 @@ struct Requirement {
 void check_owners(const Settings& settings, int dimensions, const NoiseRow& noise, const SumRow* sum, bool tiled) {
   const bool is_noise = sum == nullptr;
   const bool is_sum = !is_noise;
-  const bool has_phase = is_noise && noise.has_phase() && (dimensions == 2 || dimensions == 3);
+  const bool has_phase = (is_noise ? noise.has_phase() : sum->has_phase) && (dimensions == 2 || dimensions == 3);
   const bool is_limited = is_sum && sum == &kSumRows[kFbm] && !tiled;
   const auto has_strength = [&](std::string_view name) { return is_sum && sum->strength == name; };
   constexpr auto of_sums = [] { return std::string("fractals have one"); };
   constexpr auto of_fbm = [] { return std::string("the fractal fbm has one, if it has no period"); };
   const Requirement all[] = {
       {"phase", settings.phase.has_value(), has_phase,
-       [] { return noises_with(&NoiseRow::has_phase) + " have one in 2D and 3D"; }},
+       [] {
+         const std::vector<std::string_view> sums =
+             names_where(kSumRows, [](const SumRow& row) { return row.has_phase; });
+         return noises_with(&NoiseRow::has_phase) + " have one in 2D and 3D, and the fractal " + with_and(sums);
+       }},
       {"wave", !settings.wave.empty(), is_noise && noise.has_wave(),
        [] { return noises_with(&NoiseRow::has_wave) + " has one in 2D and 3D"; }},
       {"jitter", settings.jitter.has_value(), is_noise && noise.has_jitter(),
@@ -183,6 +187,7 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
   plan.options.strength = checked(strength_rule(row), strength_of(settings, row));
   const NoiseKernels& of = plan.kernels->noises[noise][plan.dimensions - 1];
   plan.options.sum = settings.detail ? kDetail : settings.footprint ? kFootprint : id;
+  if (settings.phase) plan.options.sum = kFlowsWithPhase;
   const SumKernels& kernels = plan.kernels->sums[plan.options.sum][plan.dimensions - 1];
   plan.takes_positions = true;
   plan.shape = row.shape;

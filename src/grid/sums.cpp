@@ -138,6 +138,20 @@ struct PerlinWorley {
   }
 };
 
+template <int D, bool kHasPhase>
+struct Flows {
+  using Result = Vector<D>;
+
+  template <typename Position, typename Noise>
+  HN_I_INLINE static auto at(const Position& p, const Noise&, const Arguments<D>& given) {
+    if constexpr (kHasPhase) {
+      return hn_curl_fbm(p, given.phase, given.octaves, given.lacunarity, given.gain, given.seed);
+    } else {
+      return hn_curl_fbm(p, given.octaves, given.lacunarity, given.gain, given.seed);
+    }
+  }
+};
+
 // The positions of a batch: as they are, or from cells, or in a tile.
 template <int D>
 struct Positions {
@@ -397,6 +411,8 @@ void enter_jacobians(SumKernels (&sums)[grid::kSums][4]) {
   sums[grid::kEroded][D - 1] = kernels_of<D, SlopeSum<D, true>>();
   sums[grid::kWarp][D - 1] = kernels_of<D, Warp<D, false>>();
   sums[grid::kWarpProgressive][D - 1] = kernels_of<D, Warp<D, true>>();
+  sums[grid::kCurlFbm][D - 1] = kernels_of<D, Flows<D, false>>();
+  sums[grid::kFlowsWithPhase][D - 1] = kernels_of<D, Flows<D, true>>();
 }
 
 void enter(grid::Kernels& kernels) {

@@ -18,6 +18,7 @@
 //   hn_i_wide_plus(a, b), hn_i_wide_minus(a, b)  the sum and the difference; integers wrap
 //   hn_i_rotated_by(a, b, along, across)  (along * a + across * b) / 32
 //   hn_i_growth            gain * lacunarity
+//   hn_i_stretched_area(cosine, sine)  by which a rotation by 32nds stretches areas of its plane
 //   hn_i_octave_slope      a derivative of an octave's noise
 //   hn_i_coarse            a result that a float holds
 //   hn_i_erosion_weight(square, strength)  1 / (1 + strength * square), in the units of weights
@@ -34,6 +35,9 @@ HN_FN hn_float hn_i_rotated_by(hn_float a, hn_float b, hn_int along, hn_int acro
 }
 
 HN_FN hn_float hn_i_growth(hn_float gain, hn_float lacunarity) { return hn_i_times(gain, lacunarity); }
+HN_FN hn_float hn_i_stretched_area(hn_int cosine, hn_int sine) {
+  return hn_i_float(cosine * cosine + sine * sine) * (1.0f / 1024.0f);
+}
 HN_FN hn_float hn_i_octave_slope(hn_float g) { return g; }
 HN_FN hn_float hn_i_coarse(hn_float n) { return n; }
 HN_FN hn_float hn_i_summed_slope(hn_float slope, hn_float g) { return min(max(-8.0f, hn_i_plus(slope, g)), 8.0f); }
@@ -72,6 +76,10 @@ HN_FN hn_int hn_i_rotated_by(hn_int a, hn_int b, hn_int along, hn_int across) {
 // A gain has 18 bits, and a lacunarity in units of 2^-23 has 31.
 HN_FN hn_int hn_i_growth(hn_int gain, hn_float lacunarity) {
   return int(hn_i_multiply_high(uint(gain) << 9u, hn_i_ratio(lacunarity)));
+}
+
+HN_FN hn_int hn_i_stretched_area(hn_int cosine, hn_int sine) {
+  return (cosine * cosine + sine * sine) * (HN_I_UNITS_WEIGHT / 1024);
 }
 
 // The result is in units of 2^-19. The derivatives of all noises of the library stay below 128, and those that fit
@@ -199,6 +207,20 @@ HN_FN hn_i_jacobian3 hn_i_next_jacobian(hn_i_jacobian3 k, hn_i_num growth, bool 
     next.y = hn_i_rotated_by(y, z, HN_I_COS_YZ, -HN_I_SIN_YZ);
     next.z = hn_i_rotated_by(z, y, HN_I_COS_YZ, HN_I_SIN_YZ);
   }
+  return next;
+}
+
+// The transpose of this matrix rotates a velocity of the octave back. It is what remains of the Jacobian without the
+// lacunarity: so it grows by the gain alone. Where a rotation stretches its plane by the root of a number, it has to
+// stretch the axis beside the plane by the number itself, or velocities would have a divergence.
+HN_FN hn_i_jacobian2 hn_i_next_cofactors(hn_i_jacobian2 k, hn_i_num gain, bool tiled) {
+  return hn_i_next_jacobian(k, gain, tiled);
+}
+HN_FN hn_i_jacobian3 hn_i_next_cofactors(hn_i_jacobian3 k, hn_i_num gain, bool tiled) {
+  hn_i_jacobian3 next = k;
+  if (!tiled) next.z = hn_i_wide_times(next.z, hn_i_stretched_area(HN_I_COS_XY, HN_I_SIN_XY));
+  next = hn_i_next_jacobian(next, gain, tiled);
+  if (!tiled) next.x = hn_i_wide_times(next.x, hn_i_stretched_area(HN_I_COS_YZ, HN_I_SIN_YZ));
   return next;
 }
 

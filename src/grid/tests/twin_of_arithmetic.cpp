@@ -83,6 +83,14 @@ int put_sum(const Settings& settings, grid::NoiseId noise, Where where, float* v
       return put(hn_perlin_worley(where, octaves, lacunarity, gain, settings.seed), values);
     }
   }
+  if constexpr (D == 2 || D == 3) {
+    if (settings.fractal == "curl_fbm" && settings.phase) {
+      return put(hn_curl_fbm(where, *settings.phase, octaves, lacunarity, gain, settings.seed), values);
+    }
+    if (settings.fractal == "curl_fbm") {
+      return put(hn_curl_fbm(where, octaves, lacunarity, gain, settings.seed), values);
+    }
+  }
   auto o = hn_octaves(where, octaves, lacunarity, gain, settings.seed);
   if constexpr (std::is_same_v<Where, Floats<D>>) {
     if (settings.detail) o = hn_octaves(where, *settings.detail, lacunarity, gain, settings.seed);

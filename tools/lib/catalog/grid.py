@@ -16,7 +16,7 @@ MACROS = {
     "HN_CATALOG_RANGE": "(noise, component, dimensions, least, greatest): of a component that is not in [-1, 1]",
     "HN_CATALOG_SUM": "(Id, name, first dimension, last dimension, shape, shape of its noises, its usual noise or none "
                       "if nobody chooses them, name of its strength, usual strength, most strength, Bounds::bounds of "
-                      "its value, least, greatest)",
+                      "its value, least, greatest, has a phase)",
     "HN_CATALOG_STEP": "(Id, name, the statement that adds an octave n to the octaves o, what it makes of the mean): "
                        "of a sum of values; the first may take a strength",
     "HN_CATALOG_SETTING": "(Id, name, is whole, least, most, usual)",
@@ -57,7 +57,8 @@ def of_sum(sum_: Sum) -> str:
     else:
         bounds = ("kOfTheNoise" if sum_.range == "noise" else "kOfTheStrength", 0, 0)
     summed = (SHAPES[sum_.of], sum_.noise) if sum_.takes_noise else ("kValue", "none")
-    return row("HN_CATALOG_SUM", *of_function(sum_), *summed, *strength, *bounds)
+    has_phase = str("phase" in sum_.options).lower()
+    return row("HN_CATALOG_SUM", *of_function(sum_), *summed, *strength, *bounds, has_phase)
 
 
 def steps(sum_: Sum) -> str:

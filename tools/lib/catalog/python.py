@@ -122,6 +122,8 @@ def _of_sum(function: Sum, catalog: Catalog) -> Iterable[_Option]:
     yield _Option("octaves", "None", "_Whole | None") if in_detail else _setting("octaves", catalog)
     yield _setting("lacunarity", catalog)
     yield _setting("gain", catalog)
+    if "phase" in function.options:
+        yield _PHASE
     if function.strength:
         yield _Option(function.strength.name, repr(float(function.strength.default)), "_Number")
     yield from in_detail

@@ -35,12 +35,13 @@ OF_A_NAME = "hn_hash_"
 OTHERS = {("hn_gradient", "cell"): "hn_gradient_lattice", ("hn_place", "p"): "hn_place_of",
           ("hn_place", "cell"): "hn_place_in_cell", ("hn_place", "position"): "hn_place_of_units",
           ("hn_octaves", "p"): "hn_octaves_of", ("hn_octaves", "place"): "hn_octaves_of",
-          ("hn_slopes", "o"): "hn_slopes_of", ("hn_shifts", "o"): "hn_shifts_of"}
+          ("hn_slopes", "o"): "hn_slopes_of", ("hn_shifts", "o"): "hn_shifts_of",
+          ("hn_flows", "o"): "hn_flows_of"}
 ALONE = {("hn_place", "cell"): "hn_place_at_cell"}  # of these parameters alone
 ALWAYS_OF_A_PLACE = ("hn_position",)
 PLACE = re.compile(r"hn_place([1-4])")
-OF_AXES = re.compile(r"hn_(place|octaves|slopes|shifts)([1-4])")  # structs
-WITH_VECTORS = ("hn_add", "hn_mean")  # beside the octaves they may take a sum of slopes or shifts
+OF_AXES = re.compile(r"hn_(place|octaves|slopes|shifts|flows)([1-4])")  # structs
+WITH_VECTORS = ("hn_add", "hn_mean")  # beside the octaves they may take a sum of slopes, shifts or flows
 
 # How the constants begin that users pass, by the name of the parameter.
 PASSED = {"metric": "HN_METRIC_", "kind": "HN_DISTRIBUTION_"}

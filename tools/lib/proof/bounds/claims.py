@@ -4,6 +4,7 @@ library have no other ranges."""
 from __future__ import annotations
 
 import itertools
+import math
 import re
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
@@ -67,6 +68,14 @@ def wrong_comments(of_all: Catalog, derived: Everything, library: Path) -> list[
 # and 1 - (1 - fbm) (1 - balls) / 4 of two such means (docs/reference/contract.md, section 25).
 OTHER_SUMS: dict[str, Range] = {"fbm_d": (-1, 1), "eroded": (-1, 1), "warp": "amplitude",
                                 "warp_progressive": "amplitude", "perlin_worley": (0, 1)}
+
+
+def range_of_flows() -> Range:
+    """Of a component: no more than the length of the longest velocity, in space and with a phase."""
+    most = float(shortest(math.sqrt(3) * bounds_of("curl_phase", 3, "none").limit, 3))
+    return -most, most
+
+
 ERROR = re.compile(r"(?:(?P<factor>twice the strength times |twice |\d times )?`(?P<other>\w+)`'s"
                    r"(?P<more>, and a little more)?(?:, plus (?P<floats>\d\.\de-\d) \(HN_FIXED (?P<fixed>\d\.\de-\d)\))?"
                    r"(?:; docs/measured/accuracy\.md)?|"
@@ -88,7 +97,7 @@ def exact_sum(oracle: Callable[[Terms[Fraction]], Fraction], noises: Sequence[Fr
 def range_of_sum(sum_: Sum) -> Range | None:
     """The range of one octave of any noise, and of two, if it is a sum of values."""
     if sum_.name not in SUMS:
-        return OTHER_SUMS.get(sum_.name)
+        return range_of_flows() if sum_.name in sums.FLOWS else OTHER_SUMS.get(sum_.name)
     strength = Fraction(sum_.strength.most if sum_.strength else 0)
     noises = [[Fraction(n, parts) for n in range(-parts, parts + 1)] for parts in (128, 8)]
     values = [exact_sum(SUMS[sum_.name][0], of, strength)

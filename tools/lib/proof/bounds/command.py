@@ -120,11 +120,11 @@ def without_proof() -> list[str]:
 def refusals(name: str) -> list[str]:
     """The refusals of the proofs in floats and in integers for a sum, for an octave on the plane."""
     try:
-        s, noise = Sum(name, 1.0, 1, 2.0, 0.5), sums.CATALOG[name].noise
+        s, noise = Sum(name, 1.0, 1, 2.0, 0.5), "curl" if name in sums.FLOWS else sums.CATALOG[name].noise
     except LookupError as error:
         return [str(error)]
     of = [bounds_of(noise, 2, "octahedral")]
-    if name not in sums.KINDS:
+    if name not in sums.KINDS + sums.FLOWS:
         of.append(slope_bounds_of(f"{noise.removesuffix('_d').removesuffix('_vector')}_d", 2))
     found = []
     for tolerance in TOLERANCES[name]:

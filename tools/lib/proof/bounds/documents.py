@@ -114,11 +114,16 @@ JACOBIAND = (  # of sums with slopes, and of warps: a title, the sum, and a nois
     ("`hn_warp(vec{})`, amplitude 1/2", Sum("warp", 16.0, 5, 2.0, 0.5, amplitude=0.5)),
     ("`hn_warp_progressive(vec{})`, amplitude 1/4", Sum("warp_progressive", 16.0, 5, 2.0, 0.5, amplitude=0.25)),
     ("`hn_warp_progressive(vec{})`, amplitude 1/2", Sum("warp_progressive", 16.0, 5, 2.0, 0.5, amplitude=0.5)),
-    ("`hn_warp_progressive(vec{})`, amplitude 1", Sum("warp_progressive", 16.0, 5, 2.0, 0.5, amplitude=1.0)))
+    ("`hn_warp_progressive(vec{})`, amplitude 1", Sum("warp_progressive", 16.0, 5, 2.0, 0.5, amplitude=1.0)),
+    ("`hn_curl_fbm(vec{})`", Sum("curl_fbm", 16.0, 5, 2.0, 0.5), "curl"),
+    ("`hn_curl_fbm(vec{})`, with a phase", Sum("curl_fbm", 16.0, 5, 2.0, 0.5), "curl_phase"))
 
 
-def noises_of_jacobians(derived: Everything, dims: int, kind: str, other: str = "") -> tuple[Bounds, Bounds]:
-    """The bounds of the noise that such a sum is over, its own or another, and of its derivatives."""
+def noises_of_jacobians(derived: Everything, dims: int, kind: str, other: str = "") -> tuple[Bounds, ...]:
+    """The bounds of the noise that such a sum is over, its own or another, and of its derivatives if these count."""
+    if kind in sums.FLOWS:
+        key = (other, dims, None)
+        return (derived[key].bounds(*key).rounded() if key in derived else bounds_of(other, dims, "none"),)
     noise, gradient = (NOISE_OF_SUMS, GRADIENTS[0]) if not other and kind not in sums.SHIFTS else (other or "value", None)
     if (noise, dims, gradient) not in derived:
         return bounds_of(noise, dims, "none"), slope_bounds_of(f"{noise}_d", dims)

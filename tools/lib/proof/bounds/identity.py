@@ -65,18 +65,17 @@ def digits(x: np.ndarray) -> np.ndarray:
 def cuts(function: Function, columns: Columns) -> np.ndarray | bool:
     """Where the text cuts a phase, or the positions of a sum's octaves: each has the digits of the one before and of
     the lacunarity, and turns by 1/32."""
-    if "phase" in columns and "wave" not in function.takes:
-        return columns["phase"] * 2.0**30 % 1 != 0
+    of_phase = "phase" in columns and "wave" not in function.takes and columns["phase"] * 2.0**30 % 1 != 0
     if function.form != "sum" or not function.has_place:
-        return False
+        return of_phase
     places = [columns[name] for name in columns if name in ("x", "y", "z", "w", "fx", "fy", "fz", "fw")]
     tiled = np.any([columns[name] != 0 for name in columns if name in ("px", "py", "pz", "pw")], axis=0)
     each = np.where(tiled, 0, digits(np.clip(columns["lacunarity"], 0, 255)) + 5 * (function.axes - 1))
     octaves = np.clip(columns["octaves"], 1, 32)
     if function.bound == "warp_progressive":  # by the noise, too
         each = np.full(len(octaves), DIGITS + 1)
-    return np.max([digits(np.clip(x, 0, 1) if function.has_cell else x) for x in places], axis=0) + each * (
-        octaves - 1) > DIGITS
+    return of_phase | (np.max([digits(np.clip(x, 0, 1) if function.has_cell else x) for x in places], axis=0) + each * (
+        octaves - 1) > DIGITS)
 
 
 def waves(setting: str, function: Function) -> bool:

@@ -7,7 +7,16 @@ import math
 
 import catalog.model
 from proof.bounds.integers import FADE_ONE, SLOPE_UNIT, UNIT
-from proof.bounds.sums import LARGEST_STRENGTH, ROTATIONS, SHIFTS, Sum, tolerances
+from proof.bounds.sums import (
+    FLOWS,
+    LARGEST_STRENGTH,
+    ROTATIONS,
+    SHIFTS,
+    Sum,
+    fixed_octave_tolerance,
+    octave_tolerance,
+    tolerances,
+)
 from proof.bounds.table import Bounds, slope_bounds_of
 
 LARGEST_GROWTH, LARGEST_SHIFT = 64.0, 256.0  # for which the bounds are promised
@@ -66,6 +75,7 @@ def largest_tolerance(s: Sum, noise: Bounds, slope: Bounds, fixed: bool) -> floa
 
 TOLERANCES = dict.fromkeys(("fbm_d", "eroded", "warp", "warp_progressive"), tuple(  # in floats and fixed, from a sum and
     functools.partial(largest_tolerance, fixed=fixed) for fixed in (False, True)))  # the bounds of its noise and of that's derivatives
+TOLERANCES |= dict.fromkeys(FLOWS, (octave_tolerance, fixed_octave_tolerance))  # from the bounds of its noise alone
 
 
 # --- Overflow ---------------------------------------------------------------------------------------------------------

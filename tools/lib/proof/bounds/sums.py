@@ -17,6 +17,7 @@ from proof.oracle import sums as oracle
 CATALOG = {sum_.name: sum_ for sum_ in catalog.model.read().sums}
 KINDS = tuple(name for name, sum_ in CATALOG.items() if sum_.is_of_values)
 SLOPED, SHIFTS = ("fbm_d", "eroded"), ("warp", "warp_progressive")  # sums with slopes, and of vectors: jacobians.py
+FLOWS = ("curl_fbm",)  # with or without a phase
 # By how much each rotation of a position makes a length larger at most, which stays along other axes.
 ROTATIONS = tuple(max(math.hypot(*rotation) / 32, 1.0) for rotation in oracle.ROTATIONS)
 WHOLE = 2.0**-24  # the unit of fixed-point positions
@@ -41,7 +42,7 @@ class Sum:
     exact_positions: bool = False  # from a corner of a cell: in a tile no position rounds
 
     def __post_init__(self):
-        if self.kind not in KINDS + SLOPED + SHIFTS:
+        if self.kind not in KINDS + SLOPED + SHIFTS + FLOWS:
             raise LookupError(f"tools/lib/proof/bounds has no proof of the sum {self.kind}")
         if not self.rotates and self.lacunarity % 1:
             raise ValueError(f"with a period a lacunarity is a whole number, and {self.lacunarity} is none")
@@ -94,7 +95,7 @@ def tolerances(s: Sum, noise: Bounds, slope: Bounds | None = None, fixed: bool =
     """The largest error of each result of an octave sum over a noise, against the exact sums of docs/reference/contract.md
     at the same floats. An erosion and a warp need the bounds of the noise's derivatives. With HN_FIXED for
     lacunarity in [0, 255], gain in [0, 1] and at most 32 octaves, which it does not cut."""
-    if slope is None and s.kind not in KINDS:
+    if slope is None and s.kind not in KINDS + FLOWS:
         raise LookupError(f"the bound of {s.kind} follows from the bounds of derivatives, too")
     function = function_of(s, noise.dimensions)
     if (fixed or s.from_cell) and not 0 <= s.lacunarity <= 255 or fixed and not (0 <= s.gain <= 1 and s.octaves <= 32):

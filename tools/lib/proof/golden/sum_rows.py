@@ -37,12 +37,14 @@ EDGES: Edges = {
     # From 8 on the shifts of fixed arithmetic have more bits than a float.
     "amplitude": ((0.0, 1.0, 0.5, 2.0, 64.0, 100.0, -1.0),
                   (-0.0, 1e-40, 2.0**-19, 2.0**-18, 511 * 2.0**-18, 1 / 3, 8.0, 8 + 2.0**-17, 31.7, 63.9, 64 - 2.0**-18,
-                   64 + 2.0**-17, 3e38, -3e38))}
+                   64 + 2.0**-17, 3e38, -3e38)),
+    "phase": ((0.0, 0.25, 0.5, -0.125, 1 / 3, 1.0, 7.75, -1000.625),
+              (-0.0, 1e-40, 2.0**-31, 2.0**-30, -2.0**-30, 0.5 - 2.0**-25, 1 - 2.0**-24, 2.0**23 + 1, 3e38, -3e38))}
 
 
 def edges_of(function: Function) -> tuple[str, tuple[float, ...], tuple[float, ...]]:
     """The setting that few have, and its edges; of a sum that has none an empty name."""
-    for name in ("footprint", "detail", "strength", "amplitude"):
+    for name in ("phase", "footprint", "detail", "strength", "amplitude"):
         if name in function.settings:
             return name, *EDGES[function.bound if name == "strength" else name]
     return "", (), ()
@@ -50,6 +52,8 @@ def edges_of(function: Function) -> tuple[str, tuple[float, ...], tuple[float, .
 
 def usual(function: Function, octaves: int, generator: Generator) -> float:
     """A number for that setting."""
+    if "phase" in function.settings:
+        return generator.uniform(-4, 4)
     if function.bound == "eroded":
         return generator.pick((1.0, 0.5, 4.0, generator.uniform(0, 2)))
     if function.bound == "warp":

@@ -18,7 +18,7 @@ from translate.dimensions.layout import joined, with_short_lines
 from translate.dimensions.numbers import IN_SPACE
 from translate.dimensions.rule import WHERE, Unclear, in_dimension
 
-WHOLE = {"cellular2d.glsl": (3,), "cellular_phase2d.glsl": (3,), "fbm2d.glsl": (1, 3, 4), "fbm_d2d.glsl": (3,),
+WHOLE = {"cellular2d.glsl": (3,), "cellular_phase2d.glsl": (3,), "curl_fbm2d.glsl": (3,), "fbm2d.glsl": (1, 3, 4), "fbm_d2d.glsl": (3,),
          "random2d.glsl": (1, 3, 4), "warp2d.glsl": (3,)}
 WITHOUT_PAPERS_GRADIENT = (1, 4)  # the paper has Perlin noise in 2D and 3D
 RESULTS_STAY = ("cellular2d.glsl", "cellular_phase2d.glsl", "cellular_three2d.glsl")  # as many distances everywhere

@@ -28,6 +28,10 @@ IN_SPACE: dict[str, dict[str, str]] = {
         "5.30e-6": "1.14e-5",
         "by y, then by x": "by z, then by y, then by x",
     },
+    "curl_fbm2d.glsl": {
+        "10 multiplications": "48 multiplications",
+        "1.5 times": "1.75 times",
+    },
     "fbm2d.glsl": {
         "[-1, 1], mean 0": "[-1, 1], mean 0; with HN_GRADIENT_SINE, which is not scaled, [-3/2, 3/2]",
         "creases where the noise passes 0":
