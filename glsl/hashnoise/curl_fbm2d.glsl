@@ -21,7 +21,7 @@ struct hn_flows2 {
   hn_i_num gain;  // of these, from octave to octave
 };
 
-// Flows of any velocities, yours or the library's. Where those of an octave have no divergence, the sum has none:
+// Flows of any velocities, yours or the library's. Where no octave has a divergence, the sum has none:
 //
 //   hn_octaves2 o = hn_octaves(p, 4, 2.0, 0.5, 7u);
 //   hn_flows2 s = hn_flows(o);

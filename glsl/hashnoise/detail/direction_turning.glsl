@@ -16,7 +16,7 @@
 //   hn_i_rotation(phase)       the weights on the plane: the cosine and the sine of a phase in turns; in HN_FIXED in
 //                              units of 2^-18
 //   hn_i_rotation3(phase)      the weights in space
-//   hn_i_rotation_by(angle), hn_i_rotation3_by(angle)  the same of an angle in units of 2^-32 turns
+//   hn_i_rotation_by(angle), hn_i_rotation3_by(angle)  these weights, from an angle in units of 2^-32 turns
 //   hn_i_mixed(r, a, b)        r.x a + r.y b; also of three and four at once
 
 #if HN_ARITHMETIC != HN_FIXED

@@ -35,8 +35,8 @@ Lipschitz constant, too. The products and the difference round. In integers the 
 the product by less than 2 units of 2^-20, 1 for the low digits and 1 for the shift. The result is rounded to a multiple
 of 2^-16.
 
-With a phase the gradients are ROTATED (gradients.py), and those of both noises are at phases of their own. All of the
-above holds, as rotated gradients have the same symmetries. (These are bounds for all pairs of phases.)
+With a phase the gradients are ROTATED (gradients.py), and each noise has a phase of its own. All of the above holds,
+as rotated gradients have the same symmetries. (These are bounds for all pairs of phases.)
 """
 
 from __future__ import annotations

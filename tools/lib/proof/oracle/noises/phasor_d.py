@@ -60,7 +60,7 @@ def of_one_wave(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) 
 
 
 def of_waves(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> list[tuple[int, int]]:
-    """The same where each point has a wave of its own: of V_j and Z_j."""
+    """2 pi k_ij times them, where each point has a wave of its own: V_j and Z_j, scaled."""
     kernel = KERNELS[len(cell)]
     totals = [[0, 0] for _ in cell]
     for _, powers, wave, k in phasor.fixed_waves(lattice, cell, fraction):

@@ -38,7 +38,7 @@ def at(cell: Sequence[int], f: Sequence[Real], wave: Sequence[Real], phase: Real
 
 
 def naive_direction(word: int, n: int) -> tuple[float, ...]:
-    """u, of which a float of the library has 16 bits."""
+    """u, as exact as floats are; the library has 16 bits of it."""
     turns, height = ((word >> 8) * factor % 2**32 for factor in (0xEB1831, 0x84A5E5))
     z = 0.0 if n == 2 else (2 * (height >> 16) - 65535) / 65536
     angle, radius = 2 * math.pi * turns / 2**32, math.sqrt(1 - z * z)
