@@ -116,7 +116,7 @@ JACOBIAND = (  # of sums with slopes, and of warps: a title, the sum, and a nois
     ("`hn_warp_progressive(vec{})`, amplitude 1/2", Sum("warp_progressive", 16.0, 5, 2.0, 0.5, amplitude=0.5)),
     ("`hn_warp_progressive(vec{})`, amplitude 1", Sum("warp_progressive", 16.0, 5, 2.0, 0.5, amplitude=1.0)),
     ("`hn_curl_fbm(vec{})`", Sum("curl_fbm", 16.0, 5, 2.0, 0.5), "curl"),
-    ("`hn_curl_fbm(vec{})`, with a phase", Sum("curl_fbm", 16.0, 5, 2.0, 0.5), "curl_phase"))
+    ("`hn_curl_fbm(vec{})`, with a phase", Sum("curl_fbm", 16.0, 5, 2.0, 0.5, phase=0.25), "curl_phase"))
 
 
 def noises_of_jacobians(derived: Everything, dims: int, kind: str, other: str = "") -> tuple[Bounds, ...]:

@@ -37,6 +37,7 @@ class Sum:
     strength: float = 0.0
     amplitude: float = 0.0
     footprint: float | None = None
+    phase: float | None = None  # of a sum of flows
     rotates: bool = True  # it does not with a period
     from_cell: bool = False
     exact_positions: bool = False  # from a corner of a cell: in a tile no position rounds
@@ -67,14 +68,15 @@ class Sum:
     @property
     def settings(self) -> set[str]:
         """Names of columns that few rows have."""
-        return ({"detail"} if isinstance(self.octaves, float) else {"octaves"}) | ({"footprint"} if self.footprint is not None else set())
+        return ({"detail"} if isinstance(self.octaves, float) else {"octaves"}) | {
+            name for name in ("footprint", "phase") if getattr(self, name) is not None}
 
 
 def function_of(s: Sum, dims: int) -> Function:
     """The row of the suite's table with it; if there is none from such a place, one from a cell, where a fixed-point
     position is as in a tile of floats."""
     rows = [function for function in read_functions() if function.form == "sum" and function.axes == dims
-            and function.bound == s.kind and s.settings == set(function.settings) & {"detail", "octaves", "footprint"}]
+            and function.bound == s.kind and s.settings == set(function.settings) & {"detail", "octaves", "footprint", "phase"}]
     return min(rows, key=lambda row: (row.has_period == s.rotates, row.has_cell != s.from_cell))
 
 
@@ -84,7 +86,7 @@ def arguments_of(s: Sum, function: Function) -> dict[str, str]:
     place = "float:0" if s.exact_positions else f"float:{-most}:{most}"
     of = {"seed": "any", "octaves": f"word:{s.octaves}", "detail": f"float:{s.octaves}", "lacunarity": f"float:{s.lacunarity}",
           "gain": f"float:{s.gain}", "strength": f"float:{s.strength}", "amplitude": f"float:{s.amplitude}",
-          "footprint": f"float:{s.footprint}"}
+          "footprint": f"float:{s.footprint}", "phase": f"float:{s.phase}"}
     for axis in "xyzw":
         of |= {axis: place, f"c{axis}": f"int:{-most}:{most}", f"f{axis}": "float:0" if s.exact_positions else "float:0:1",
                f"p{axis}": "word:0"}

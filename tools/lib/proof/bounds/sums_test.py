@@ -17,10 +17,10 @@ from proof.bounds import gullies, jacobians, sums, text_test
 from proof.bounds.floats import to_float
 from proof.bounds.gradients import OCTAHEDRAL, SINE
 from proof.bounds.rounded import EXACT, FIXED, NEAREST, SINES, Rounding, Text, along_axes, roundings
-from proof.bounds.sums import CATALOG, KINDS, SHIFTS, SLOPED, Sum
+from proof.bounds.sums import CATALOG, FLOWS, KINDS, SHIFTS, SLOPED, Sum
 from proof.bounds.table import bounds_of, read_gullies, slope_bounds_of
 
-ALL = (*KINDS, *SLOPED, *SHIFTS)
+ALL = (*KINDS, *SLOPED, *SHIFTS, *FLOWS)
 COUNT = 200  # places
 
 
@@ -62,12 +62,14 @@ def random_sum(rng, function, fixed, **others):
         arguments["octaves"] = to_float(arguments["octaves"] - rng.choice((0.0, 1 - 2.0**-19, 0.5, rng.random())))
     if "footprint" in function.settings:
         arguments["footprint"] = to_float(rng.random() * 2.0**-rng.integers(-1, 8))
+    if "phase" in function.settings:
+        arguments["phase"] = to_float(rng.random())
     if CATALOG[function.bound].strength:
         most = float(CATALOG[function.bound].strength.most)
         name = "amplitude" if function.bound in SHIFTS else "strength"
         arguments.setdefault(name, to_float(rng.choice((most, rng.uniform(0, min(most, 4)), rng.random()))))
     s = Sum(function.bound, rotates=not function.has_period, from_cell=function.has_cell, **arguments)
-    bounded = function.bound in KINDS or jacobians.is_bounded(s)
+    bounded = function.bound in KINDS + FLOWS or jacobians.is_bounded(s)
     return s if bounded else random_sum(rng, function, fixed, **others)
 
 
@@ -84,6 +86,8 @@ def columns_of(function, s, p):
 
 def tolerances(s, dims, gradient, fixed):
     """Of each result."""
+    if s.kind in FLOWS:
+        return sums.tolerances(s, bounds_of("curl" if s.phase is None else "curl_phase", dims, "none"), None, fixed)
     noise = CATALOG[s.kind].noise
     own = bounds_of(noise, dims, gradient.name)
     if s.kind in KINDS:
