@@ -87,6 +87,7 @@ EDGES = gradients(3).T
 
 
 class Curl(unittest.TestCase):
+    NAME, GRADIENT, WITHOUT_MOVE = "curl", OCTAHEDRAL, 1.4
     KERNEL = SIMPLEX[3]
     SCALE = KERNEL.scale / 1024
 
@@ -103,9 +104,12 @@ class Curl(unittest.TestCase):
         total = 0.0
         for point in curl.points_of(self.KERNEL, move):
             d = (place - point[:, None])[..., None]
-            g = EDGES[np.tensordot(EDGES, self.rise(d, u), 1).argmax(axis=0)]
-            total = total + self.rise(d, g.transpose(2, 0, 1))
+            total = total + self.rise(d, self.gradient_along(self.rise(d, u)))
         return self.SCALE * total
+
+    def gradient_along(self, v):
+        """The gradient whose product with each vector is the largest."""
+        return EDGES[np.tensordot(EDGES, v, 1).argmax(axis=0)].transpose(2, 0, 1)
 
     def reached(self, place):
         """The largest component of these gradients."""
@@ -131,16 +135,16 @@ class Curl(unittest.TestCase):
 
     def test_bounds_are_nearly_attained(self):
         # The product of the largest derivatives along two directions is of gradients in other directions than these.
-        limit = bounds_of("curl", 3, "octahedral").limit
+        limit = bounds_of(self.NAME, 3, "octahedral").limit
         self.assertTrue(0.995 * limit < searched(self.reached, 3, 20, 20) < limit)
-        largest = curl.largest_sum()
+        largest = curl.largest_sum(self.GRADIENT)
         self.assertTrue(0.998 * largest < searched(self.reached_sum, 3, 20, 20) < largest)
 
     def test_without_the_move_it_would_be_more(self):
         with mock.patch.object(curl, "MOVE", (0.0,) * 3):
             at_a_point = self.reached(np.zeros((3, 1)))[0]
         self.assertAlmostEqual(at_a_point, (self.SCALE * LENGTH[3])**2)
-        self.assertGreater(at_a_point, 1.4 * bounds_of("curl", 3, "octahedral").limit)
+        self.assertGreater(at_a_point, self.WITHOUT_MOVE * bounds_of(self.NAME, 3, "octahedral").limit)
 
     def test_symmetries(self):
         """The largest product of derivatives along two directions is the same at symmetrical places."""
@@ -149,7 +153,7 @@ class Curl(unittest.TestCase):
         move = np.array(curl.MOVE)
 
         def slope(place, u):
-            return curl.along(self.KERNEL, around, (place % 1)[:, None], u[:, None])[0, 0]
+            return curl.along(self.KERNEL, around, (place % 1)[:, None], u[:, None], self.GRADIENT)[0, 0]
 
         def product(place, u, v):
             return slope(place, u) * slope(place + move, v)
@@ -180,13 +184,29 @@ class Curl(unittest.TestCase):
                 for gradients, points, u in zip(edges, both, (
                     np.stack([np.zeros(200), np.cos(angle), np.sin(angle)]),
                     np.stack([np.zeros(200), -np.sin(angle), np.cos(angle)]))))
-        jets = [a * b for a, b in zip(*(curl.jets(self.KERNEL, points, boxes) for points in both))]
+        jets = [a * b for a, b in zip(*(curl.jets(self.KERNEL, points, boxes, self.GRADIENT) for points in both))]
         for axis, bound in enumerate((*(jet.second for jet in jets), 2 * jets[0].value)):
             moved = step * np.eye(4)[axis][:, None]
             second = (product(middle + moved[:3], angle + moved[3]) + product(middle - moved[:3], angle - moved[3])
                       - 2 * product(middle, angle)) / step**2
             self.assertLess((abs(second) - bound).max(), 1e-4)
             self.assertGreater((abs(second) / bound).max(), 0.01)
+
+
+class CurlWithPhase(Curl):
+    """The same with gradients at any phase."""
+    NAME, GRADIENT, WITHOUT_MOVE = "curl_phase", ROTATED, 1.3
+    KERNEL = ROTATING[3]
+    SCALE = KERNEL.scale / 1024
+
+    def gradient_along(self, v):
+        """On the circle that is nearest to the vector: its part in the circle's plane, as long as a gradient."""
+        diagonals = np.array(((1, 1, 1), (1, 1, -1), (1, -1, 1), (-1, 1, 1)))
+        along = np.tensordot(diagonals, v, 1)
+        nearest = np.abs(along).argmin(axis=0)
+        s = diagonals[nearest].transpose(2, 0, 1)
+        inside = v - np.take_along_axis(along, nearest[None], 0) / 3 * s
+        return LENGTH[3] * inside / np.maximum(np.sqrt((inside * inside).sum(axis=0)), 1e-12)
 
 
 @functools.cache
