@@ -342,8 +342,8 @@ constexpr LibraryFault kFaults[] = {
     {"noise2d.simplex_d_phase.lattice.fast.fragment.gl330.half_turn", "detail/sine.glsl",
      "hn_uint q = angle & 0x7FFFFFFFu;", "hn_uint q = (angle + (angle >> 10u)) & 0x7FFFFFFFu;"},
     {"curl.curl3_phase.lattice.fast.fragment.gl330.half_turn", "curl_phase3d.glsl", "angle << 1u", "angle"},
-    {"curl.curl_fbm2_phase.lattice.fixed.fragment.gl330.half_turn", "curl_fbm2d.glsl", "hn_curl_rotation2(phase)",
-     "hn_curl_rotation2(phase * phase)"},
+    {"curl.curl_fbm2_phase.lattice.fixed.fragment.gl330.half_turn", "curl_fbm2d.glsl",
+     "hn_i_new_curl_rotation2(phase)", "hn_i_new_curl_rotation2(phase * phase)"},
     // Another noise at phase zero.
     {"curl.curl3_phase_cell.lattice.fixed.fragment.gl330.phase_zero", "curl_phase3d.glsl", kMacro,
      "hn_curl(c, t, args) (1.01 * hn_curl(c, t, args))"},
@@ -366,10 +366,10 @@ constexpr LibraryFault kFaults[] = {
     {"curl.curl3_phase.lattice.fast.fragment.gl330.divergence", "curl_phase3d.glsl", kMacro,
      "hn_curl(p, t, args) normalize(hn_curl(p, t, args))"},
     // Octaves that are not rotated back, and one that is cut off.
-    {"curl.curl_fbm2.lattice.fast.fragment.gl330.divergence", "curl_fbm2d.glsl", kMacro,
-     "hn_i_transposed_times(k, g) (g)"},
-    {"curl.curl_fbm3_cell.lattice.fixed.fragment.gl330.divergence", "curl_fbm3d.glsl", kMacro,
-     "hn_i_next_cofactors(k, g, t) (k)"},
+    {"curl.curl_fbm2.lattice.fast.fragment.gl330.divergence", "curl_fbm2d.glsl",
+     "u = hn_i_transposed_times(s.cofactors, u);", ""},
+    {"curl.curl_fbm3_cell.lattice.fixed.fragment.gl330.divergence", "curl_fbm3d.glsl",
+     "hn_i_next_cofactors(s.cofactors, s.gain, o.place.tiled)", "s.cofactors"},
     {"curl.curl_fbm3_phase.lattice.fast.fragment.gl330.divergence", "detail/jacobian.glsl", "{ return g; }",
      "{ return min(max(-1.0f, g), 1.0f); }"},
     // A kernel that is too large: where another point takes over, the one that is left behind still has a weight.

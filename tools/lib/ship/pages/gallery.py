@@ -64,5 +64,5 @@ def functions() -> str:
 
 def sheets() -> list[picture.Sheet]:
     calls = {recipe.name: recipe.call() for recipe in recipes()}
-    return [picture.Sheet(PAGE.parent / SHEET, list(calls.values()), columns=5),
+    return [picture.Sheet(PAGE.parent / SHEET, list(calls.values()), columns=7),
             *(picture.Sheet(PAGE.parent / f"{name}.png", [call], side=SIDE) for name, call in calls.items())]
