@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from catalog.tables.functions import Function
 from proof.golden.generator import FIXED_COORDINATES, INT_MAX, INT_MIN, Generator, Row, to_f32
 from proof.golden.period_rows import PERIODS, near_seam
+from proof.golden.simplex_rows import PHASES
 from proof.oracle.jacobians import SUMS
 
 COUNT = 64
@@ -38,8 +39,7 @@ EDGES: Edges = {
     "amplitude": ((0.0, 1.0, 0.5, 2.0, 64.0, 100.0, -1.0),
                   (-0.0, 1e-40, 2.0**-19, 2.0**-18, 511 * 2.0**-18, 1 / 3, 8.0, 8 + 2.0**-17, 31.7, 63.9, 64 - 2.0**-18,
                    64 + 2.0**-17, 3e38, -3e38)),
-    "phase": ((0.0, 0.25, 0.5, -0.125, 1 / 3, 1.0, 7.75, -1000.625),
-              (-0.0, 1e-40, 2.0**-31, 2.0**-30, -2.0**-30, 0.5 - 2.0**-25, 1 - 2.0**-24, 2.0**23 + 1, 3e38, -3e38))}
+    "phase": (PHASES, (-0.0, 1e-40, 2.0**-31, 0.5 - 2.0**-25, 1 - 2.0**-24, 2.0**23 + 1, 3e38, -3e38))}
 
 
 def edges_of(function: Function) -> tuple[str, tuple[float, ...], tuple[float, ...]]:
