@@ -9,6 +9,8 @@
 #include "noise3d.glsl"
 #include "noise4d.glsl"
 #include "curl.glsl"
+#include "curl_fbm.glsl"
+#include "curl_phase.glsl"
 #include "fbm.glsl"
 #include "fbm_d.glsl"
 #include "gradient.glsl"

@@ -93,6 +93,7 @@ HN_ONLY_TYPES_OF_GLSL(hn_ping_pong)
 HN_ONLY_TYPES_OF_GLSL(hn_weighted)
 HN_ONLY_TYPES_OF_GLSL(hn_warp)
 HN_ONLY_TYPES_OF_GLSL(hn_warp_progressive)
+HN_ONLY_TYPES_OF_GLSL(hn_curl_fbm)
 HN_ONLY_TYPES_OF_GLSL(hn_perlin_worley)
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 HN_ONLY_TYPES_OF_GLSL(hn_perlin_d)

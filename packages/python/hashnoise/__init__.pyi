@@ -26,7 +26,7 @@ _Noise: TypeAlias = Literal["perlin", "perlin_d", "value", "value_d", "value_cub
                             "simplex_smooth", "cellular", "cellular_three", "cellular_d", "cellular_smooth",
                             "cell_border", "curl", "value_vector", "perlin_vector", "phasor", "random"]
 _Fractal: TypeAlias = Literal["fbm", "turbulence", "clouds", "billow", "ridged", "hybrid", "ping_pong", "weighted",
-                              "fbm_d", "eroded", "warp", "warp_progressive", "perlin_worley"]
+                              "fbm_d", "eroded", "warp", "warp_progressive", "curl_fbm", "perlin_worley"]
 # tools/make catalog: end
 _Name: TypeAlias = _Noise | _Fractal
 
@@ -204,12 +204,14 @@ def cell_border(x: None = None, y: None = None, z: None = None, /, *, points: np
                 instruction_set: str | None = None) -> _Values: ...
 @overload
 def curl(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, points: None = None,
-         seed: _Whole = 0, period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
-         out: _Values | None = None, threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+         seed: _Whole = 0, period: _Wholes | None = None, phase: _Number | None = None, cell: _Cells | None = None,
+         arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+         instruction_set: str | None = None) -> _Values: ...
 @overload
 def curl(x: None = None, y: None = None, z: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
-         period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
-         out: _Values | None = None, threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+         period: _Wholes | None = None, phase: _Number | None = None, cell: _Cells | None = None,
+         arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+         instruction_set: str | None = None) -> _Values: ...
 @overload
 def value_vector(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, points: None = None,
                  seed: _Whole = 0, period: _Wholes | None = None, cell: _Cells | None = None,
@@ -455,6 +457,18 @@ def warp_progressive(x: None = None, y: None = None, z: None = None, /, *, point
                      gain: _Number = 0.5, amplitude: _Number = 1.0, period: _Wholes | None = None,
                      cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
                      threads: _Whole | None = None, instruction_set: str | None = None) -> _Values: ...
+@overload
+def curl_fbm(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, points: None = None,
+             seed: _Whole = 0, octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5,
+             phase: _Number | None = None, period: _Wholes | None = None, cell: _Cells | None = None,
+             arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: _Whole | None = None,
+             instruction_set: str | None = None) -> _Values: ...
+@overload
+def curl_fbm(x: None = None, y: None = None, z: None = None, /, *, points: npt.ArrayLike, seed: _Whole = 0,
+             octaves: _Whole = 6, lacunarity: _Number = 2.0, gain: _Number = 0.5, phase: _Number | None = None,
+             period: _Wholes | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+             out: _Values | None = None, threads: _Whole | None = None,
+             instruction_set: str | None = None) -> _Values: ...
 @overload
 def perlin_worley(x: _Number, y: _Number, z: _Number, /, *, points: None = None, seed: _Whole = 0, octaves: _Whole = 6,
                   lacunarity: _Number = 2.0, gain: _Number = 0.5, period: _Wholes | None = None,

@@ -176,13 +176,15 @@ source   docs/reference/contract.md, section 16
 0.196044921875
 """)
 
-curl = _noise("curl", 2, 3, doc="""\
+curl = _noise("curl", 2, 3, phase=None, doc="""\
 Curl noise, in 2D and 3D: velocities of a flow without divergence, which neither gathers nor spreads what it carries.
 
+phase    how far the gradients rotate, in turns; in 3D the second noise rotates twice as far. The flow changes in place,
+         and loops after one turn
 returns  planes: the velocity along each axis, once continuously differentiable. In 2D they are derivatives of
-         `simplex`, in [-8.46, 8.46]; in 3D they are in [-31.1, 31.1]
+         `simplex`, in [-8.46, 8.46]; in 3D they are in [-31.1, 31.1], without a phase
 source   Bridson, Hourihan, Nordenstam, "Curl-noise for procedural fluid flow", 2007; DeWolf, "Divergence-free noise",
-         2005
+         2005; for the phase Perlin and Neyret, "Flow noise", 2001
 
 >>> hashnoise.curl(0.5, 0.25, seed=7, arithmetic="fixed")
 array([-0.7655754 ,  0.03768539], dtype=float32)

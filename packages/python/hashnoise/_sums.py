@@ -4,7 +4,7 @@
 from ._evaluate import functions_of
 
 __all__ = ["fbm", "turbulence", "clouds", "billow", "ridged", "hybrid", "ping_pong", "weighted", "fbm_d", "eroded",
-           "warp", "warp_progressive", "perlin_worley"]
+           "warp", "warp_progressive", "curl_fbm", "perlin_worley"]
 
 _fractal = functions_of(__name__, "fractal")
 
@@ -151,6 +151,20 @@ source     as of `warp`
 
 >>> hashnoise.warp_progressive(0.5, 0.25, seed=7, arithmetic="fixed")
 array([-0.21678829, -0.21608591], dtype=float32)
+""")
+
+curl_fbm = _fractal("curl_fbm", 2, 3, octaves=6, lacunarity=2.0, gain=0.5, phase=None, doc="""\
+Octaves of curl noise, in 2D and 3D: velocities of a flow with eddies of all sizes, which neither gathers nor spreads
+what it carries.
+
+Each octave is rotated back, and nothing is cut off: so the sum has no divergence, either.
+
+phase    as of `curl`, the same in all octaves
+returns  planes: the velocity along each axis, the mean of the octaves of `curl` by their weights
+source   docs/reference/contract.md, section 7; Bridson, Hourihan, Nordenstam, "Curl-noise for procedural fluid flow",
+         2007
+
+>>> hashnoise.curl_fbm(0.5, 0.25, seed=7, arithmetic="fixed")
 """)
 
 perlin_worley = _fractal("perlin_worley", 3, 3, octaves=6, lacunarity=2.0, gain=0.5, doc="""\

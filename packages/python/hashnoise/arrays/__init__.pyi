@@ -9,7 +9,7 @@ from .. import _Metric, _Noise, _Whole, _Wholes
 __all__ = ["perlin", "perlin_d", "value", "value_d", "value_cubic", "simplex", "simplex_d", "simplex_smooth",
            "cellular", "cellular_three", "cellular_d", "cellular_smooth", "cell_border", "curl", "value_vector",
            "perlin_vector", "phasor", "random", "fbm", "turbulence", "clouds", "billow", "ridged", "hybrid",
-           "ping_pong", "weighted", "fbm_d", "eroded", "warp", "warp_progressive", "perlin_worley"]
+           "ping_pong", "weighted", "fbm_d", "eroded", "warp", "warp_progressive", "curl_fbm", "perlin_worley"]
 
 def perlin(x: Any = None, y: Any = None, z: Any = None, w: Any = None, /, *, points: Any = None, seed: Any = 0,
            period: _Wholes | None = None, phase: Any = None, cell: Any = None,
@@ -49,7 +49,8 @@ def cell_border(x: Any = None, y: Any = None, z: Any = None, /, *, points: Any =
                 period: _Wholes | None = None, jitter: Any = 1.0, cell: Any = None,
                 arithmetic: Literal["fast", "fixed"] = "fast") -> Any: ...
 def curl(x: Any = None, y: Any = None, z: Any = None, /, *, points: Any = None, seed: Any = 0,
-         period: _Wholes | None = None, cell: Any = None, arithmetic: Literal["fast", "fixed"] = "fast") -> Any: ...
+         period: _Wholes | None = None, phase: Any = None, cell: Any = None,
+         arithmetic: Literal["fast", "fixed"] = "fast") -> Any: ...
 def value_vector(x: Any = None, y: Any = None, z: Any = None, /, *, points: Any = None, seed: Any = 0,
                  period: _Wholes | None = None, cell: Any = None,
                  arithmetic: Literal["fast", "fixed"] = "fast") -> Any: ...
@@ -102,6 +103,9 @@ def warp_progressive(x: Any = None, y: Any = None, z: Any = None, /, *, points: 
                      noise: _Noise = "value_vector", octaves: _Whole = 6, lacunarity: Any = 2.0, gain: Any = 0.5,
                      amplitude: Any = 1.0, period: _Wholes | None = None, cell: Any = None,
                      arithmetic: Literal["fast", "fixed"] = "fast") -> Any: ...
+def curl_fbm(x: Any = None, y: Any = None, z: Any = None, /, *, points: Any = None, seed: Any = 0, octaves: _Whole = 6,
+             lacunarity: Any = 2.0, gain: Any = 0.5, phase: Any = None, period: _Wholes | None = None, cell: Any = None,
+             arithmetic: Literal["fast", "fixed"] = "fast") -> Any: ...
 def perlin_worley(x: Any = None, y: Any = None, z: Any = None, /, *, points: Any = None, seed: Any = 0,
                   octaves: _Whole = 6, lacunarity: Any = 2.0, gain: Any = 0.5, period: _Wholes | None = None,
                   cell: Any = None, arithmetic: Literal["fast", "fixed"] = "fast") -> Any: ...
