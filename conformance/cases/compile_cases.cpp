@@ -273,6 +273,16 @@ vec2 shifted(hn_octaves2 o) {
   do hn_add_progressive(moving, m, hn_curl(moving.place, moving.seed)); while (hn_next(moving));
   return hn_mean(o, s) + hn_mean(moving, m);
 }
+vec2 flowing(hn_octaves2 o) {
+  hn_flows2 s = hn_flows(o);
+  do hn_add(o, s, vec2(mine(o.place, o.seed))); while (hn_next(o));
+  return hn_mean(o, s);
+}
+vec3 flowing(hn_octaves3 o) {
+  hn_flows3 s = hn_flows(o);
+  do hn_add(o, s, hn_curl(o.place, 0.25, o.seed)); while (hn_next(o));
+  return hn_mean(o, s);
+}
 vec3 shifted(hn_octaves3 o) {
   hn_octaves3 moving = o;
   hn_shifts3 s = hn_shifts(o, 1.0);
@@ -293,7 +303,8 @@ float all_of_them(vec2 p) {
   vec3 slopes = with_slopes(hn_octaves(p, 5, 2.0, 0.5, 7u)) + with_slopes(hn_octaves(place, 5, 2.0, 0.5, 7u));
   vec4 more = with_slopes(hn_octaves(p3, 5, 2.0, 0.5, 7u));
   vec2 shift = shifted(hn_octaves(p, 5, 2.0, 0.5, 7u)) + shifted(hn_octaves(place, 5, 2.0, 0.5, 7u));
-  vec3 further = shifted(hn_octaves(p3, 5, 2.0, 0.5, 7u));
+  vec3 further = shifted(hn_octaves(p3, 5, 2.0, 0.5, 7u)) + flowing(hn_octaves(p3, 5, 2.0, 0.5, 7u));
+  shift += flowing(hn_octaves(p, 5, 2.0, 0.5, 7u)) + flowing(hn_octaves(hn_tile(place, ivec2(4)), 5, 2.0, 0.5, 7u));
   return sum + limited(p) + slopes.x + slopes.y + more.x + more.w + shift.x + shift.y + further.x + further.z;
 }
 )";

@@ -58,7 +58,7 @@ def lacks(function: Function, what: str) -> str:
 
 # Functions that make places, their positions, and octaves. They have no values of their own: the rows of noises and
 # sums prove them.
-STEPS = re.compile(r"hn_(place|tile|position|octaves|next|add|add_\w+|mean|density|slopes|shifts)")
+STEPS = re.compile(r"hn_(place|tile|position|octaves|next|add|add_\w+|mean|density|slopes|shifts|flows)")
 
 
 # --- Functions --------------------------------------------------------------------------------------------------

@@ -29,7 +29,7 @@ BOUND, RANGE = "bound", "range"
 OF_PIECES = {"javascript": "npm", "arithmetic of tools/bake": "baker"}
 DELETED = {name for name in PIECES if is_deleted(name)}
 OF_VALUES = BOUND, RANGE  # kinds of rows that experimental functions have not
-MEMBERS = {"hn_place": ("cell",), "hn_octaves": ("place", "seed"), "hn_slopes": (), "hn_shifts": ()}  # else all
+MEMBERS = {"hn_place": ("cell",), "hn_octaves": ("place", "seed"), "hn_slopes": (), "hn_shifts": (), "hn_flows": ()}  # else all
 CONSTANT = re.compile(r"^ *#define (HN_(?:METRIC|DISTRIBUTION|HASH|GRADIENT|ARITHMETIC|FAST|PRECISE|FIXED)\w*) +(\w+)",
                       re.M)
 STRUCT_OF_CPP = re.compile(r"^struct (Settings|(?:Cell)?(?:Grid|Points)|Range) \{\n(.*?)^\};", re.M | re.S)

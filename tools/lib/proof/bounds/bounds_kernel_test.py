@@ -194,7 +194,7 @@ class Curl(unittest.TestCase):
 
 
 class CurlWithPhase(Curl):
-    """The same with gradients at any phase."""
+    """With gradients at any phase."""
     NAME, GRADIENT, WITHOUT_MOVE = "curl_phase", ROTATED, 1.3
     KERNEL = ROTATING[3]
     SCALE = KERNEL.scale / 1024

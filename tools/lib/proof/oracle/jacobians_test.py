@@ -129,7 +129,7 @@ class Flows(unittest.TestCase):
 
     @staticmethod
     def times_back(matrix: list[list[Fraction]]) -> list[list[Fraction]]:
-        """The matrix times that of `back`."""
+        """The matrix times `back`."""
         n = len(matrix)
         back = jacobians.transposed([jacobians.back([Fraction(i == j) for j in range(n)]) for i in range(n)])
         return [[sum(row[k] * back[k][j] for k in range(n)) for j in range(n)] for row in matrix]

@@ -214,9 +214,10 @@ STRUCTS = {
                   "fields.",
     "hn_slopes": "The sum of the derivatives of a loop, made by {}, whose fields later versions may change.",
     "hn_shifts": "The sum of the displacements of a loop, made by {}, whose fields later versions may change.",
+    "hn_flows": "The sum of the velocities of a loop, made by {}, whose fields later versions may change.",
     "hn_derivatives": "A result and its derivatives.",
     "hn_hexes": "The three hexagons that overlap at a position, a component for each."}
-MAKERS = {"place": "in_cell", "octaves": "of", "slopes": "of", "shifts": "of"}
+MAKERS = {"place": "in_cell", "octaves": "of", "slopes": "of", "shifts": "of", "flows": "of"}
 
 
 def of_struct(name: str, called: Callable[[str], str]) -> str:

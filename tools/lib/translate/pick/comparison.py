@@ -60,10 +60,10 @@ def octaves(size: int) -> str:
 def drawn(parameter: Parameter) -> str:
     """The expression of an argument."""
     name, type_ = parameter.at.text, parameter.type
-    if of_axes := re.fullmatch(r"hn_(place|octaves|slopes|shifts)(\d)", type_):
+    if of_axes := re.fullmatch(r"hn_(place|octaves|slopes|shifts|flows)(\d)", type_):
         size = int(of_axes[2])
         return {"place": place(size), "octaves": octaves(size), "slopes": f"hn_slopes({octaves(size)})",
-                "shifts": f"hn_shifts({octaves(size)}, r(0, 2))"}[of_axes[1]]
+                "shifts": f"hn_shifts({octaves(size)}, r(0, 2))", "flows": f"hn_flows({octaves(size)})"}[of_axes[1]]
     if scalar_of(type_) == "float":
         low, high = RANGES.get(name, (-60, 60))
         far = " * (g() % 4 ? 1.0f : 10000.0f)" if name == "p" else ""
