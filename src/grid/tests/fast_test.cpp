@@ -68,7 +68,7 @@ const hn::Function& row_of_sum(const Settings& s, int dimensions, bool from_cell
   for (const hn::Function& row : hn::all_functions()) {
     if (row.bound == s.fractal && row.axes == dimensions && row.takes_cell() == from_cell &&
         row.takes_period() == tiled && row.takes_detail() == s.detail.has_value() &&
-        row.takes_footprint() == s.footprint.has_value()) {
+        row.takes_footprint() == s.footprint.has_value() && row.takes_phase() == s.phase.has_value()) {
       return row;
     }
   }
@@ -91,6 +91,7 @@ Words words_of(const Settings& s, const hn::Function& row) {
   put(words, row, "gain", gain_of(s));
   put(words, row, "strength", strength_of(s));
   put(words, row, "amplitude", amplitude_of(s));
+  put(words, row, "phase", s.phase.value_or(0.0f));
   if (s.detail) put(words, row, "detail", *s.detail);
   if (s.footprint) put(words, row, "footprint", *s.footprint);
   return words;
@@ -129,10 +130,15 @@ Bound bound_of_other(const Settings& s) {
     return hn::sums::Noise(D, {bounds.cell_error, 0.0, bounds.limit});
   };
   hn::sums::Noises noises;
-  noises.perlin[D] = flat(s.noise.empty() ? "perlin" : s.noise);
+  if (s.fractal == "curl_fbm") {
+    noises.curl[D] = flat("curl");
+    noises.curl_phase[D] = flat("curl_phase");
+  } else {
+    noises.perlin[D] = flat(s.noise.empty() ? "perlin" : s.noise);
+  }
   if (s.fractal == "perlin_worley") noises.cellular_d[D] = flat("cellular_d");
   const hn::Function& row = row_of_sum(s, D, false, false);
-  const double error = 2.0 * hn::sums::errors_of(row.id, words_of(s, row), noises)[0];
+  const double error = 2.0 * std::ranges::max(hn::sums::errors_of(row.id, words_of(s, row), noises));
   return [=](std::size_t, std::size_t) { return error; };
 }
 
@@ -242,7 +248,9 @@ TEST(FastBounds, RejectWhatIsWrong) {
   CellGrid<2> moved_cells = cells;
   moved_cells.f[0] += 0.001f;
   // A noise that jumps is the same in the whole cell.
-  const auto moves = [](const Settings& s) { return std::isfinite(hn::noise_bounds(s.noise, 2, kGradient).lipschitz); };
+  const auto moves = [](const Settings& s) {
+    return s.noise.empty() || std::isfinite(hn::noise_bounds(s.noise, 2, kGradient).lipschitz);
+  };
   const auto expect_rejected = [&](const Settings& s, const auto& where, const auto& moved_to, const Bound& bound) {
     const std::size_t points = places_of(where).size();
     const std::vector<float> right = planes_of(function<2>(s), places_of(where));

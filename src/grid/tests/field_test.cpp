@@ -414,7 +414,8 @@ void expect_errors_of_settings() {
     }
   }
   for (const Settings& subject : twin::sum_subjects(D)) {
-    for (const auto& [setting, value] : Given{{"phase", 0.25}, {"jitter", 0.5}, {"metric", 3}}) {
+    expect(subject, {{"phase", 0.25}}, grid::sum_row(subject.fractal).has_phase);
+    for (const auto& [setting, value] : Given{{"jitter", 0.5}, {"metric", 3}}) {
       expect(subject, {{setting, value}}, false);
     }
     expect(subject, wave, false, "has no wave; phasor has one in 2D and 3D");

@@ -204,6 +204,7 @@ TEST(Golden, Values) {
     for (const std::string& sum : sums(dimensions)) {
       const std::string noise = noise_below(sum);
       expected.insert(sum + " " + noise + d);
+      if (grid::sum_row(sum).has_phase) expected.insert(sum + " " + noise + d + " phase");
       if (sum == "fbm") expected.insert({sum + " " + noise + d + " detail", sum + " " + noise + d + " footprint"});
     }
   }

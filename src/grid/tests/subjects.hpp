@@ -93,6 +93,9 @@ inline std::vector<Settings> sum_subjects(int dimensions) {
       settings.noise = noise;
       settings.fractal = sum;
       subjects.push_back(settings);
+      if (!grid::sum_row(sum).has_phase) continue;
+      settings.phase = 0.0f;
+      subjects.push_back(settings);
     }
   }
   return subjects;
