@@ -43,7 +43,8 @@ All functions have these options:
 Fractals (fbm and the others that fractals() names) also have these:
 
     noise            the noise of the sum: the name of one that returns a number for a point; of fbm_d and eroded one
-                     with its slopes, and of the warps one with a number for each axis. perlin_worley sums its own
+                     with its slopes, and of the warps one with a number for each axis. perlin_worley and curl_fbm sum
+                     their own
     octaves          how many, from 1 to 32; each costs one noise
     lacunarity       how much finer each octave is than the one before, usually 2. With a period it is a whole number
                      from 1 to 255; with a cell, and with arithmetic="fixed", from 0 to 255

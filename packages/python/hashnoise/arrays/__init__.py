@@ -161,8 +161,9 @@ def _sum(space, name, noise, place, floats, seed, settings):
     """A loop over the octaves, as docs/reference/fractals.md has it."""
     octaves, scales = settings.get("octaves", 6), [settings["lacunarity"], settings["gain"]]
     where, form = ([place], "_place") if place else (floats, "")
-    if name == "perlin_worley":
-        return space.call(name, *where, octaves, *scales, seed, form=form)
+    if name in ("perlin_worley", "curl_fbm"):
+        phase = [settings["phase"]] if "phase" in settings else []
+        return space.call(name, *where, *phase, octaves, *scales, seed, form=form + "_phase" * len(phase))
     step, strength = _STEPS.get(name, f"add_{name}"), [settings["strength"]] if "strength" in settings else []
     o = space.call("octaves_of", *where, octaves, *scales, seed, form=form)
     for option, passed in (("detail", []), ("footprint", [octaves])):

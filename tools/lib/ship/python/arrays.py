@@ -25,7 +25,7 @@ def forms(module: Module, dimensions: int) -> list[str]:
     noises = [form for place in places for form in (place, f"{place}_phase", f"{place}_jitter")
               if form in module.forms and f"{form}_jitter" not in module.forms]
     steps = re.compile(r"hn_(place_of|place_in_cell|tile|octaves_of|add[a-z_]*|next|mean|density|shifts_of|slopes_of|"
-                       rf"perlin_worley){dimensions}(_(place|detail|footprint|shifts|slopes))?")
+                       rf"perlin_worley|curl_fbm){dimensions}(_(place|detail|footprint|shifts|slopes))?(_phase)?")
     return noises + [form for form in module.forms if steps.fullmatch(form)]
 
 
