@@ -31,7 +31,7 @@ class Fixed(unittest.TestCase):
                     turning.add((file.function, file.axes))
         everything = {(name, axes) for axes in range(1, 5) for name in hashnoise.noises(axes) + hashnoise.fractals(axes)}
         self.assertEqual(tested, everything)
-        with_phase = ("perlin", "perlin_d", "simplex", "simplex_d", "cellular", "phasor")
+        with_phase = ("perlin", "perlin_d", "simplex", "simplex_d", "cellular", "curl", "curl_fbm", "phasor")
         self.assertEqual(turning, {(name, axes) for name in with_phase for axes in (2, 3)})
 
     def test_instruction_sets(self):
