@@ -342,8 +342,8 @@ constexpr LibraryFault kFaults[] = {
     {"noise2d.simplex_d_phase.lattice.fast.fragment.gl330.half_turn", "detail/sine.glsl",
      "hn_uint q = angle & 0x7FFFFFFFu;", "hn_uint q = (angle + (angle >> 10u)) & 0x7FFFFFFFu;"},
     {"curl.curl3_phase.lattice.fast.fragment.gl330.half_turn", "curl_phase3d.glsl", "angle << 1u", "angle"},
-    {"curl.curl_fbm2_phase.lattice.fixed.fragment.gl330.half_turn", "curl_fbm2d.glsl",
-     "hn_i_new_curl_rotation2(phase)", "hn_i_new_curl_rotation2(phase * phase)"},
+    {"curl.curl_fbm2_phase.lattice.fixed.fragment.gl330.half_turn", "curl_fbm2d.glsl", "hn_i_new_curl_rotation2(phase)",
+     "hn_i_new_curl_rotation2(phase * phase)"},
     // Another noise at phase zero.
     {"curl.curl3_phase_cell.lattice.fixed.fragment.gl330.phase_zero", "curl_phase3d.glsl", kMacro,
      "hn_curl(c, t, args) (1.01 * hn_curl(c, t, args))"},

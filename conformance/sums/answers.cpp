@@ -36,7 +36,7 @@ extern "C" const char* answer(const char* row, const double* arguments, [[maybe_
   const auto axes = static_cast<std::size_t>(n[0]);
   Noises of;
   of.perlin[axes] = of.perlin_d[axes] = of.value_vector[axes] = of.cellular_d[axes] = of.curl[axes] =
-      of.curl_phase[axes] =      Noise(static_cast<int>(axes), {n[1], n[2], n[3]}, {n[4], n[5], n[6]});
+      of.curl_phase[axes] = Noise(static_cast<int>(axes), {n[1], n[2], n[3]}, {n[4], n[5], n[6]});
 #endif
   std::array<Uint, 16> words;
   for (std::size_t i = 0; i < words.size(); ++i) words[i] = argument_of(arguments + 3 * i);

@@ -112,8 +112,7 @@ HN_FN hn_vec3 hn_curl_fbm(hn_place3 place, hn_float phase, hn_int octaves, hn_fl
                           hn_uint seed) {
   return hn_i_curl_fbm(hn_octaves(place, octaves, lacunarity, gain, seed), phase);
 }
-HN_FN hn_vec3 hn_curl_fbm(hn_vec3 p, hn_float phase, hn_int octaves, hn_float lacunarity, hn_float gain,
-                          hn_uint seed) {
+HN_FN hn_vec3 hn_curl_fbm(hn_vec3 p, hn_float phase, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_curl_fbm(hn_octaves(p, octaves, lacunarity, gain, seed), phase);
 }
 

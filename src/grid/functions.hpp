@@ -75,7 +75,7 @@ constexpr NoiseId noise_or_none(std::string_view name) { return name == "none" ?
 constexpr std::array<SumRow, kNamedSums> kSumRows = {{
 // "none" is the strength of a sum without one.
 #define HN_CATALOG_SUM(Id, name, first, last, shape, of, noise, strength, usual, most, bounds, least, greatest, \
-                       has_phase) \
+                       has_phase)                                                                               \
   {#name,                                                                                                       \
    first,                                                                                                       \
    last,                                                                                                        \

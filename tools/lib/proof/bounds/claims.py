@@ -71,7 +71,7 @@ OTHER_SUMS: dict[str, Range] = {"fbm_d": (-1, 1), "eroded": (-1, 1), "warp": "am
 
 
 def range_of_flows() -> Range:
-    """Of a component: no more than the length of the longest velocity, in space and with a phase."""
+    """A component is no more than the length of the longest velocity, in space and with a phase."""
     most = float(shortest(math.sqrt(3) * bounds_of("curl_phase", 3, "none").fixed_limit, 3))
     return -most, most
 

@@ -19,7 +19,7 @@ from translate.wgsl.wgpu_program import GROUP
 FUNCTION = "hn_curl_fbm3_phase"
 PARTICLES, STEPS = 100, 1000
 STEP = 2.0**-6  # of the time
-# Of a particle by its number, and of the flow by the number of the step: all are exact.
+# A particle starts by its number, and the flow changes with the number of the step. All of these numbers are exact.
 START = ("{i} * 0.25", "2.5 - {i} * 0.125", "{i} * 0.0625")
 SETTINGS = "{step} * 0.0009765625, 3, 2.0, 0.5, 7"
 
