@@ -10,7 +10,7 @@ export const kCatalog = {
     cellular_three: { dimensions: [2, 3], jitter: true, metric: true, about: "Cellular noise: distances to the three nearest points, Worley's F1, F2 and F3." },
     cellular_smooth: { dimensions: [2, 3], jitter: true, range: [-0.1937, 0.875], about: "Cellular noise with rounded valleys: it has no creases between cells." },
     cell_border: { dimensions: [2, 3], jitter: true, range: [0, 0.844], about: "The distance to the border of the cell of the nearest feature point: cracks and tiles." },
-    curl: { dimensions: [2, 3], phase: true, about: "Curl noise: velocities of a flow without divergence, which neither gathers nor spreads what it carries." },
+    curl: { dimensions: [2, 3], about: "Curl noise: velocities of a flow without divergence, which neither gathers nor spreads what it carries." },
     random: { dimensions: [1, 2, 3, 4], range: [0, 1], about: "A random number for each cell: white noise." },
   },
   sums: {

@@ -215,8 +215,9 @@ def shown(function: Function) -> str:
 
 
 def may_draw(noise: Noise, option: str) -> bool:
-    """Noise with points that go round is left out: at a phase of 0 it is not the noise without one."""
-    return option != "phase" or "jitter" not in noise.options
+    """Noise with points that go round is left out: at a phase of 0 it is not the noise without one. So are
+    vectors: the page draws a component without a phase."""
+    return option != "phase" or ("jitter" not in noise.options and noise.shape != "vector")
 
 
 def playground(catalog: Catalog) -> str:
