@@ -7,6 +7,11 @@
 #include "curl3d.glsl"
 #include "simplex_phase3d.glsl"
 
+// The rotation by an angle in units of 2^-32 turns, as of hn_i_rotation3.
+HN_FN hn_i_num2 hn_i_rotation3_by(hn_uint angle) {
+  return hn_i_to_sixths(hn_i_rotation(hn_i_wave(angle + 0x40000000u, 0u), hn_i_wave(angle, 0u)));
+}
+
 // The rotations of a phase, which all octaves of a sum share: of the first noise, and then of the second, whose phase
 // runs twice as fast. With the same phase in both their product would be the same after half a turn, and half of the
 // flow would stand still.

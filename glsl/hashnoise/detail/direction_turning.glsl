@@ -16,7 +16,6 @@
 //   hn_i_rotation(phase)       the weights on the plane: the cosine and the sine of a phase in turns; in HN_FIXED in
 //                              units of 2^-18
 //   hn_i_rotation3(phase)      the weights in space
-//   hn_i_rotation_by(angle), hn_i_rotation3_by(angle)  these weights, from an angle in units of 2^-32 turns
 //   hn_i_mixed(r, a, b)        r.x a + r.y b; also of three and four at once
 
 #if HN_ARITHMETIC != HN_FIXED
@@ -44,15 +43,14 @@ HN_FN hn_int hn_i_mixed(hn_ivec2 r, hn_int a, hn_int b) { return hn_i_part(a, r.
 
 #endif
 
-HN_FN hn_i_num2 hn_i_rotation_by(hn_uint angle) {
+HN_FN hn_i_num2 hn_i_rotation(hn_float phase) {
+  hn_uint angle = hn_i_angle(phase);
   return hn_i_rotation(hn_i_wave(angle + 0x40000000u, 0u), hn_i_wave(angle, 0u));
 }
-HN_FN hn_i_num2 hn_i_rotation(hn_float phase) { return hn_i_rotation_by(hn_i_angle(phase)); }
 
 // After the angle a gradient is cos g + sin (2 e - g) / sqrt(3), since e is cos(60 degrees) g and sin(60 degrees) times
 // what is perpendicular to it.
-HN_FN hn_i_num2 hn_i_rotation3_by(hn_uint angle) { return hn_i_to_sixths(hn_i_rotation_by(angle)); }
-HN_FN hn_i_num2 hn_i_rotation3(hn_float phase) { return hn_i_rotation3_by(hn_i_angle(phase)); }
+HN_FN hn_i_num2 hn_i_rotation3(hn_float phase) { return hn_i_to_sixths(hn_i_rotation(phase)); }
 
 HN_FN hn_i_num3 hn_i_mixed(hn_i_num2 r, hn_i_num3 a, hn_i_num3 b) {
   return hn_i_vector(hn_i_mixed(r, a.x, b.x), hn_i_mixed(r, a.y, b.y), hn_i_mixed(r, a.z, b.z));
