@@ -192,6 +192,7 @@ class Vectors(unittest.TestCase):
     def test_every_noise_has_some_or_a_test_of_its_own(self) -> None:
         found = {name for vectors in VECTORS.values() for name in vectors}
         found |= {f"{name}_vector" for name in ("perlin", "value")}  # components_test.py has what they are of those
-        found |= {"curl_phase", "phasor_d", "cellular_phase", "hex_tiling"}  # in curl_test.py, phasor_test.py and so on
+        found |= {"phasor_bandwidth", "phasor_d", "phasor_d_bandwidth"}  # in phasor_test.py
+        found |= {"curl_phase", "cellular_phase", "hex_tiling"}  # in curl_test.py and so on
         of_their_own = {path.stem.removesuffix("_test") for path in Path(noises.__file__).parent.glob("*_test.py")}
         self.assertLessEqual({*noises.names()}, found | of_their_own)

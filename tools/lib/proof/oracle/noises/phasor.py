@@ -133,4 +133,4 @@ def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tup
     return tuple(ramps.scaled(signed(total), kernel.scale) for total in summed(weighted, part))
 
 
-NOISES = (rotating(Noise("", exact, fixed, OUTPUTS, UNITS), "phasor"),)
+NOISES = tuple(rotating(Noise("", exact, fixed, OUTPUTS, UNITS), name) for name in ("phasor", "phasor_bandwidth"))

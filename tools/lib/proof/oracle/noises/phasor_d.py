@@ -84,4 +84,4 @@ def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tup
     return tuple(found)
 
 
-NOISES = (rotating(Noise("", exact, fixed, OUTPUTS, UNITS), "phasor_d"),)
+NOISES = tuple(rotating(Noise("", exact, fixed, OUTPUTS, UNITS), name) for name in ("phasor_d", "phasor_d_bandwidth"))
