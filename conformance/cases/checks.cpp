@@ -80,6 +80,7 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "With a footprint of 0, and up to half a cell of the last octave, `hn_fbm` is that without one; `precise` as "
      "`fast`."},
     {"zero_strength", "With a strength of 0, or below, `hn_eroded` is `hn_fbm`; `precise` as `fast`."},
+    {"zero_bandwidth", "With a bandwidth of 0, or below, `hn_phasor` is that without one."},
     {"constant_period",
      "4,096 points have the same values when the periods are constants of the shader, within twice the tolerance for "
      "`fast`."},

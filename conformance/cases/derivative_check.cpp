@@ -64,11 +64,13 @@ Stencil difference_to_both_sides(const Place& place, double third, double value_
   return {{moved(place, -step), moved(place, step)}, {-0.5 / step, 0.5 / step}, third * step * step / 6.0};
 }
 
-// Along an axis.
+// Along an axis. With a bandwidth a point may have so many more waves.
 double third_derivative(const Function& function, std::span<const std::uint32_t> inputs, std::size_t axis) {
   if (!function.takes_wave()) return simplex_third_derivative(function.axes);
   const std::size_t word = static_cast<std::size_t>(function.input("kx")) + axis;
-  return phasor_third_derivative(function.axes, number_of(inputs[word]));
+  const int bandwidth = function.input("bandwidth");
+  const double more = bandwidth < 0 ? 0.0 : std::max(number_of(inputs[static_cast<std::size_t>(bandwidth)]), 0.0);
+  return phasor_third_derivative(function.axes, std::fabs(number_of(inputs[word])) + more);
 }
 
 // The third derivative of a distance r along an axis is 3 (1 - c^2) c / r^2 at most, where c is the cosine of the angle

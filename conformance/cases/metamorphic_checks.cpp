@@ -123,6 +123,9 @@ std::vector<Relation> relations_of(const Evaluation& evaluation, const Target& t
     add("phase_zero", phase_zero_pairing, without(function, "phase"));
   }
   const bool comes_with_value = function.is_noise() || function.is_octave_sum();
+  if (function.bound == "phasor_bandwidth" && has_without(function, "bandwidth")) {
+    add("zero_bandwidth", zero_bandwidth_pairing, without(function, "bandwidth"));
+  }
   if (function.bound == "eroded") add("zero_strength", zero_strength_pairing, find_function(function.plain));
   if (comes_with_value && has_value_with_derivative(function)) {
     add("derivative_value", derivative_value_pairing, find_function(function.plain));

@@ -157,8 +157,8 @@ TEST(Extent, EveryVariantMeetsEveryFamilyAndArithmetic) {
 
 TEST(Extent, EveryRelationMeetsEveryNoiseAndSum) {
   static const std::set<std::string_view> kRelations = {
-      "wrapped",    "from_cell", "whole_detail", "small_footprint", "phase_zero", "zero_strength", "derivative_value",
-      "derivative", "period",    "loop",         "half_turn"};
+      "wrapped",        "from_cell",        "whole_detail", "small_footprint", "phase_zero", "zero_strength",
+      "zero_bandwidth", "derivative_value", "derivative",   "period",          "loop",       "half_turn"};
   expect_same([](const Case& test) {
     const Evaluation* const evaluation = test.evaluation();
     if (!evaluation || !kRelations.contains(test.name.check)) return std::string();

@@ -455,16 +455,31 @@ Pairing small_footprint_pairing(const Evaluation& evaluation, std::uint64_t seed
                       has_exact_values(function, evaluation.configuration));
 }
 
-// Every octave is divided by 1 then, and a number below 0 counts as 0. With floats a division by 1 may round.
-Pairing zero_strength_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
+namespace {
+
+// The pairing with a function that is the same where this setting is 0 or below.
+Pairing zero_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points, std::string_view setting,
+                     const Function& with, bool exact) {
   const Function& function = evaluation.function;
-  Random random(seed, "zero strength");
+  Random random(seed, fmt::format("zero {}", setting));
   Words inputs = random_points(function, points, random);
   for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
-    put_float(function, std::span(inputs).subspan(i, kInputWords), "strength", random.below(4) == 0 ? -1.0f : 0.0f);
+    put_float(function, std::span(inputs).subspan(i, kInputWords), setting, random.below(4) == 0 ? -1.0f : 0.0f);
   }
-  return pairing_with(evaluation, find_function(function.plain), std::move(inputs),
-                      has_exact_values(function, evaluation.configuration));
+  return pairing_with(evaluation, with, std::move(inputs), exact);
+}
+
+}  // namespace
+
+// Every octave is divided by 1 then. With floats a division by 1 may round.
+Pairing zero_strength_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
+  return zero_pairing(evaluation, seed, points, "strength", find_function(evaluation.function.plain),
+                      has_exact_values(evaluation.function, evaluation.configuration));
+}
+
+Pairing zero_bandwidth_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
+  return zero_pairing(evaluation, seed, points, "bandwidth", without(evaluation.function, "bandwidth"),
+                      has_same_bits(evaluation.function, evaluation.configuration));
 }
 
 Pairing derivative_value_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {

@@ -64,6 +64,8 @@ Pairing whole_detail_pairing(const Evaluation& evaluation, std::uint64_t seed, s
 Pairing small_footprint_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 // For sums that slopes wear down: with a strength of 0, against the sum without slopes.
 Pairing zero_strength_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
+// With a bandwidth of 0, against the noise without one.
+Pairing zero_bandwidth_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 // The value that comes with a derivative, against the noise or the sum without one.
 Pairing derivative_value_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 

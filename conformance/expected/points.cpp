@@ -304,6 +304,7 @@ class Drawer {
     if (name == "amplitude") return is_extreme_setting() ? extreme() : amplitude();
     if (name == "depth") return is_extreme_setting() ? extreme() : depth();
     if (name == "phase") return phase();
+    if (name == "bandwidth") return one_in(8) ? wave() : std::fabs(wave());
     if (name == "jitter") return jitter();
     if (name == "ex" || name == "ey") return slope();
     if (name.starts_with("k")) return wave();

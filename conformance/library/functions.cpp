@@ -79,7 +79,9 @@ bool Function::is_further() const {
                     Family::cellular, Family::extended_cellular, Family::utility, Family::distribution});
 }
 
-bool Function::is_derived() const { return bound.ends_with("_d") || bound.ends_with("_d_phase"); }
+bool Function::is_derived() const {
+  return bound.ends_with("_d") || bound.ends_with("_d_phase") || bound.ends_with("_d_bandwidth");
+}
 
 bool Function::is_costly() const {
   return is_octave_sum() || is_flow() || (is_noise() && (has_slopes() || axes == 4)) ||

@@ -158,7 +158,7 @@ TEST(Suite, EveryCaseOfEs300IsInItOrHasAReason) {
                                             "period",          "wrapped",       "constant_period",   "derivative_value",
                                             "defined",         "as_fragment",   "undefined",         "loop",
                                             "half_turn",       "phase_zero",    "from_cell",         "whole_detail",
-                                            "small_footprint", "zero_strength"};
+                                            "small_footprint", "zero_strength", "zero_bandwidth"};
   std::size_t supported = 0;
   for (const Case& test : product()) {
     const std::string reason = unsupported_in_browser(test);

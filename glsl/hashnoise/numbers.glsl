@@ -15,8 +15,7 @@
 #ifndef HN_NUMBERS_GLSL
 #define HN_NUMBERS_GLSL
 
-#include "detail/sine.glsl"
-#include "detail/square_root.glsl"
+#include "detail/sphere.glsl"
 #include "hash.glsl"
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -91,18 +90,7 @@ HN_FN hn_float hn_gaussian(hn_uint h) {
 
 HN_FN hn_float hn_i_component(hn_int n) { return hn_i_float(n) * (1.0f / 65536.0f); }
 
-// The direction of an angle of h turns.
-HN_FN hn_ivec2 hn_i_on_circle(hn_uint h) { return ivec2(hn_i_whole_wave(h + 0x40000000u, 0u), hn_i_whole_wave(h, 0u)); }
-
-// Each strip of a sphere between two heights has an area that follows from the difference of the heights alone, so the
-// height is uniform. It is odd, so the square of the radius there is at least 1.
-HN_FN hn_ivec3 hn_i_on_sphere(hn_uint h) {
-  hn_ivec2 direction = hn_i_on_circle(h);
-  hn_int z = int((hn_rehash(h, 1u) >> 16u) << 1u) - 65535;
-  hn_uint square = 0u - uint(z) * uint(z);  // 2^32 less the square of the height
-  hn_int radius = int(hn_i_root(square >> 4u) >> 3u);
-  return ivec3((direction.x * radius) >> 15, (direction.y * radius) >> 15, z);
-}
+HN_FN hn_ivec3 hn_i_on_sphere(hn_uint h) { return hn_i_on_sphere(h, hn_rehash(h, 1u)); }
 
 // A uniform number of 15 bits, from the k-th hash. The larger of two is distributed as the root of one, and the largest
 // of three as its cube root: as the distances from the middle are in a disk and in a ball.

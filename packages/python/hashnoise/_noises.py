@@ -214,19 +214,21 @@ source   Perlin, "Improving noise", 2002; docs/reference/contract.md, section 22
 array([-0.593482  , -0.14647579], dtype=float32)
 """)
 
-phasor = _noise("phasor", 2, 3, wave=None, phase=None, doc="""\
+phasor = _noise("phasor", 2, 3, wave=None, bandwidth=None, phase=None, doc="""\
 Phasor noise, in 2D and 3D: stripes across a direction and with a wavelength of your choice.
 
 The angle of both numbers, atan2(quadrature, value), grows across the stripes, so any profile can be made of it; the
 length of both is how well the stripes agree. Experimental: a later version may return other values.
 
-wave     the direction across the stripes, times the number of waves per cell: from -16 to 16 for each axis, usually 2
-         to 8 in all; 3 waves along x if it is left out
-phase    in turns: the stripes move along the wave as the phase falls, and loop after one turn
-returns  planes: the value and its quadrature, the value a quarter of a turn of the phase earlier, each in [-1, 1], mean
-         0, twice continuously differentiable
-source   Tricard et al., "Procedural phasor noise", 2019; Lagae et al., "Procedural noise using sparse Gabor
-         convolution", 2009; docs/reference/contract.md, section 23
+wave       the direction across the stripes, times the number of waves per cell: from -16 to 16 for each axis, usually 2
+           to 8 in all; 3 waves along x if it is left out
+bandwidth  how far the wave of each lattice point is from that, in a direction of its own, in waves per cell: from 0 to
+           16. With the wave 0 the stripes have all directions, as isotropic Gabor noise
+phase      in turns: the stripes move along the wave as the phase falls, and loop after one turn
+returns    planes: the value and its quadrature, the value a quarter of a turn of the phase earlier, each in [-1, 1],
+           mean 0, twice continuously differentiable
+source     Tricard et al., "Procedural phasor noise", 2019; Lagae et al., "Procedural noise using sparse Gabor
+           convolution", 2009; docs/reference/contract.md, section 23
 
 >>> hashnoise.phasor(0.5, 0.25, seed=7, arithmetic="fixed")
 array([-0.18757296, -0.56310844], dtype=float32)

@@ -237,7 +237,7 @@ def _noise(name: str, keys: Any) -> Noise:
             raise CatalogError(f"{entry.where}: the ranges of {component} have to be one for each dimension")
         ranges[component] = tuple(entry.pair(component, pair) if pair else None for pair in by_dimension)
     noise = Noise(**common, small=entry.take("small", bool, False), jumps=entry.take("jumps", bool, False), ranges=ranges)
-    if unknown := noise.options.keys() - {"wave", "phase", "jitter", "metric"}:
+    if unknown := noise.options.keys() - {"wave", "bandwidth", "phase", "jitter", "metric"}:
         raise CatalogError(f"{entry.where}: a noise has no option {min(unknown)}")
     entry.end()
     return noise

@@ -34,7 +34,8 @@ def settings(sum_: Sum) -> str:
 
 def parameters(noise: Noise) -> str:
     """The parameters of the form with the fewest. A noise with a wave has no form without all others."""
-    return ", ".join(["p", *noise.options, "seed"] if "wave" in noise.options else ["p [, seed]"])
+    needed = [option for option in noise.options if option != "bandwidth"]
+    return ", ".join(["p", *needed, "seed"] if "wave" in noise.options else ["p [, seed]"])
 
 
 def parameters_of(sum_: Sum) -> str:

@@ -40,7 +40,8 @@ GRID = ("name: _Name, size: _Wholes, *, step: _Numbers, origin: _Numbers = 0.0, 
         "first: _Wholes = 0, seed: _Whole = 0, noise: _Noise | None = None, octaves: _Whole | None = None, "
         "lacunarity: _Number | None = None, gain: _Number | None = None, strength: _Number | None = None, "
         "amplitude: _Number | None = None, detail: _Number | None = None, footprint: _Number | None = None, "
-        "period: _Wholes | None = None, wave: _Vector | None = None, phase: _Number | None = None, "
+        "period: _Wholes | None = None, wave: _Vector | None = None, bandwidth: _Number | None = None, "
+        "phase: _Number | None = None, "
         'jitter: _Number | None = None, metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", '
         "dtype: {dtype}, range: _Vector | None = None, out: {out}, return_range: {return_range}, "
         "threads: _Whole | None = None, instruction_set: str | None = None")
@@ -87,6 +88,7 @@ class _Option:
 _POINTS = _Option("points", "None", "npt.ArrayLike")  # in a stub it has overloads of its own
 _PERIOD = _Option("period", "None", "_Wholes | None")
 _WAVE = _Option("wave", "None", "_Vector | None")
+_BANDWIDTH = _Option("bandwidth", "None", "_Number | None")
 _PHASE = _Option("phase", "None", "_Number | None")
 _SUM_IN_DETAIL = (_Option("detail", "None", "_Number | None"), _Option("footprint", "None", "_Number | None"))
 _CELL = _Option("cell", "None", "_Cells | None", "_Whole | Sequence[_Whole] | None")
@@ -110,7 +112,7 @@ def _own_options(function: Function, catalog: Catalog) -> Iterable[_Option]:
     """Options that not all functions have."""
     if isinstance(function, Sum):
         return _of_sum(function, catalog)
-    known = (_WAVE, _PHASE, _setting("jitter", catalog), _Option("metric", f'"{catalog.metrics[0]}"', "_Metric"))
+    known = (_WAVE, _BANDWIDTH, _PHASE, _setting("jitter", catalog), _Option("metric", f'"{catalog.metrics[0]}"', "_Metric"))
     return (option for option in known if option.name in function.options)
 
 

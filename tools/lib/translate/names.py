@@ -8,7 +8,7 @@ A public function has its name in GLSL, and behind it:
   _phase      if it takes a phase, which it need not: hn_phasor and hn_cellular_phase always do
   _jitter     if it takes a jitter and no phase: of all the settings of cellular noise, there are forms without
   _nearest    as _jitter, if it also sets the nearest point
-  _detail, _footprint    if it takes that
+  _detail, _footprint, _bandwidth    if it takes that
 
 So hn_perlin(hn_place2 place, uint seed) is hn_perlin2_place. Functions of words or distributions that are not overloaded
 keep their names: hn_hash_pcg, hn_unorm, hn_gradient2, hn_shuffle. So do the hashes of several words that have a name, such
@@ -124,5 +124,5 @@ def _public(function: Function) -> str:
         parts.append("nearest")
     elif "jitter" in takes and "phase" not in takes:
         parts.append("jitter")
-    parts += [word for word in ("detail", "footprint") if word in takes]
+    parts += [word for word in ("detail", "footprint", "bandwidth") if word in takes]
     return "_".join(parts)

@@ -21,6 +21,7 @@ NOISES = ("gradient_noise", "lattice_noise", "extended_gradient_noise", "octahed
           "simplex_noise", "cellular", "extended_cellular")
 TYPES = ("u32", "i32", "f32", "f64")
 STRENGTHS = ("strength", "amplitude")
+BANDWIDTH = "_bandwidth"  # ends the bound of a noise in the forms that take one
 SPREADS = ("spread", "spread_value", "spread_sum")  # forms without a seed
 
 
@@ -78,7 +79,7 @@ PARTS = {
     **{name: (Part(name, "i32", usual=usual),) for name, usual in {
         "metric": "HN_METRIC_EUCLIDEAN", "octaves": "6", "spread": "floatBitsToInt(p.x)"}.items()},
     **{name: (Part(name, "f32", usual=usual),) for name, usual in {
-        **dict.fromkeys(("phase", "radius", "noise"), "p.x"), "jitter": "1.0", "detail": "5.5", "footprint": "0.015625",
+        **dict.fromkeys(("phase", "radius", "noise"), "p.x"), "jitter": "1.0", "bandwidth": "1.0", "detail": "5.5", "footprint": "0.015625",
         "lacunarity": "2.0", "gain": "0.5", "strength": "", "amplitude": "", "depth": ""}.items()},
 }
 PARTS["place_of_units"] = PARTS["units"]
@@ -228,7 +229,8 @@ class Function:
     def component(self) -> int | None:
         """Which component of a vector it has with its derivatives: as 1 for noise2d.value_vector_d_y. The noise of such
         a function is a component's."""
-        of_a_vector = self.returns.startswith("hn_derivatives") and self.calls != f"hn_{self.bound}"
+        own = self.bound.removesuffix(BANDWIDTH)
+        of_a_vector = self.returns.startswith("hn_derivatives") and self.calls != f"hn_{own}"
         return "xyz".index(self.members[0][-1]) if of_a_vector else None
 
     # --- The function of the library ---

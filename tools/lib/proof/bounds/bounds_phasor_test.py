@@ -13,7 +13,7 @@ from proof.bounds.boxes import Boxes
 from proof.bounds.floats import Approx
 from proof.bounds.kernels import Offsets
 from proof.bounds.noises import phasor, phasor_d
-from proof.bounds.noises.phasor import KERNELS, WAVES
+from proof.bounds.noises.phasor import KERNELS, OWN, WAVES
 from proof.bounds.rounded import FIXED, NEAREST, Body, Text, roundings
 from proof.bounds.sine import fixed_sines
 from proof.bounds.table import bounds_of
@@ -29,10 +29,11 @@ def weight(t):
 class Exact(unittest.TestCase):
     def test_scales_leave_little_room(self):
         for dims, kernel in KERNELS.items():
-            self.assertTrue(0.9985 < phasor.length(dims) < 1)
+            for derive in (phasor.derive, phasor.derive_own):
+                self.assertTrue(0.9985 < phasor.length(derive(dims, None)) < 1)
             self.assertGreater(phasor.range_of(kernel) * (kernel.scale + 1) / kernel.scale, 1)
-            self.assertEqual((bounds_of("phasor", dims, "none").limit, bounds_of("phasor", dims, "none").fixed_limit),
-                             (1, 1))
+            for noise in ("phasor", "phasor_bandwidth"):
+                self.assertEqual((bounds_of(noise, dims, "none").limit, bounds_of(noise, dims, "none").fixed_limit), (1, 1))
 
     def test_range_is_reached(self):
         """In the middle of two lattice points, where all waves may agree. Derivatives along an axis reach theirs there,
@@ -115,6 +116,27 @@ def text(*macros):
         f"return uvec4({made.format(step)}, 0u, 0u, 0u);")) for name, step in steps.items()})
 
 
+class OwnWaves(unittest.TestCase):
+    """The component of the wave of a point, of the wave, the bandwidth and the direction."""
+
+    def test_floats_and_integers(self):
+        rng, own = np.random.default_rng(14), OWN[2]
+        k, b = rng.uniform(-18, 18, 20_000).astype(np.float32), rng.uniform(-1, 18, 20_000).astype(np.float32)
+        u = rng.integers(-2**16, 2**16 + 1, 20_000)
+        exactly = np.clip(np.clip(k.astype(float), -16, 16) + np.clip(b.astype(float), 0, 16) * u / 2**16, -16, 16)
+        steps = {"wave": "hn_i_own_wave(hn_i_waves(float_of(a.x)), hn_i_bandwidth(float_of(a.y)), int(a.z))"}
+        for macros, kind, made, unit, bound, simulated in (
+                ((), "f32", "bits_of({})", 1.0, own.wave_error, roundings(14)),
+                ((FIXED,), "i32", "uint({})", 2.0**-16, own.wave_cut, (NEAREST,))):
+            text_ = Text([], *macros, **{name: Body.of("k:f32 b:f32 u:i32", f"n:{kind}", (
+                f"return uvec4({made.format(step)}, 0u, 0u, 0u);")) for name, step in steps.items()})
+            for rounding in simulated:
+                (found,) = text_.words("wave", rounding, k=k, b=b, u=u) if macros else text_("wave", rounding, k=k, b=b, u=u)
+                found = found.astype(np.uint32).view(np.int32) if macros else found.astype(float)
+                ratio = (abs(found * unit - exactly) / bound).max()
+                self.assertTrue(0.4 < ratio < 1, (macros, ratio))
+
+
 class Weights(unittest.TestCase):
     """The bounds of the steps from t to a weight and its fall: t is off, and steps round."""
     OFF = 2.0**-20  # by so much t is off: far more than in floats, and less than in integers
@@ -177,3 +199,4 @@ class Fixed(unittest.TestCase):
             self.assertLess(max(largest.values()), 2**31)
             high = abs(np.array([-2**29, 2**29]) >> 9) * (abs(turns).max() >> 9)
             self.assertTrue(0.99 < high.max() / largest["rotated"] <= 1)
+            self.assertLess(max(phasor_d.largest_own_intermediates(dims, None).values()), 2**31)

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from base.tree import ROOT
 from catalog.tables import glsl
+from catalog.tables.functions import BANDWIDTH
 from catalog.tables.markdown import table, with_section
 from proof.bounds import gullies, jacobians, noises, own, rotations, rounded, sine, smoothness, sums, uniform
 from proof.bounds.gradients import GRADIENTS, SINE, Gradient
@@ -26,6 +27,7 @@ SUMS = "docs/reference/fractals.md"
 Key = tuple[str, int, Gradient | None]  # a noise, the number of its dimensions, a kind of gradient
 Everything = dict[Key, ProvenBounds]
 PHASE = "_phase"  # ends the name of a noise with the forms that take one
+FORMS = {PHASE: "with a phase", BANDWIDTH: "with a bandwidth"}
 OF_A_NAME = ("cellular_phase",)  # with which the function's name ends, too
 NOISE_OF_SUMS = "perlin"  # unless the user names another
 
@@ -35,9 +37,9 @@ NOISE_OF_SUMS = "perlin"  # unless the user names another
 def name_of(key: Key) -> str:
     noise, dims, gradient = key
     position = f"vec{dims}" if dims > 1 else "float"
-    is_form = noise.endswith(PHASE) and noise not in OF_A_NAME
-    kind = "with a phase" if is_form else gradient and gradient.name
-    return f"`hn_{noise.removesuffix(PHASE) if is_form else noise}({position})`" + (f", {kind}" if kind else "")
+    form = next((form for form in FORMS if noise.endswith(form) and noise not in OF_A_NAME), "")
+    kind = FORMS.get(form) or (gradient and gradient.name)
+    return f"`hn_{noise.removesuffix(form)}({position})`" + (f", {kind}" if kind else "")
 
 
 def values_of(derived: Everything) -> Everything:
@@ -272,7 +274,9 @@ def takes_phase(function: glsl.Declaration) -> bool:
 
 
 def noise_of(function: glsl.Declaration) -> str:
-    return function.name.removeprefix("hn_") + PHASE * takes_phase(function)
+    name = function.name.removeprefix("hn_")
+    takes_bandwidth = f"{name}{BANDWIDTH}" in noises.names() and function.types.count("float") > 1
+    return name + BANDWIDTH * takes_bandwidth + PHASE * takes_phase(function)
 
 
 def of_function(function: glsl.Declaration, gradient: Gradient, derived: Everything) -> ProvenBounds:

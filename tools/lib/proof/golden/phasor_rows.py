@@ -1,4 +1,5 @@
-"""The waves of phasor noise, in rows of simplex noise with phases: none, along axes and diagonals, too long, any."""
+"""The waves and the bandwidths of phasor noise, in rows of simplex noise with phases: none, along axes and diagonals,
+too long, any."""
 
 from __future__ import annotations
 
@@ -15,6 +16,10 @@ EDGES = tuple(map(to_f32, (
 # Numbers that fixed arithmetic cuts to a multiple of 2^-16, on either side of 0.
 CUT = (2.0**-17, -2.0**-17, 2.0**-16, -2.0**-16, 2.0**-16 - 2.0**-40, -3 * 2.0**-17, 1 + 2.0**-17, -1 - 2.0**-17,
        1 - 2.0**-24, to_f32(0.1), -5 + 2.0**-18, 16 - 2.0**-20, -16 + 2.0**-20)
+
+# As far as they are no waves; also numbers with which a component of some points' waves goes beyond the limit.
+BANDWIDTHS = (*EDGES[:7], 2.0**-16 - 2.0**-40, 1 + 2.0**-17, 0.5, 1.0,
+              to_f32(math.sqrt(2)), 8.0, 16 - 2.0**-20, 16.0, 17.0, -1.0, to_f32(3e38))
 
 
 def wave(index: int, n: int, edges: Sequence[float], generator: Generator) -> tuple[float, ...]:
@@ -34,3 +39,13 @@ def wave(index: int, n: int, edges: Sequence[float], generator: Generator) -> tu
 def with_waves(rows: Sequence[Row], n: int, edges: Sequence[float], generator: Generator) -> list[Row]:
     """The rows of the form with a phase alone, with a wave before it."""
     return [(*row[:-2], *wave(index, n, edges, generator), *row[-2:]) for index, row in enumerate(rows)]
+
+
+def with_bandwidths(rows: Sequence[Row], generator: Generator) -> list[Row]:
+    """The rows of the form with a wave and a phase, with a bandwidth between them. Each kind of wave has each edge."""
+    def bandwidth(index: int) -> float:
+        if index % 2:
+            return BANDWIDTHS[index // 10 % len(BANDWIDTHS)]
+        return to_f32(generator.uniform(0, 16) / 4**(index % 3))
+
+    return [(*row[:-2], bandwidth(index), *row[-2:]) for index, row in enumerate(rows)]

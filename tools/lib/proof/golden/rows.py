@@ -278,7 +278,9 @@ def with_phases(rows: list[Row], function: Function, waves: Sequence[float], gen
     if not function.has_phase or function.family in cellular_rows.FAMILIES:
         return rows
     rows = simplex_rows.with_phases(rows, generator)
-    return phasor_rows.with_waves(rows, function.axes, waves, generator) if "wave" in function.takes else rows
+    if "wave" in function.takes:
+        rows = phasor_rows.with_waves(rows, function.axes, waves, generator)
+    return phasor_rows.with_bandwidths(rows, generator) if "bandwidth" in function.takes else rows
 
 
 def rows_of_fixed(function: Function, settings: Sequence[Configuration], generator: Generator) -> list[Row]:

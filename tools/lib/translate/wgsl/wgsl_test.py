@@ -13,7 +13,7 @@ from pathlib import Path
 
 from base.thorough import THOROUGH, some
 from base.tree import GLSL, TOOLS, glsl_files
-from catalog.tables.functions import Function, read_functions
+from catalog.tables.functions import BANDWIDTH, Function, read_functions
 from catalog.tables.glsl import declarations
 from translate.names import NOT_OVERLOADED
 from translate.parsing.tokens import Unknown
@@ -52,7 +52,8 @@ def name_by_row(function: Function, types: tuple[str, ...]) -> str:
     the place is."""
     of_parts = function.component is not None or function.name.endswith("_quadrature")
     if of_parts or function.form == "candidate" or function.bound == "hex_tiling":  # several rows of one function
-        return f"{function.calls}{function.axes}{'_place' * types[0].startswith('hn_place')}"
+        return (f"{function.calls}{function.axes}{'_place' * types[0].startswith('hn_place')}"
+                + BANDWIDTH * function.bound.endswith(BANDWIDTH))
     name = re.sub(r"_(?:cell|period)(?=_|$)", "", function.name)
     place = "_place" if function.has_place else ""
     name = name.replace("_full", "_jitter")
@@ -62,7 +63,7 @@ def name_by_row(function: Function, types: tuple[str, ...]) -> str:
         name = name.removesuffix("_value")
     if re.fullmatch(r"noise\dd", function.file):
         # The dimensions stand behind the noise. hn_cellular_phase is one by its name.
-        noise = function.bound if function.bound == "cellular_phase" else function.bound.removesuffix("_phase")
+        noise = function.bound if function.bound == "cellular_phase" else re.sub("_(phase|bandwidth)$", "", function.bound)
         return f"hn_{noise}{function.file[5]}{place}{name.removeprefix(noise)}"
     if function.file == "gradient":
         return f"hn_gradient_lattice{function.axes}"

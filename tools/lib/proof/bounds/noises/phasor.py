@@ -1,5 +1,5 @@
-"""Proofs for hn_phasor, from docs/reference/contract.md, section 23. One bound holds for the value and for
-the quadrature: each is the real part of
+"""Proofs for hn_phasor, without and with a bandwidth, from docs/reference/contract.md, section 23. One bound holds for
+the value and for the quadrature: each is the real part of
 
     S * sum of w(t) e(a)        e(a) = exp(2 pi i a) for the value, and -i times that for the quadrature
 
@@ -28,6 +28,10 @@ too. On the plane the skewed coordinate moves the place, for all points alike.
 FIXED, as in kernel_fixed.py. The wave is cut to a multiple of 2^-16 along each axis, which turns a point by up to that
 times its offset. The product along each axis rounds down by less than 2^-32 turns. Sines times 2^13 are exact.
 
+BANDWIDTH. The wave of a point is below 16 along each axis, too, so ranges and slopes are the same. With floats the
+product of the bandwidth and the direction, which is exact, is below 16, and so is the sum where it is not clamped: each
+rounds by less than 2^-20. With integers the wave, the bandwidth and the product are cut by less than 2^-16 each.
+
 NO OVERFLOW. K is at most 2^20. An offset is at most 1 step along an axis, and the contract's product takes the high and
 the low 10 bits in turn: the low ones are below 2^10, and the high ones are at most 2^10. The words on the way to a
 weight and to its fall are evaluated for every t.
@@ -37,7 +41,7 @@ from __future__ import annotations
 
 import functools
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -53,19 +57,22 @@ from proof.bounds.table import scientific, shortest
 from proof.bounds.weights import EVEN
 
 WAVES = 16  # per cell along an axis, at most
+WAVE_CUT, ANGLE_UNIT = 2.0**-16, 2.0**-32  # in waves per cell, and in turns
 
 
 @dataclass(frozen=True, eq=False)
 class Waves(Kernel):
     """With so many waves per cell along an axis at most, in place of gradients."""
     waves: float = WAVES
+    wave_error: float = 0.0  # of a component in floats
+    wave_cut: float = WAVE_CUT  # of a component in integers
 
     def float_ramp(self, own: list[Approx]) -> Approx:
         return Approx.within(1.0, wave_error(self, own))  # no sine is above 1
 
     def fixed_ramp(self, offsets: Offsets) -> tuple[float, np.ndarray]:
         """With the error of the cosine and the sine of a point."""
-        along = WAVE_CUT * offsets.size.sum(axis=0) / self.steps + self.dims * ANGLE_UNIT
+        along = self.wave_cut * offsets.size.sum(axis=0) / self.steps + self.dims * ANGLE_UNIT
         return 1.0, rotations.fixed_error() + TURN * along
 
     def along_x(self) -> float:
@@ -74,9 +81,9 @@ class Waves(Kernel):
 
 # The lattices and the distances are hn_simplex's.
 KERNELS = {2: Waves(2, 819 / 1024, 1, 762, 3, EVEN, triangles=True), 3: Waves(3, 1.0, 2, 674, 4, EVEN)}
+OWN = {dims: replace(kernel, wave_error=2 * 2.0**-20, wave_cut=3 * WAVE_CUT) for dims, kernel in KERNELS.items()}
 CASES = tuple((dims, None) for dims in KERNELS)
 TURN = 2 * math.pi
-WAVE_CUT, ANGLE_UNIT = 2.0**-16, 2.0**-32  # in waves per cell, and in turns
 RAMP_ONE = 2**29  # the unit of the factors of weights
 
 
@@ -134,7 +141,8 @@ def lipschitz_of(kernel: Waves) -> float:
 
 def angle_error(kernel: Waves, own: kernel_floats.Offsets):
     """The error of the waves along an offset, before they are cut off."""
-    along = kernel_floats.total(Approx.within(d.size(), d.err).scaled(float(kernel.waves)) for d in own)
+    wave = Approx.within(float(kernel.waves), kernel.wave_error)
+    along = kernel_floats.total(wave.times(Approx.within(d.size(), d.err)) for d in own)
     return TURN * along.err / kernel.steps
 
 
@@ -155,10 +163,13 @@ def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     return derived_value(KERNELS[dims])
 
 
-def length(dims: int) -> float:
+def derive_own(dims: int, _: Gradient | None) -> ProvenBounds:
+    return derived_value(OWN[dims])
+
+
+def length(proven: ProvenBounds) -> float:
     """How long value and quadrature can be, as computed in floats or in integers: both leave their range by their
     error, but for the cut of the place."""
-    proven = derive(dims, None)
     return proven.range + math.sqrt(2) * (max(proven.largest, proven.fixed_largest) - proven.range)
 
 
@@ -177,15 +188,17 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
     kernel, wave = KERNELS[dims], WAVES / WAVE_CUT
     largest_words()  # raises where one would not fit
     return {"wave times the high bits": wave * 2**10, "wave times the low bits": wave * (2**10 - 1),
+            "bandwidth times a direction": (wave / 2**10 + 1) * 2**16,
             **kernel_fixed.weighted_intermediates(kernel, fixed_sine_largest() * RAMP_ONE)}
 
 
 def quotes() -> list[tuple[str, str]]:
     below = listed([range_of(kernel) for kernel in KERNELS.values()])
-    long = [shortest(length(dims), 5) for dims in KERNELS]
+    long, own = ([shortest(length(of(dims, None)), 5) for dims in KERNELS] for of in (derive, derive_own))
     return [("docs/measured/accuracy.md", text) for text in (
-        f"`hn_phasor` stays below {below} in 2D and 3D", f"are at most {long[0]} long in 2D and {long[1]} in 3D",
+        f"`hn_phasor` stays below {below} in 2D and 3D", f"are at most {long[0]} long in 2D and {long[1]} in 3D, and with a bandwidth {own[0]} and {own[1]}",
         f"which costs {scientific(kernel_floats.moved(KERNELS[2], KERNELS[2].along_x))}")]
 
 
-PROOFS = {"phasor": Proof(CASES, derive, largest_intermediates, quotes=quotes)}
+PROOFS = {"phasor": Proof(CASES, derive, largest_intermediates, quotes=quotes),
+          "phasor_bandwidth": Proof(CASES, derive_own, largest_intermediates)}

@@ -28,6 +28,10 @@ FIXED. The fall is as in kernel_fixed.py, with a cosine, which is at most 1, in 
     VALUE    the error of z times 2 pi k_i
     LAST     the last sum is rounded to a multiple of 2^-16
 
+BANDWIDTH. In place of the value each of its terms is multiplied, in floats by k and their sum by 2 pi, in integers by T
+of the point. There the half of a term rounds down by up to 2^-29, the part of each is off as `part` is, and the sum is
+rounded to a multiple of 2^-14 before it is scaled.
+
 NO OVERFLOW. |z| is at most 2^21. The last sum is the derivative in units of 2^-24, which is less than 128. Its two
 terms are less than that each, too.
 """
@@ -48,7 +52,7 @@ from proof.bounds.gradients import Gradient
 from proof.bounds.integers import ONE, SLOPE_UNIT, UNIT, part_intermediate
 from proof.bounds.kernels import Jet, Offsets, dot, weight_jet
 from proof.bounds.noises import Proof, ProvenBounds, derived, phasor
-from proof.bounds.noises.phasor import KERNELS, RAMP_ONE, TURN, WAVE_CUT, Waves, scale_of
+from proof.bounds.noises.phasor import KERNELS, OWN, RAMP_ONE, TURN, WAVE_CUT, Waves, scale_of
 
 FINE, LAST = 2.0**-24, 2.0**-16  # the units of the terms of a derivative, and of the derivative
 
@@ -124,8 +128,8 @@ def slope_error(kernel: Waves, largest: float, lo, hi):
         values.append(cosine.times(kernel_floats.weighted(kernel, t)))
         for terms, d in zip(along, own):
             terms.append(falling(fall, cosine, d))
-    z = kernel_floats.added(kernel, values)
-    rotated = rotated_value(kernel, z)
+    rotated = rotated_terms(kernel, values) if kernel.wave_error else rotated_value(
+        kernel, kernel_floats.added(kernel, values))
     sums = [kernel_floats.added(kernel, terms) for terms in along]
     return largest_of(last_sum(a.exactly(kernel.steps), rotated, largest).err for a in sums)
 
@@ -137,6 +141,12 @@ def rotated_value(kernel: Waves, z: Approx) -> Approx:
     err = kernel.waves * (rate.hi * z.err + rate.err * (z.size() + z.err))
     err = err + 2.001 * ROUNDED * largest + TINY
     return Approx.within(kernel.waves * TURN * z.size(), err)
+
+
+def rotated_terms(kernel: Waves, values: list[Approx]) -> Approx:
+    """The same with a wave of each point, and so of each term."""
+    wave = Approx.within(float(kernel.waves), kernel.wave_error)
+    return kernel_floats.added(kernel, [wave.times(value) for value in values]).times(constant(TURN))
 
 
 def last_sum(a: Approx, b: Approx, largest: float) -> Approx:
@@ -179,14 +189,18 @@ def fixed_rotation_error(kernel: Waves) -> float:
     """How far T times a value of at most 1 is off, and the part of the contract from it."""
     turns = whole_turns(kernel)
     exactly = TURN * 2.0**-3 * np.arange(-(len(turns) // 2), len(turns) // 2 + 1)
-    off = abs(turns - exactly).max() * 2.0**-13 + TURN * WAVE_CUT
+    off = abs(turns - exactly).max() * 2.0**-13 + TURN * kernel.wave_cut
+    if kernel.wave_error:
+        of_part = kernel_fixed.part_rounding(abs(turns).max() / 2**18).item() * 2.0**-23
+        return off + scale_of(kernel) * kernel.visited * (of_part + TURN * kernel.waves * 2.0**-29)
     rounding = abs((turns >> 9) / 2).max() + abs(turns & 511).max()
     return off + rounding * FINE
 
 
 def fixed_parts(kernel: Waves, lipschitz: float) -> dict[str, float]:
-    scaling = (kernel.steps * kernel_fixed.scale_error(kernel, SLOPE_UNIT)
-               + TURN * kernel.waves * kernel_fixed.scale_error(kernel, UNIT))
+    of_value = (scale_of(kernel) * 2.0**-15 if kernel.wave_error else
+                TURN * kernel.waves * kernel_fixed.scale_error(kernel, UNIT))
+    scaling = kernel.steps * kernel_fixed.scale_error(kernel, SLOPE_UNIT) + of_value
     return {"cut": lipschitz / ONE, "points": scale_of(kernel) * fixed_rounding_effect(kernel), "scaling": scaling,
             "turn": fixed_rotation_error(kernel) + LAST / 2}
 
@@ -200,6 +214,10 @@ def derived_slope(kernel: Waves) -> ProvenBounds:
 
 def derive(dims: int, gradient: Gradient | None) -> ProvenBounds:
     return replace(phasor.derive(dims, gradient), slope=derived_slope(KERNELS[dims]))
+
+
+def derive_own(dims: int, gradient: Gradient | None) -> ProvenBounds:
+    return replace(phasor.derive_own(dims, gradient), slope=derived_slope(OWN[dims]))
 
 
 def largest_intermediates(dims: int, gradient: Gradient | None) -> dict[str, float]:
@@ -224,4 +242,14 @@ def sum_of_falls(kernel: Waves) -> float:
     return max(phasor.largest(kernel, axis, 0.0, 1) for axis in kernels.axes(kernel)) * 2**27
 
 
-PROOFS = {"phasor_d": Proof(phasor.CASES, derive, largest_intermediates)}
+def largest_own_intermediates(dims: int, gradient: Gradient | None) -> dict[str, float]:
+    kernel, turns = OWN[dims], whole_turns(OWN[dims])
+    rounding = kernel.visited * kernel_fixed.part_rounding(abs(turns).max() / 2**18).item()
+    of_terms = TURN * kernel.waves * phasor.range_of(kernel) / scale_of(kernel) * 2**23 + rounding
+    return largest_intermediates(dims, gradient) | {
+        "rotated term": part_intermediate(2.0**28, turns[[0, -1]]), "rotated terms": of_terms + 2**8,
+        "scaled terms": (of_terms / 2**9 + 1) * kernel.scale}
+
+
+PROOFS = {"phasor_d": Proof(phasor.CASES, derive, largest_intermediates),
+          "phasor_d_bandwidth": Proof(phasor.CASES, derive_own, largest_own_intermediates)}
