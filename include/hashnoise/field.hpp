@@ -102,6 +102,13 @@ struct Settings {
   std::optional<InstructionSet> instruction_set{};
 };
 
+// Settings since version 1.1.
+struct MoreSettings {
+  // In [0, 16], and 0 if it is left out: how far the wave of each lattice point is from `wave`, in waves per cell;
+  // phasor.
+  std::optional<float> bandwidth{};
+};
+
 // Runs task(0) to task(count - 1), in any order, and returns when all are done.
 using Executor = std::function<void(int count, const std::function<void(int)>& task)>;
 
@@ -119,6 +126,7 @@ class HN_I_OFFERED Field {
   // Throws std::invalid_argument, which names the wrong value and the right ones. It does so for all settings where
   // instruction_sets() is empty.
   explicit Field(const Settings& settings);
+  Field(const Settings& settings, const MoreSettings& more);
   ~Field();
   Field(Field&&) noexcept;
   Field& operator=(Field&&) noexcept;

@@ -47,9 +47,11 @@ Executor executor(int count, std::size_t points) {
   return threads(count);
 }
 
+struct AllSettings : Settings, MoreSettings {};
+
 template <int D>
 struct PythonField : Field<D> {
-  explicit PythonField(const Settings& all) : Field<D>(all), settings(all) {}
+  explicit PythonField(const AllSettings& all) : Field<D>(all, all), settings(all) {}
   Settings settings;
 };
 
@@ -110,7 +112,7 @@ void add_field(nb::module_& module) {
   using Floats = PerAxis<float, D>;
   using Numbers = PerAxis<int, D>;
   nb::class_<Own>(module, ("Field" + std::to_string(D)).c_str())
-      .def(nb::init<const Settings&>())
+      .def(nb::init<const AllSettings&>())
       .def_prop_ro("component_names", &Own::components)
       .def_prop_ro("instruction_set", [](const Own& field) { return name(field.instruction_set()); })
       .def_prop_ro("ranges", &ranges<D>)
@@ -144,30 +146,31 @@ std::vector<std::string_view> names_of_instruction_sets() {
 NB_MODULE(_core, module) {
   using hashnoise::Arithmetic;
   using hashnoise::Metric;
-  using hashnoise::Settings;
   namespace python = hashnoise::python;
+  using python::AllSettings;
 
-  nb::class_<Settings>(module, "Settings")
+  nb::class_<AllSettings>(module, "Settings")
       .def(nb::init<>())
-      .def_rw("noise", &Settings::noise)
-      .def_rw("fractal", &Settings::fractal)
+      .def_rw("noise", &AllSettings::noise)
+      .def_rw("fractal", &AllSettings::fractal)
       .def_prop_rw("arithmetic", nullptr,
-                   [](Settings& settings, int value) { settings.arithmetic = static_cast<Arithmetic>(value); })
-      .def_rw("seed", &Settings::seed)
-      .def_rw("period", &Settings::period)
-      .def_rw("phase", &Settings::phase)
-      .def_rw("wave", &Settings::wave)
-      .def_rw("jitter", &Settings::jitter)
+                   [](AllSettings& settings, int value) { settings.arithmetic = static_cast<Arithmetic>(value); })
+      .def_rw("seed", &AllSettings::seed)
+      .def_rw("period", &AllSettings::period)
+      .def_rw("phase", &AllSettings::phase)
+      .def_rw("wave", &AllSettings::wave)
+      .def_rw("bandwidth", &AllSettings::bandwidth)
+      .def_rw("jitter", &AllSettings::jitter)
       .def_prop_rw("metric", nullptr,
-                   [](Settings& settings, int value) { settings.metric = static_cast<Metric>(value); })
-      .def_prop_rw("octaves", nullptr, [](Settings& settings, int value) { settings.octaves = value; })
-      .def_rw("lacunarity", &Settings::lacunarity)
-      .def_rw("gain", &Settings::gain)
-      .def_rw("strength", &Settings::strength)
-      .def_rw("amplitude", &Settings::amplitude)
-      .def_rw("detail", &Settings::detail)
-      .def_rw("footprint", &Settings::footprint)
-      .def_prop_rw("instruction_set", nullptr, [](Settings& settings, std::size_t number) {
+                   [](AllSettings& settings, int value) { settings.metric = static_cast<Metric>(value); })
+      .def_prop_rw("octaves", nullptr, [](AllSettings& settings, int value) { settings.octaves = value; })
+      .def_rw("lacunarity", &AllSettings::lacunarity)
+      .def_rw("gain", &AllSettings::gain)
+      .def_rw("strength", &AllSettings::strength)
+      .def_rw("amplitude", &AllSettings::amplitude)
+      .def_rw("detail", &AllSettings::detail)
+      .def_rw("footprint", &AllSettings::footprint)
+      .def_prop_rw("instruction_set", nullptr, [](AllSettings& settings, std::size_t number) {
         settings.instruction_set = hashnoise::instruction_sets().at(number);
       });
   python::add_field<1>(module);

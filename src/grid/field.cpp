@@ -367,7 +367,10 @@ Range fill_points(const Plan& plan, Kernel kernel, const std::array<std::span<co
 }  // namespace
 
 template <int D>
-Field<D>::Field(const Settings& settings) : plan_(new Plan{grid::plan_of(D, settings)}) {}
+Field<D>::Field(const Settings& settings) : Field(settings, {}) {}
+template <int D>
+Field<D>::Field(const Settings& settings, const MoreSettings& more)
+    : plan_(new Plan{grid::plan_of(D, settings, more)}) {}
 template <int D>
 Field<D>::~Field() = default;
 template <int D>

@@ -22,7 +22,7 @@ struct NoiseRow {
   constexpr bool has_phase() const {  // in 2D and 3D
     return takes == Inputs::kPhase || takes == Inputs::kJitterAndMetricAndPhase || has_wave();
   }
-  constexpr bool has_wave() const { return takes == Inputs::kPhaseAndWave; }
+  constexpr bool has_wave() const { return takes == Inputs::kBandwidthAndPhaseAndWave; }
   constexpr bool has_jitter() const { return takes == Inputs::kJitter || has_metric(); }
   constexpr bool has_metric() const {
     return takes == Inputs::kJitterAndMetric || takes == Inputs::kJitterAndMetricAndPhase;

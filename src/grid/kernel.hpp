@@ -21,7 +21,7 @@ enum class Shape {
 
 // The inputs of a noise beside a seed and a period. A phase exists in 2D and 3D, and rules out a metric. A noise with a
 // wave needs both a wave and a phase.
-enum class Inputs { kNothing, kPhase, kJitter, kJitterAndMetric, kJitterAndMetricAndPhase, kPhaseAndWave };
+enum class Inputs { kNothing, kPhase, kJitter, kJitterAndMetric, kJitterAndMetricAndPhase, kBandwidthAndPhaseAndWave };
 
 // The noises, and the functions that sum them, in the order of the catalog.
 enum NoiseId {
@@ -66,6 +66,7 @@ struct Options {
   std::int32_t period[4];
   float phase;
   float wave[4];
+  float bandwidth;
   float jitter;
   std::int32_t metric;
   std::int32_t octaves;
@@ -92,9 +93,9 @@ constexpr int kMostLanes = 16;
 
 struct NoiseKernels {
   Loops plain;
-  Loops full;  // with a period, jitter and metric
-  Loops phase;
-  Loops phase_full;
+  Loops full;        // with a period, jitter and metric
+  Loops phase;       // of phasor noise, with a bandwidth
+  Loops phase_full;  // with a period, too
   Octave octave;
 };
 struct SumKernels {  // whose `line` nobody calls

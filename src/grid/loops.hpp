@@ -103,7 +103,7 @@ template <int D>
 struct Arguments {
   Uint seed;
   Cell<D> period;
-  Float phase, jitter;
+  Float phase, jitter, bandwidth;
   Fraction<D> wave;
   Int metric, octaves;
   Float lacunarity, gain, strength, limit;
@@ -113,6 +113,7 @@ struct Arguments {
         period(vector_of<Cell<D>, D>([&](int axis) HN_I_INLINED { return Int(o.period[axis]); })),
         phase(o.phase),
         jitter(o.jitter),
+        bandwidth(o.bandwidth),
         wave(vector_of<Fraction<D>, D>([&](int axis) HN_I_INLINED { return Float(o.wave[axis]); })),
         metric(o.metric),
         octaves(o.octaves),

@@ -33,10 +33,10 @@ namespace {
   HN_GRID_NOISE(name##_full, name, given.jitter, given.metric, given.seed) \
   HN_GRID_NOISE(name##_phase, name##_phase, given.phase, given.jitter, given.seed)
 // A noise with a wave always has a phase: 0 if none is given.
-#define HN_GRID_kPhaseAndWave(name)                                      \
+#define HN_GRID_kBandwidthAndPhaseAndWave(name)                          \
   HN_GRID_NOISE(name##_plain, name, given.wave, given.phase, given.seed) \
   using name##_full = name##_plain;                                      \
-  struct name##_phase;
+  HN_GRID_NOISE(name##_phase, name, given.wave, given.bandwidth, given.phase, given.seed)
 
 #define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) HN_GRID_##takes(name)
 #include "catalog.inc"
@@ -199,14 +199,11 @@ NoiseKernels kernels_of() {
   if constexpr (!std::is_void_v<typename ColumnsOf<D, id>::Type>) k.full.row = along_row<D, Full, id, true>;
   if constexpr (kIsPlainLattice<D, id>) k.plain.line = along_line<D, Plain, id>;
   if constexpr (kIsSummed) k.octave = reinterpret_cast<Octave>(&called<D, Plain>);
-  constexpr bool kHasPhase = takes == grid::Inputs::kPhase || takes == grid::Inputs::kJitterAndMetricAndPhase;
+  constexpr bool kHasPhase = takes == grid::Inputs::kPhase || takes == grid::Inputs::kJitterAndMetricAndPhase ||
+                             takes == grid::Inputs::kBandwidthAndPhaseAndWave;
   if constexpr (kHasPhase && kIsFlatOrInSpace) {
     k.phase = always(at_points<D, Phase, id, false, false>);
     k.phase_full = always(at_points<D, Phase, id, false, true>);
-  }
-  if constexpr (takes == grid::Inputs::kPhaseAndWave) {
-    k.phase = k.plain;
-    k.phase_full = k.full;
   }
   return k;
 }

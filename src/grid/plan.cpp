@@ -106,7 +106,8 @@ struct Requirement {
   std::string (*owners)();
 };
 
-void check_owners(const Settings& settings, int dimensions, const NoiseRow& noise, const SumRow* sum, bool tiled) {
+void check_owners(const Settings& settings, const MoreSettings& more, int dimensions, const NoiseRow& noise,
+                  const SumRow* sum, bool tiled) {
   const bool is_noise = sum == nullptr;
   const bool is_sum = !is_noise;
   const bool has_phase = (is_noise ? noise.has_phase() : sum->has_phase) && (dimensions == 2 || dimensions == 3);
@@ -122,6 +123,8 @@ void check_owners(const Settings& settings, int dimensions, const NoiseRow& nois
          return noises_with(&NoiseRow::has_phase) + " have one in 2D and 3D, and the fractal " + with_and(sums);
        }},
       {"wave", !settings.wave.empty(), is_noise && noise.has_wave(),
+       [] { return noises_with(&NoiseRow::has_wave) + " has one in 2D and 3D"; }},
+      {"bandwidth", more.bandwidth.has_value(), is_noise && noise.has_wave(),
        [] { return noises_with(&NoiseRow::has_wave) + " has one in 2D and 3D"; }},
       {"jitter", settings.jitter.has_value(), is_noise && noise.has_jitter(),
        [] { return noises_with(&NoiseRow::has_jitter) + " have one"; }},
@@ -165,7 +168,10 @@ void plan_wave(Plan& plan, const std::vector<float>& wave) {
 void plan_noise(Plan& plan, const Settings& settings, NoiseId id, bool tiled) {
   const NoiseKernels& kernels = plan.kernels->noises[id][plan.dimensions - 1];
   plan.shape = kNoiseRows.at(id).shape;
-  if (settings.phase) {
+  if (kNoiseRows.at(id).has_wave()) {
+    const bool is_plain = plan.options.bandwidth == 0.0f;
+    plan.in = is_plain ? (tiled ? kernels.full : kernels.plain) : tiled ? kernels.phase_full : kernels.phase;
+  } else if (settings.phase) {
     if (plan.options.metric != static_cast<int>(Metric::kEuclidean)) {
       refuse(quoted(kNoiseRows.at(id).name) + " with a phase has no metric but euclidean");
     }
@@ -245,7 +251,7 @@ std::vector<std::string> components_of(Shape shape, int dimensions) {
   return names;
 }
 
-Plan plan_of(int dimensions, const Settings& settings) {
+Plan plan_of(int dimensions, const Settings& settings, const MoreSettings& more) {
   Plan plan{};
   plan.dimensions = dimensions;
   const int arithmetic = static_cast<int>(settings.arithmetic);
@@ -276,13 +282,14 @@ Plan plan_of(int dimensions, const Settings& settings) {
     tiled = tiled || settings.period[axis] > 0;
     plan.options.period[axis] = settings.period[axis];
   }
-  check_owners(settings, dimensions, kNoiseRows.at(noise), sum ? &kSumRows.at(*sum) : nullptr, tiled);
+  check_owners(settings, more, dimensions, kNoiseRows.at(noise), sum ? &kSumRows.at(*sum) : nullptr, tiled);
   plan.set = chosen(settings.instruction_set);
   plan.may_fuse = settings.arithmetic == Arithmetic::kFast;
   plan.kernels = &kernels_for(plan.set, settings.arithmetic);
   plan.options.seed = settings.seed;
   plan.options.phase = settings.phase ? checked(kPhaseRule, settings.phase) : 0.0f;  // of the phasor, if there is none
   plan_wave(plan, settings.wave);
+  plan.options.bandwidth = checked(kBandwidthRule, more.bandwidth);
   plan.options.jitter = checked(kJitterRule, settings.jitter);
   plan.options.metric = metric;
   plan.options.octaves = checked(kOctavesRule, settings.octaves);

@@ -31,7 +31,7 @@ struct Plan {
 };
 
 // Throws std::invalid_argument.
-Plan plan_of(int dimensions, const Settings& settings);
+Plan plan_of(int dimensions, const Settings& settings, const MoreSettings& more);
 
 // The names of the numbers at a point.
 std::vector<std::string> components_of(Shape shape, int dimensions);

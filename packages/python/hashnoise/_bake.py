@@ -78,6 +78,7 @@ OPTIONS = {
         ("--detail", "NUMBER", number, "octaves as a number with a fraction, in place of --octaves"),
         ("--footprint", "NUMBER", number, "the size of a pixel, in cells, which fades octaves out"),
         ("--wave", "X[xY...]", axes(float, -16, 16, "2.5x-1.5"), "waves per cell along each axis, as in 2.5x-1.5"),
+        ("--bandwidth", "NUMBER", number, "how far the waves of points are from that, in waves per cell"),
         ("--phase", "NUMBER", number, "in turns"),
         ("--jitter", "NUMBER", number, "how far points are from the centres of their cells"),
         ("--metric", "NAME", str, ", ".join(METRICS)),

@@ -514,5 +514,6 @@ _CHECKS = {
     "arithmetic": _one_of(ARITHMETICS),
     "metric": _one_of(METRICS),
     "instruction_set": _instruction_set,
-    **dict.fromkeys(("phase", "jitter", "lacunarity", "gain", "strength", "amplitude", "detail", "footprint"), _single),
+    **dict.fromkeys(("bandwidth", "phase", "jitter", "lacunarity", "gain", "strength", "amplitude", "detail",
+                     "footprint"), _single),
 }

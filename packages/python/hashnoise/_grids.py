@@ -31,9 +31,9 @@ _PART = 1 << 15  # points of a grid that are converted at a time: they stay in a
 
 @suggesting
 def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None, octaves=None, lacunarity=None,
-         gain=None, strength=None, amplitude=None, detail=None, footprint=None, period=None, wave=None, phase=None,
-         jitter=None, metric=None, arithmetic="fast", dtype=None, range=None, out=None, return_range=False,
-         threads=None, instruction_set=None):
+         gain=None, strength=None, amplitude=None, detail=None, footprint=None, period=None, wave=None,
+         bandwidth=None, phase=None, jitter=None, metric=None, arithmetic="fast", dtype=None, range=None, out=None,
+         return_range=False, threads=None, instruction_set=None):
     """A noise or a fractal on a uniform grid: an image, or a volume. It needs no coordinates, and is fastest.
 
     name          which: "perlin", "fbm", ..., as the functions are called
@@ -79,9 +79,9 @@ def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None
     True
     """
     options = {"noise": noise, "octaves": octaves, "lacunarity": lacunarity, "gain": gain, "strength": strength,
-               "amplitude": amplitude, "detail": detail, "footprint": footprint, "wave": wave, "phase": phase,
-               "jitter": jitter, "metric": metric, "seed": seed, "period": period, "arithmetic": arithmetic,
-               "instruction_set": instruction_set}
+               "amplitude": amplitude, "detail": detail, "footprint": footprint, "wave": wave,
+               "bandwidth": bandwidth, "phase": phase, "jitter": jitter, "metric": metric, "seed": seed, "period": period,
+               "arithmetic": arithmetic, "instruction_set": instruction_set}
     dimensions = len(size) if hasattr(size, "__len__") else 1
     if not 1 <= dimensions <= 4:
         raise ValueError(f"grid: size must have 1 to 4 numbers, not {dimensions}")

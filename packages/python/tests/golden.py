@@ -24,8 +24,9 @@ TYPES = {"f32": numpy.float32, "i32": numpy.int32, "u32": numpy.uint32, "f64": n
 METRICS = ("euclidean", "euclidean", "squared", "manhattan", "chebyshev", "hybrid")  # by HN_METRIC_...; 0 is Euclidean
 # Limits of the package. In GLSL values beyond count as the nearer end, and golden files have that, too. Rows with fewer
 # than 1 octave are left out.
-RANGES = {"octaves": (1, 32), "detail": (0, 32), "gain": (0, numpy.inf), "footprint": (0, numpy.inf), "jitter": (0, 1),
-          "amplitude": (0, 64), "ping_pong": (0, 64), "weighted": (0, 1), "eroded": (0, 16)}
+RANGES = {"octaves": (1, 32), "bandwidth": (0, 16), "detail": (0, 32), "gain": (0, numpy.inf),
+          "footprint": (0, numpy.inf), "jitter": (0, 1), "amplitude": (0, 64), "ping_pong": (0, 64), "weighted": (0, 1),
+          "eroded": (0, 16)}
 # Columns of what the package does not have: the cell of the nearest point and the way to it, and whole numbers as
 # positions.
 ABSENT = {"nx", "ox", "units"}
@@ -163,7 +164,7 @@ def too_far(golden: Golden, results: numpy.ndarray) -> list[str]:
 def bound(golden: Golden, column: str) -> float:
     """The error of a noise that the project has proven, of its value or of its derivatives."""
     has_other_form = "phase" in golden.arguments and "kx" not in golden.arguments  # what has a wave has a phase always
-    noise = golden.function + ("_phase" if has_other_form else "")
+    noise = golden.function + "_phase" * has_other_form + "_bandwidth" * ("bandwidth" in golden.arguments)
     kind = "SLOPE_BOUNDS" if column in ("dx", "dy", "dz", "dw") else "NOISE_BOUNDS"
     row = re.search(rf'^{kind}\("{noise}", {golden.axes}, (?:octahedral|none), (\S+), (\S+),', BOUNDS.read_text(), re.M)
     if row is None:

@@ -18,7 +18,7 @@ import numpy
 
 FUNCTIONS = [(name, axes) for axes in range(1, 5) for name in hashnoise.noises(axes) + hashnoise.fractals(axes)]
 FORMS = {"period": [{"period": 5}], "cell": [{"cell": -7}], "phase": [{"phase": 0.3}, {"phase": 0.75, "period": 3}],
-         "metric": [{"metric": "hybrid", "jitter": 0.5}], "wave": [{"wave": (1.5, -3, 2), "phase": 0.1}],
+         "metric": [{"metric": "hybrid", "jitter": 0.5}], "wave": [{"wave": (1.5, -3, 2), "phase": 0.1}, {"wave": (1.5, -3, 2), "bandwidth": 0.75}],
          "noise": [{"octaves": 3, "lacunarity": 3.0, "gain": 0.75}],
          "detail": [{"detail": 3.5}, {"footprint": 0.3}, {"noise": "cell_border"}]}
 

@@ -38,7 +38,7 @@ class Options(unittest.TestCase):
 
     def test_each_option_counts(self):
         """An option that differs from its default changes the values."""
-        changed = {"seed": 5, "period": 3, "wave": (2.5, -1.5), "phase": 0.25, "jitter": 0.5,
+        changed = {"seed": 5, "period": 3, "wave": (2.5, -1.5), "bandwidth": 0.5, "phase": 0.25, "jitter": 0.5,
                    "metric": "manhattan", "noise": "simplex",
                    "octaves": 3, "lacunarity": 3.0, "gain": 0.25, "strength": 0.5, "amplitude": 0.5, "detail": 2.5,
                    "footprint": 0.25, "arithmetic": "fixed", "cell": (3, 4)}

@@ -373,6 +373,40 @@ TEST(Errors, OfSettingsOutsideOfTheirRange) {
   }
 }
 
+TEST(Errors, OfABandwidth) {
+  const auto error = [](const Settings& settings, float bandwidth) {
+    try {
+      const Field<2> field(settings, {.bandwidth = bandwidth});
+    } catch (const std::invalid_argument& wrong) {
+      return std::string(wrong.what());
+    }
+    return std::string();
+  };
+  for (const float right : {0.0f, 16.0f}) EXPECT_EQ(error(of("phasor"), right), "");
+  for (const float wrong : {-0.5f, 16.5f, NAN}) {
+    EXPECT_TRUE(has_parts(error(of("phasor"), wrong), {"bandwidth is ", ", and has to be from 0 to 16"})) << wrong;
+  }
+  EXPECT_EQ(error(of("perlin"), 0.0f), "\"perlin\" in 2D has no bandwidth; phasor has one in 2D and 3D");
+}
+
+// Of 0 it changes no bit, and of others it does, also in a tile.
+TEST(Values, OfABandwidth) {
+  for (const Arithmetic arithmetic : {Arithmetic::kFast, Arithmetic::kPrecise, Arithmetic::kFixed}) {
+    for (const int period : {0, 4}) {
+      Settings settings = of("phasor");
+      settings.arithmetic = arithmetic;
+      settings.period = {period, period};
+      std::vector<float> plain(2 * 64 * 64), zero(plain.size()), wide(plain.size());
+      const Grid<2> grid{{0, 0}, {0.07f, 0.07f}, {64, 64}};
+      Field<2>(settings).fill(grid, plain);
+      Field<2>(settings, {.bandwidth = 0.0f}).fill(grid, zero);
+      Field<2>(settings, {.bandwidth = 1.5f}).fill(grid, wide);
+      EXPECT_EQ(plain, zero);
+      EXPECT_NE(plain, wide);
+    }
+  }
+}
+
 // All pairs that are not among those of the twin.
 TEST(Errors, OfASumOverAnotherNoise) {
   constexpr int D = 3;

@@ -93,7 +93,7 @@ std::optional<Settings> settings_of(const hn::Function& function, const Golden& 
 
 // Sets the columns of a row. Returns whether a field may have it: a sum without a positive period is no tile. Numbers
 // that the functions take as the nearer end, or in a tile as the whole part, are errors of a field.
-bool set_columns(Settings& settings, const Golden& golden, const Row& row) {
+bool set_columns(Settings& settings, MoreSettings& more, const Golden& golden, const Row& row) {
   settings.seed = row.words.at("seed");
   settings.wave.clear();
   for (const std::string& name : golden.columns) {
@@ -104,6 +104,8 @@ bool set_columns(Settings& settings, const Golden& golden, const Row& row) {
       settings.period[std::string("xyzw").find(name[1])] = static_cast<std::int32_t>(word);
     } else if (name.starts_with("k") && name.size() == 2) {
       set(settings, "wave", static_cast<double>(std::bit_cast<float>(word)));
+    } else if (name == "bandwidth") {
+      more.bandwidth = std::bit_cast<float>(word);
     } else if (name != "seed" && name.size() > 2) {
       set(settings, name, static_cast<double>(std::bit_cast<float>(word)));
     }
@@ -122,15 +124,17 @@ std::span<const float> shown(const Golden& golden, const Row& row, std::span<con
 }
 
 template <int D, typename Places>
-testing::AssertionResult has_row(Settings settings, const Places& where, const Golden& golden, const Row& row) {
+testing::AssertionResult has_row(Settings settings, const MoreSettings& more, const Places& where, const Golden& golden,
+                                 const Row& row) {
   const std::vector<float> of_twin = planes_of(function<D>(settings), places_of(where));
-  if (const auto same = same_bits(shown(golden, row, of_twin), row.values, 1); !same) {
+  // The twin has no bandwidth.
+  if (const auto same = same_bits(shown(golden, row, of_twin), row.values, 1); !same && !more.bandwidth) {
     return testing::AssertionFailure() << "the twin of " << settings << ": " << same.message();
   }
   for (const InstructionSet instructions : instruction_sets()) {
     settings.instruction_set = instructions;
     std::vector<float> values(of_twin.size());
-    Field<D>(settings).fill(where, values);
+    Field<D>(settings, more).fill(where, values);
     if (const auto same = same_bits(shown(golden, row, values), row.values, 1); !same) {
       return testing::AssertionFailure() << "the field of " << settings << ": " << same.message();
     }
@@ -143,9 +147,10 @@ template <int D>
 testing::AssertionResult has_rows(Settings settings, const Golden& golden, std::size_t& compared) {
   constexpr std::array<const char*, 4> kAxes = {"x", "y", "z", "w"};
   for (const Row& row : golden.rows) {
-    if (!set_columns(settings, golden, row)) continue;
+    MoreSettings more;
+    if (!set_columns(settings, more, golden, row)) continue;
     try {
-      const Field<D> field(settings);
+      const Field<D> field(settings, more);
     } catch (const std::invalid_argument&) {
       continue;
     }
@@ -161,8 +166,8 @@ testing::AssertionResult has_rows(Settings settings, const Golden& golden, std::
       points.p[axis] = cell_points.f[axis] = std::span(&p[axis], 1);
       cell_points.cell[axis] = std::span(&cell[axis], 1);
     }
-    const auto right =
-        golden.from_cell ? has_row<D>(settings, cell_points, golden, row) : has_row<D>(settings, points, golden, row);
+    const auto right = golden.from_cell ? has_row<D>(settings, more, cell_points, golden, row)
+                                        : has_row<D>(settings, more, points, golden, row);
     if (!right) return right;
   }
   return testing::AssertionSuccess();
@@ -190,6 +195,7 @@ TEST(Golden, Values) {
     rows += compared;
     subjects.insert(settings->fractal + " " + settings->noise + std::to_string(golden.dimensions) +
                     (golden.columns.contains("phase") ? " phase" : "") +
+                    (golden.columns.contains("bandwidth") ? " bandwidth" : "") +
                     (golden.columns.contains("detail") ? " detail" : "") +
                     (golden.columns.contains("footprint") ? " footprint" : ""));
   }
@@ -200,6 +206,7 @@ TEST(Golden, Values) {
     for (const std::string& noise : noises(dimensions)) {
       if (!row_of(noise).has_wave()) expected.insert(" " + noise + d);  // it has no form without a phase
       if (can_have_phase(noise, dimensions)) expected.insert(" " + noise + d + " phase");
+      if (row_of(noise).has_wave()) expected.insert(" " + noise + d + " phase bandwidth");
     }
     for (const std::string& sum : sums(dimensions)) {
       const std::string noise = noise_below(sum);

@@ -59,7 +59,7 @@ int put(const Result& result, float* values) {
 #define WITH_kJitterAndMetricAndPhase(name)                           \
   if (s.phase) WITH(name##_phase, *s.phase, twin::jitter_of(s), seed) \
   WITH_kJitterAndMetric(name)
-#define WITH_kPhaseAndWave(name) WITH(name, glsl<D>(twin::wave_of(s)), s.phase.value_or(0.0f), seed)
+#define WITH_kBandwidthAndPhaseAndWave(name) WITH(name, glsl<D>(twin::wave_of(s)), s.phase.value_or(0.0f), seed)
 template <int D, typename Where>
 int put_noise(const Settings& s, grid::NoiseId noise, Where where, std::uint32_t seed, float* values) {
 #define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) \

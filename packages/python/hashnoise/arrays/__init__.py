@@ -14,8 +14,8 @@ Names, options and values are those of hashnoise, and help(hashnoise) explains t
     arithmetic    "fast" or "fixed". "fast" can be differentiated, by positions and by settings, but not phasor, and
                   nothing by a phase or a wave: angles are whole numbers. "fixed" has the bits of HN_FIXED in every
                   library, and no derivatives: its result requires no gradient in torch, and jax.grad returns 0
-    settings      phase, jitter, gain, strength, amplitude, lacunarity, footprint, wave and seed are numbers, or arrays
-                  that broadcast against the coordinates. Their ranges are checked if they are numbers
+    settings      phase, jitter, gain, strength, amplitude, lacunarity, footprint, wave, bandwidth and seed are
+                  numbers, or arrays that broadcast against the coordinates. Their ranges are checked if they are numbers
     out, threads, instruction_set   there are none
 
 Coordinates of float64 and of whole numbers are converted to float32.
@@ -46,7 +46,7 @@ __all__ = [*_noises.__all__, *_sums.__all__]
 
 _ARITHMETICS = ("fast", "fixed")
 _ABSENT = ("out", "threads", "instruction_set")
-_FLOATS = ("phase", "jitter", "lacunarity", "gain", "strength", "amplitude", "footprint")
+_FLOATS = ("bandwidth", "phase", "jitter", "lacunarity", "gain", "strength", "amplitude", "footprint")
 # The steps by which sums add an octave, where they are not called as the sum is.
 _STEPS = {"fbm": "add", "clouds": "add", "billow": "add_turbulence", "fbm_d": "add", "warp": "add",
           "warp_progressive": "add_progressive"}
@@ -148,6 +148,8 @@ def _noise(space, name, place, seed, settings):
     if name == "phasor":
         wave = settings.get("wave", [3.0, *[0.0] * (space.dimensions - 1)])
         passed = [*(space.floats("wave", along) for along in wave), *(passed or [space.floats("phase", 0.0)])]
+        if "bandwidth" in settings:
+            passed, form = [*passed[:-1], settings["bandwidth"], passed[-1]], "_place_bandwidth"
     elif "jitter" not in settings and "phase" in settings:
         form = "_place_phase"
     elif "phase" in settings:

@@ -22,7 +22,7 @@ def forms(module: Module, dimensions: int) -> list[str]:
     """The functions that the package calls: noises at a place, and the steps of loops. They make all others."""
     names = re.findall(r"^(\w+) = _noise\(", NOISES.read_text(encoding="utf-8"), re.M)
     places = [f"hn_{name}{phase}{dimensions}_place" for name in names for phase in ("", "_phase")]
-    noises = [form for place in places for form in (place, f"{place}_phase", f"{place}_jitter")
+    noises = [form for place in places for form in (place, f"{place}_phase", f"{place}_jitter", f"{place}_bandwidth")
               if form in module.forms and f"{form}_jitter" not in module.forms]
     steps = re.compile(r"hn_(place_of|place_in_cell|tile|octaves_of|add[a-z_]*|next|mean|density|shifts_of|slopes_of|"
                        rf"perlin_worley|curl_fbm){dimensions}(_(place|detail|footprint|shifts|slopes))?(_phase)?")
