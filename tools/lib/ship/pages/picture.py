@@ -22,6 +22,7 @@ PICTURES = {  # the page that shows each
     "phase.png": "docs/reference/noises.md",
     "curl.png": "docs/reference/noises.md",
     "phasor.png": "docs/reference/noises.md",
+    "gabor.png": "docs/reference/noises.md",
     "vectors.png": "docs/reference/noises.md",
     "cellular.png": "docs/guide/cellular.md",
     "jitter.png": "docs/guide/cellular.md",
