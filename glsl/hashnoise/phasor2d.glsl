@@ -7,19 +7,6 @@
 #include "detail/phasor.glsl"
 #include "detail/triangular_lattice.glsl"
 
-// The sum of the waves around the corners of a triangle. Each has a hash and a wave of its own.
-HN_FN hn_vec2 hn_i_phasor(hn_i_num2 skewed, hn_uvec3 h, hn_i_num2 first, hn_i_num2 middle, hn_i_num2 last,
-                          hn_float phase) {
-  hn_i_num3 x = hn_i_triangle_x(skewed);
-  hn_i_num3 y = hn_i_triangle_y(skewed);
-  hn_i_num3 t = hn_i_triangle_falloff(x, y);
-  hn_uint angle = hn_i_angle(phase);
-  hn_i_num2 n = hn_i_wave_at(h.x + angle + hn_i_waves_from(first, x.x, y.x), hn_i_weight_wave(t.x));
-  n = hn_i_plus(n, hn_i_wave_at(h.y + angle + hn_i_waves_from(middle, x.y, y.y), hn_i_weight_wave(t.y)));
-  n = hn_i_plus(n, hn_i_wave_at(h.z + angle + hn_i_waves_from(last, x.z, y.z), hn_i_weight_wave(t.z)));
-  return vec2(hn_i_value(hn_i_scaled(n.x, 762)), hn_i_value(hn_i_scaled(n.y, 762)));
-}
-
 // Phasor noise on the plane: stripes in a direction and with a wavelength of your choice, which may change from place
 // to place. They bend where the random phases of the lattice do not agree. The value by itself looks as Gabor noise
 // does. The angle of value and quadrature, atan(n.y, n.x), grows across the stripes: any profile may be made of it. So
@@ -46,33 +33,49 @@ HN_FN hn_vec2 hn_i_phasor(hn_i_num2 skewed, hn_uvec3 h, hn_i_num2 first, hn_i_nu
 HN_FN hn_vec2 hn_phasor(hn_place2 place, hn_vec2 wave, hn_float phase, hn_uint seed) {
   hn_i_num2 skewed = hn_i_skewed(place.fraction);
   hn_uvec3 h = hn_i_triangle(place, skewed, seed);
+  hn_i_num3 x = hn_i_triangle_x(skewed);
+  hn_i_num3 y = hn_i_triangle_y(skewed);
+  hn_i_num3 t = hn_i_triangle_falloff(x, y);
   hn_i_num2 k = hn_i_vector(hn_i_waves(wave.x), hn_i_waves(wave.y));
-  return hn_i_phasor(skewed, h, k, k, k, phase);
+  hn_uint angle = hn_i_angle(phase);
+  hn_i_num2 n = hn_i_wave_at(h.x + angle + hn_i_waves_from(k, x.x, y.x), hn_i_weight_wave(t.x));
+  n = hn_i_plus(n, hn_i_wave_at(h.y + angle + hn_i_waves_from(k, x.y, y.y), hn_i_weight_wave(t.y)));
+  n = hn_i_plus(n, hn_i_wave_at(h.z + angle + hn_i_waves_from(k, x.z, y.z), hn_i_weight_wave(t.z)));
+  return vec2(hn_i_value(hn_i_scaled(n.x, 762)), hn_i_value(hn_i_scaled(n.y, 762)));
 }
 HN_FN hn_vec2 hn_phasor(hn_vec2 p, hn_vec2 wave, hn_float phase, hn_uint seed) {
   return hn_phasor(hn_place(p), wave, phase, seed);
 }
 
-// Phasor noise whose waves differ from point to point of the lattice, as those of Gabor noise do. With a wave the
+// Phasor noise whose waves differ from point to point of the lattice, as in Gabor noise. With a wave the
 // stripes bend, fork and end more, the larger the bandwidth. Without one, at vec2(0.0), the stripes have all
 // directions, and the bandwidth is the number of waves per cell.
 //   (other parameters as for hn_phasor above)
 //   bandwidth  how far the wave of each point is from `wave`, in a direction of its own, in waves per cell: usually up
-//              to the length of the wave. Outside [0, 16] it counts as the nearer end. With 0 the bits are those of
-//              hn_phasor above
+//              to the length of the wave. Outside [0, 16] it counts as the nearer end. With 0 it has the bits
+//              of hn_phasor above
 //   example  vec2 n = hn_phasor(uv * 8.0, vec2(4.0, 0.0), 1.0, 0.25, 7u);
 //   returns  as hn_phasor above
 //   error    at most 4.69e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            4.30e-4. From a cell at most 3.49e-5
 //   period   2^31 cells per axis, or the tile's
-//   cost     that of hn_phasor above, and for each of 3 points 11 multiplications of integers and 4 of floats
+//   cost     hn_phasor above, and for each of 3 points 11 multiplications of integers and 4 of floats
 //   source   as of hn_phasor above; docs/reference/contract.md, section 23
 HN_FN hn_vec2 hn_phasor(hn_place2 place, hn_vec2 wave, hn_float bandwidth, hn_float phase, hn_uint seed) {
   hn_i_num2 skewed = hn_i_skewed(place.fraction);
   hn_uvec3 h = hn_i_triangle(place, skewed, seed);
+  hn_i_num3 x = hn_i_triangle_x(skewed);
+  hn_i_num3 y = hn_i_triangle_y(skewed);
+  hn_i_num3 t = hn_i_triangle_falloff(x, y);
   hn_i_num2 k = hn_i_vector(hn_i_waves(wave.x), hn_i_waves(wave.y));
   hn_i_num b = hn_i_bandwidth(bandwidth);
-  return hn_i_phasor(skewed, h, hn_i_own_waves(k, b, h.x), hn_i_own_waves(k, b, h.y), hn_i_own_waves(k, b, h.z), phase);
+  hn_uint angle = hn_i_angle(phase);
+  hn_i_num2 n = hn_i_wave_at(h.x + angle + hn_i_waves_from(hn_i_own_waves(k, b, h.x), x.x, y.x), hn_i_weight_wave(t.x));
+  n = hn_i_plus(
+      n, hn_i_wave_at(h.y + angle + hn_i_waves_from(hn_i_own_waves(k, b, h.y), x.y, y.y), hn_i_weight_wave(t.y)));
+  n = hn_i_plus(
+      n, hn_i_wave_at(h.z + angle + hn_i_waves_from(hn_i_own_waves(k, b, h.z), x.z, y.z), hn_i_weight_wave(t.z)));
+  return vec2(hn_i_value(hn_i_scaled(n.x, 762)), hn_i_value(hn_i_scaled(n.y, 762)));
 }
 HN_FN hn_vec2 hn_phasor(hn_vec2 p, hn_vec2 wave, hn_float bandwidth, hn_float phase, hn_uint seed) {
   return hn_phasor(hn_place(p), wave, bandwidth, phase, seed);

@@ -7,17 +7,6 @@
 #include "detail/body_centred_lattice.glsl"
 #include "detail/phasor.glsl"
 
-// The sum of the waves around four points. Each has a hash and a wave of its own.
-HN_FN hn_vec2 hn_i_phasor(hn_uvec4 h, hn_i_num4 x, hn_i_num4 y, hn_i_num4 z, hn_i_num4 t, hn_i_num3 a, hn_i_num3 b,
-                          hn_i_num3 c, hn_i_num3 d, hn_float phase) {
-  hn_uint angle = hn_i_angle(phase);
-  hn_i_num2 n = hn_i_wave_at(h.x + angle + hn_i_waves_from(a, x.x, y.x, z.x), hn_i_weight_wave(t.x));
-  n = hn_i_plus(n, hn_i_wave_at(h.y + angle + hn_i_waves_from(b, x.y, y.y, z.y), hn_i_weight_wave(t.y)));
-  n = hn_i_plus(n, hn_i_wave_at(h.z + angle + hn_i_waves_from(c, x.z, y.z, z.z), hn_i_weight_wave(t.z)));
-  n = hn_i_plus(n, hn_i_wave_at(h.w + angle + hn_i_waves_from(d, x.w, y.w, z.w), hn_i_weight_wave(t.w)));
-  return vec2(hn_i_value(hn_i_scaled(n.x, 674)), hn_i_value(hn_i_scaled(n.y, 674)));
-}
-
 // Phasor noise in space: layers across a direction and with a wavelength of your choice, which may change from place to
 // place. The angle of value and quadrature, atan(n.y, n.x), grows across the layers, so any profile can be made of it.
 // Experimental: a later version may return other values.
@@ -45,24 +34,29 @@ HN_FN hn_vec2 hn_phasor(hn_place3 place, hn_vec3 wave, hn_float phase, hn_uint s
   hn_i_num4 t;
   hn_uvec4 h = hn_i_four_points(hn_i_neighbourhood(place), place.fraction, seed, x, y, z, t);
   hn_i_num3 k = hn_i_vector(hn_i_waves(wave.x), hn_i_waves(wave.y), hn_i_waves(wave.z));
-  return hn_i_phasor(h, x, y, z, t, k, k, k, k, phase);
+  hn_uint angle = hn_i_angle(phase);
+  hn_i_num2 n = hn_i_wave_at(h.x + angle + hn_i_waves_from(k, x.x, y.x, z.x), hn_i_weight_wave(t.x));
+  n = hn_i_plus(n, hn_i_wave_at(h.y + angle + hn_i_waves_from(k, x.y, y.y, z.y), hn_i_weight_wave(t.y)));
+  n = hn_i_plus(n, hn_i_wave_at(h.z + angle + hn_i_waves_from(k, x.z, y.z, z.z), hn_i_weight_wave(t.z)));
+  n = hn_i_plus(n, hn_i_wave_at(h.w + angle + hn_i_waves_from(k, x.w, y.w, z.w), hn_i_weight_wave(t.w)));
+  return vec2(hn_i_value(hn_i_scaled(n.x, 674)), hn_i_value(hn_i_scaled(n.y, 674)));
 }
 HN_FN hn_vec2 hn_phasor(hn_vec3 p, hn_vec3 wave, hn_float phase, hn_uint seed) {
   return hn_phasor(hn_place(p), wave, phase, seed);
 }
 
-// Phasor noise in space whose waves differ from point to point of the lattice, as those of Gabor noise do. Without a
+// Phasor noise in space whose waves differ from point to point of the lattice, as in Gabor noise. Without a
 // wave, at vec3(0.0), the layers have all directions, and the bandwidth is the number of waves per cell.
 //   (other parameters as for hn_phasor above)
 //   bandwidth  how far the wave of each point is from `wave`, in a direction of its own, in waves per cell: usually up
-//              to the length of the wave. Outside [0, 16] it counts as the nearer end. With 0 the bits are those of
-//              hn_phasor above
+//              to the length of the wave. Outside [0, 16] it counts as the nearer end. With 0 it has the bits
+//              of hn_phasor above
 //   example  vec2 n = hn_phasor(vec3(uv * 8.0, 0.5), vec3(4.0, 0.0, 0.0), 1.0, 0.25, 7u);
 //   returns  as hn_phasor above
 //   error    at most 5.84e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            6.41e-4. From a cell at most 4.04e-5
 //   period   2^32 cells per axis, or the tile's
-//   cost     that of hn_phasor above, and for each of 4 points a square root, 16 multiplications of integers and 8 of
+//   cost     hn_phasor above, and for each of 4 points a square root, 17 multiplications of integers and 7 of
 //            floats
 //   source   as of hn_phasor on the plane; docs/reference/contract.md, section 23
 HN_FN hn_vec2 hn_phasor(hn_place3 place, hn_vec3 wave, hn_float bandwidth, hn_float phase, hn_uint seed) {
@@ -73,8 +67,16 @@ HN_FN hn_vec2 hn_phasor(hn_place3 place, hn_vec3 wave, hn_float bandwidth, hn_fl
   hn_uvec4 h = hn_i_four_points(hn_i_neighbourhood(place), place.fraction, seed, x, y, z, t);
   hn_i_num3 k = hn_i_vector(hn_i_waves(wave.x), hn_i_waves(wave.y), hn_i_waves(wave.z));
   hn_i_num b = hn_i_bandwidth(bandwidth);
-  return hn_i_phasor(h, x, y, z, t, hn_i_own_waves(k, b, h.x), hn_i_own_waves(k, b, h.y), hn_i_own_waves(k, b, h.z),
-                     hn_i_own_waves(k, b, h.w), phase);
+  hn_uint angle = hn_i_angle(phase);
+  hn_i_num2 n =
+      hn_i_wave_at(h.x + angle + hn_i_waves_from(hn_i_own_waves(k, b, h.x), x.x, y.x, z.x), hn_i_weight_wave(t.x));
+  n = hn_i_plus(
+      n, hn_i_wave_at(h.y + angle + hn_i_waves_from(hn_i_own_waves(k, b, h.y), x.y, y.y, z.y), hn_i_weight_wave(t.y)));
+  n = hn_i_plus(
+      n, hn_i_wave_at(h.z + angle + hn_i_waves_from(hn_i_own_waves(k, b, h.z), x.z, y.z, z.z), hn_i_weight_wave(t.z)));
+  n = hn_i_plus(
+      n, hn_i_wave_at(h.w + angle + hn_i_waves_from(hn_i_own_waves(k, b, h.w), x.w, y.w, z.w), hn_i_weight_wave(t.w)));
+  return vec2(hn_i_value(hn_i_scaled(n.x, 674)), hn_i_value(hn_i_scaled(n.y, 674)));
 }
 HN_FN hn_vec2 hn_phasor(hn_vec3 p, hn_vec3 wave, hn_float bandwidth, hn_float phase, hn_uint seed) {
   return hn_phasor(hn_place(p), wave, bandwidth, phase, seed);

@@ -29,7 +29,7 @@ HN_FN hn_i_waves2 hn_i_plus(hn_i_waves2 a, hn_i_waves2 b) {
   s.y = hn_i_plus(a.y, b.y);
   return s;
 }
-// The same with a wave of the point, and how that turns along each axis.
+// These with a wave of the point, and how they turn along each axis.
 struct hn_i_own_waves2 {
   hn_i_waves2 waves;
   hn_i_num2 x;
@@ -95,7 +95,7 @@ HN_FN hn_derivatives2x2 hn_phasor_d(hn_vec2 p, hn_vec2 wave, hn_float phase, hn_
 //   error    hn_phasor's, and of a derivative at most 4.92e-3 against the exact value, in any rounding mode
 //            (docs/measured/accuracy.md). HN_FIXED 4.67e-2. From a cell at most 3.71e-3
 //   period   2^31 cells per axis, or the tile's
-//   cost     that of hn_phasor with a bandwidth, and about as much as hn_phasor_d above has more than hn_phasor
+//   cost     hn_phasor with a bandwidth, and about as much as hn_phasor_d above has more than hn_phasor
 //   source   the product rule on weight and wave; docs/reference/contract.md, section 23
 HN_FN hn_derivatives2x2 hn_phasor_d(hn_place2 place, hn_vec2 wave, hn_float bandwidth, hn_float phase, hn_uint seed) {
   hn_i_num2 skewed = hn_i_skewed(place.fraction);

@@ -32,7 +32,7 @@ HN_FN hn_i_waves3 hn_i_plus(hn_i_waves3 a, hn_i_waves3 b) {
   s.z = hn_i_plus(a.z, b.z);
   return s;
 }
-// The same with a wave of the point, and how that turns along each axis.
+// These with a wave of the point, and how they turn along each axis.
 struct hn_i_own_waves3 {
   hn_i_waves3 waves;
   hn_i_num2 x;
@@ -105,7 +105,7 @@ HN_FN hn_derivatives2x3 hn_phasor_d(hn_vec3 p, hn_vec3 wave, hn_float phase, hn_
 //   error    hn_phasor's, and of a derivative at most 6.18e-3 against the exact value, in any rounding mode
 //            (docs/measured/accuracy.md). HN_FIXED 6.83e-2. From a cell at most 4.34e-3
 //   period   2^32 cells per axis, or the tile's
-//   cost     that of hn_phasor with a bandwidth, and about as much as hn_phasor_d above has more than hn_phasor
+//   cost     hn_phasor with a bandwidth, and about as much as hn_phasor_d above has more than hn_phasor
 //   source   the product rule on weight and wave; docs/reference/contract.md, section 23
 HN_FN hn_derivatives2x3 hn_phasor_d(hn_place3 place, hn_vec3 wave, hn_float bandwidth, hn_float phase, hn_uint seed) {
   hn_i_num4 x;

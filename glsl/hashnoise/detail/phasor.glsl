@@ -6,7 +6,6 @@
 
 #include "falloff.glsl"
 #include "sphere.glsl"
-#include "word.glsl"
 
 // An angle is a uint, in units of 2^-32 turns, so that it wraps as turns do.
 //
@@ -14,7 +13,8 @@
 //                              units of 2^-16
 //   hn_i_bandwidth(b)          how far the waves of points are from that, in waves per cell: in [0, 16]. In HN_FIXED in
 //                              units of 2^-16
-//   hn_i_own_wave(k, b, u)     a component of the wave of a point: u is that of its direction, in units of 2^-16
+//   hn_i_own_wave(k, b, u)     a component of the wave of a point: u is the component of its direction, in
+//                              units of 2^-16
 //   hn_i_own_waves(k, b, h)    the wave of a point with the hash h
 //   hn_i_waves_from(k, x, y)   the angle of the waves along an offset, whose steps are half a cell on the plane, and a
 //                              cell in space; in HN_FIXED that of each axis rounded down
@@ -109,11 +109,13 @@ HN_FN hn_int hn_i_falling(hn_int n, hn_int x) { return -2 * hn_i_part(n, x >> 2)
 HN_FN hn_int hn_i_of_fall(hn_int n, hn_int steps) { return n * (32 * steps); }
 
 // 205887 is 2 pi / 8 in units of 2^-18: 2 pi k in units of 2^-13, below 2^20.
-HN_FN hn_int hn_i_turns_of(hn_int k) { return hn_i_part(k * 512, 205887) >> 9; }
-HN_FN hn_int hn_i_turning(hn_int n, hn_int k) { return hn_i_part(n * 256, hn_i_turns_of(k)); }
+HN_FN hn_int hn_i_turning(hn_int n, hn_int k) {
+  hn_int rate = hn_i_part(k * 512, 205887) >> 9;
+  return hn_i_part(n * 256, rate);
+}
 
-// In units of 2^-23, since the sum of all may be 136 before it is scaled.
-HN_FN hn_int hn_i_own_turning(hn_int n, hn_int k) { return hn_i_part(n >> 1, hn_i_turns_of(k)); }
+// In units of 2^-23, since the sum of all may be 136 before it is scaled: n is a multiple of 2^-29 here, not of 2^-21.
+HN_FN hn_int hn_i_own_turning(hn_int n, hn_int k) { return hn_i_part(n >> 1, hn_i_part(k * 512, 205887) >> 9); }
 HN_FN hn_int hn_i_of_turning(hn_int n, hn_int scale) { return ((n + 256) >> 9) * scale; }
 HN_FN hn_float hn_i_wave_slope(hn_int d) { return hn_i_float((d + 128) >> 8) * (1.0f / 65536.0f); }
 
@@ -135,12 +137,13 @@ HN_FN hn_i_num2 hn_i_own_turning(hn_i_num2 n, hn_i_num k) {
   return hn_i_vector(hn_i_own_turning(n.x, k), hn_i_own_turning(n.y, k));
 }
 
+// The direction has words of its own, as the components of vectors from one hash do (word.glsl).
 HN_FN hn_i_num2 hn_i_own_waves(hn_i_num2 k, hn_i_num b, hn_uint h) {
-  hn_ivec2 u = hn_i_on_circle((h >> 8u) * HN_I_HASH_OF_Y);
+  hn_ivec2 u = hn_i_on_circle((h >> 8u) * 0xEB1831u);
   return hn_i_vector(hn_i_own_wave(k.x, b, u.x), hn_i_own_wave(k.y, b, u.y));
 }
 HN_FN hn_i_num3 hn_i_own_waves(hn_i_num3 k, hn_i_num b, hn_uint h) {
-  hn_ivec3 u = hn_i_on_sphere((h >> 8u) * HN_I_HASH_OF_Y, (h >> 8u) * HN_I_HASH_OF_Z);
+  hn_ivec3 u = hn_i_on_sphere((h >> 8u) * 0xEB1831u, (h >> 8u) * 0x84A5E5u);
   return hn_i_vector(hn_i_own_wave(k.x, b, u.x), hn_i_own_wave(k.y, b, u.y), hn_i_own_wave(k.z, b, u.z));
 }
 

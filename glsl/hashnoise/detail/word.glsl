@@ -105,10 +105,8 @@ HN_FN hn_uint hn_i_other_seed(hn_uint seed) { return hn_i_scramble(seed + HN_I_S
 
 // The hashes of a vector's second and third component, from the first one's: an odd number of 24 bits times their
 // good bits. With other factors two components may depend on each other: docs/measured/quality.md has a test of it.
-#define HN_I_HASH_OF_Y 0xEB1831u
-#define HN_I_HASH_OF_Z 0x84A5E5u
-HN_FN hn_uvec4 hn_i_hashes_of_y(hn_uvec4 h) { return (h >> 8u) * HN_I_HASH_OF_Y; }
-HN_FN hn_uvec4 hn_i_hashes_of_z(hn_uvec4 h) { return (h >> 8u) * HN_I_HASH_OF_Z; }
+HN_FN hn_uvec4 hn_i_hashes_of_y(hn_uvec4 h) { return (h >> 8u) * 0xEB1831u; }
+HN_FN hn_uvec4 hn_i_hashes_of_z(hn_uvec4 h) { return (h >> 8u) * 0x84A5E5u; }
 
 // The hash of a point is the product of two joins of its spread coordinates. The first is the hash of the exclusive or
 // of their high bits and of the seed's. The second is made of their sum: an odd number of 24 bits, so that the product

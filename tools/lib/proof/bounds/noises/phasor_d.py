@@ -144,7 +144,7 @@ def rotated_value(kernel: Waves, z: Approx) -> Approx:
 
 
 def rotated_terms(kernel: Waves, values: list[Approx]) -> Approx:
-    """The same with a wave of each point, and so of each term."""
+    """With a wave of each point, and so of each term."""
     wave = Approx.within(float(kernel.waves), kernel.wave_error)
     return kernel_floats.added(kernel, [wave.times(value) for value in values]).times(constant(TURN))
 
