@@ -32,6 +32,6 @@ export const kCatalog = {
     octaves: "How many octaves a fractal has.",
     lacunarity: "Ratio of frequencies from octave to octave.",
     gain: "Ratio of amplitudes from octave to octave (persistence).",
-    phase: "How far the gradients rotate, in turns.",
+    phase: "In turns: the noise changes in place, and loops after one turn.",
   },
 };

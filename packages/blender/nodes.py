@@ -11,7 +11,9 @@ from . import shaders
 SOCKETS = {"VALUE": "NodeSocketFloat", "INT": "NodeSocketInt", "VECTOR": "NodeSocketVector"}
 POSITION = "p"  # of a script
 SCALE = 5.0  # cells in a unit, as the operator has it
-DISTANCES = ("F1", "F2")  # outputs of cellular noise, as other languages name them
+# Outputs of noises that have two numbers, as other languages name them.
+PAIRS = {"cellular": ("F1", "F2"), "phasor": ("Value", "Quadrature")}
+NAMES = {"fbm": "fBm", "phasor": "Gabor"}  # of groups
 MARK = "hashnoise"  # the property of a group that has the name of its shader
 PLAIN = ("GROUP_INPUT", "GROUP_OUTPUT", "SCRIPT", "VECT_MATH")  # nodes in each group
 STEP = 400  # from one node that is added to the next
@@ -24,7 +26,16 @@ class NotCompiled(Exception):
 def label(shader):
     """cell_border2 is Cell Border 2D."""
     words, size = re.fullmatch(r"(\w+?)(\d)", shader).groups()
-    return f"{'fBm' if words == 'fbm' else words.replace('_', ' ').title()} {size}D"
+    return f"{NAMES.get(words, title(words))} {size}D"
+
+
+def title(name):
+    """wave_x is Wave X."""
+    return name.replace("_", " ").title()
+
+
+def pair(shader):
+    return PAIRS.get(shader[:-1], ())
 
 
 def entries():
@@ -69,15 +80,15 @@ def has(tree, other):
 
 
 def more_nodes(shader):
-    return ["SEPXYZ"] if shader.startswith("cellular") else ["VECT_MATH"] if shader.startswith("warp") else []
+    return ["SEPXYZ"] if pair(shader) else ["VECT_MATH"] if shader.startswith("warp") else []
 
 
 def sockets(shader, script):
     """The name of each socket of a group, its direction, and its kind."""
-    inputs = [(one.name.title(), one.type) for one in script.inputs if one.name != POSITION]
+    inputs = [(title(one.name), one.type) for one in script.inputs if one.name != POSITION]
     outputs = [(one.name.title(), one.type) for one in script.outputs]
-    if shader.startswith("cellular"):
-        outputs = [(name, "VALUE") for name in DISTANCES]
+    if pair(shader):
+        outputs = [(name, "VALUE") for name in pair(shader)]
     return [*((name, "INPUT", kind) for name, kind in (("Vector", "VECTOR"), ("Scale", "VALUE"), *inputs)),
             *((name, "OUTPUT", kind) for name, kind in outputs)]
 
@@ -91,7 +102,7 @@ def connect(tree, shader, script, about):
              "scale": {"description": "Cells in a unit of Vector"}}
     for name, way, kind in sockets(shader, script):
         made = tree.interface.new_socket(name, in_out=way, socket_type=SOCKETS[kind])
-        described = about.get(name.lower(), {}) if way == "INPUT" else {}
+        described = about.get(name.lower().replace(" ", "_"), {}) if way == "INPUT" else {}
         made.description = described.get("description", "")
         made.min_value, made.max_value = described.get("min", made.min_value), described.get("max", made.max_value)
     tree.interface.items_tree["Vector"].hide_value = True
@@ -102,14 +113,14 @@ def connect(tree, shader, script, about):
         if one.name == POSITION:
             tree.links.new(scaled.outputs["Vector"], one)
         else:
-            tree.interface.items_tree[one.name.title()].default_value = one.default_value
-            tree.links.new(taken.outputs[one.name.title()], one)
+            tree.interface.items_tree[title(one.name)].default_value = one.default_value
+            tree.links.new(taken.outputs[title(one.name)], one)
     results = list(script.outputs)
-    if shader.startswith("cellular"):
+    if pair(shader):
         parts = tree.nodes.new("ShaderNodeSeparateXYZ")
         parts.location = (200, 0)
         tree.links.new(results[0], parts.inputs[0])
-        results = parts.outputs[:len(DISTANCES)]
+        results = parts.outputs[:len(pair(shader))]
     elif shader.startswith("warp"):  # from cells to units of Vector. By a scale of 0 it is 0
         divided = scaling(tree, "DIVIDE")
         divided.location = (200, 0)

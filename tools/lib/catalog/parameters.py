@@ -37,6 +37,9 @@ def about(function: str, parameter: str, is_fixed: bool) -> About | None:
             what = re.split(r"; |, in \[", sum_.strength.about.replace("`", ""))[0]
             return About(what if len(what) < COLUMNS else what.partition(":")[0], 0,
                          sum_.strength.most, sum_.strength.default)
+    if along := re.fullmatch("wave_([xyz])", parameter):  # in a language without vectors; 3 along x is usual
+        wave = of.settings["wave"]
+        return About(f"waves in a cell along {along[1]}", wave.least, wave.most, 3 if along[1] == "x" else 0)
     if not (found := of.settings.get(parameter)):
         return None
     least, most = found.fixed if is_fixed else (found.least, found.most)

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 from typing import Any
 
 from catalog.model import CATALOG, loads
+
+# Ends of names of forms that are left out in names of nodes, as a node has one form.
+ENDS = re.compile("_(jitter|bandwidth)$")
 
 
 @cache

@@ -33,7 +33,7 @@ def forms() -> dict[str, Function]:
 
 def camel(name: str) -> str:
     """perlin2_place is PerlinTile2, and cellular2_jitter is Cellular2."""
-    words = name.removeprefix("hn_").removesuffix("_jitter").replace("2_place", "_tile2").split("_")
+    words = popular.ENDS.sub("", name.removeprefix("hn_")).replace("2_place", "_tile2").split("_")
     return "".join(word[0].upper() + word[1:] for word in words)
 
 

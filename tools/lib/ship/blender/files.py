@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 import zipfile
 from collections.abc import Iterator, Mapping
@@ -10,6 +11,7 @@ from pathlib import Path
 
 from base.tree import GLSL, ROOT, address, version
 from catalog import parameters, popular
+from catalog.model import AXES
 from catalog.tables.markdown import table
 from ship.packing import Refused, papers
 from translate.parsing.syntax import Function
@@ -23,7 +25,7 @@ FORMS = popular.nodes("blender")  # of node groups, all with HN_FIXED
 
 def shader(form: str) -> str:
     """The name of its file."""
-    return form.removeprefix("hn_").removesuffix("_jitter")
+    return popular.ENDS.sub("", form.removeprefix("hn_"))
 
 
 @cache
@@ -38,11 +40,18 @@ def functions() -> Mapping[str, Function]:
     return read_library(GLSL, Choice("osl", "fixed")).forms
 
 
+def inputs(form: str) -> list[tuple[str, str]]:
+    """The parameters behind the position, and their types: one of OSL has no components, so a vector is several."""
+    return [(name, type_) for one in functions()[form].parameters if one.at.text != "p"
+            for name, type_ in ([(f"{one.at.text}_{axis}", "float") for axis in AXES[:int(one.type[-1])]]
+                                if one.type.startswith("vec") else [(one.at.text, one.type)])]
+
+
 def outputs(form: str) -> dict[str, str]:
     """The sockets of a node group, by their names, with types of GLSL."""
-    if shader(form).startswith("cellular"):
-        nodes = (PACKAGE / "nodes.py").read_text(encoding="utf-8")
-        return dict.fromkeys(re.search(r'^DISTANCES = \("(\w+)", "(\w+)"\)', nodes, re.M).groups(), "float")
+    pairs = re.search(r"^PAIRS = (.*})", (PACKAGE / "nodes.py").read_text(encoding="utf-8"), re.M)[1]
+    if pair := ast.literal_eval(pairs).get(shader(form)[:-1]):
+        return dict.fromkeys(pair, "float")
     return {"Value": functions()[form].type.removeprefix("hn_")}
 
 
@@ -50,9 +59,8 @@ def node_table() -> str:
     """The node groups, for the page."""
     sizes: dict[tuple[str, ...], list[str]] = {}
     for form in FORMS:
-        function = functions()[form]
         name, size = re.fullmatch(r"(\w+)(\d)", shader(form)).groups()
-        others = ", ".join(f"`{one.at.text.title()}`" for one in function.parameters if one.at.text != "p")
+        others = ", ".join(f"`{input_.replace('_', ' ').title()}`" for input_, _ in inputs(form))
         kind = "; ".join(f"`{one}`, a {'number' if type_ == 'float' else 'vector'}"
                          for one, type_ in outputs(form).items())
         sizes.setdefault((name.replace("_", " "), others, kind), []).append(f"{size}D")
@@ -63,9 +71,9 @@ def node_table() -> str:
 def interface() -> Iterator[tuple[str, str]]:
     """The names that stay from 1.0 on, with their meaning: rows of conformance/expected/interface.csv."""
     for form in FORMS:
-        for one in functions()[form].parameters:
-            default = default_of(parameters.about(form, one.at.text, is_fixed=True), one.type)
-            yield f"{shader(form)}.{one.at.text}", f"{one.type} {default}"
+        position = functions()[form].parameters[0]
+        for name, type_ in ((position.at.text, position.type), *inputs(form)):
+            yield f"{shader(form)}.{name}", f"{type_} {default_of(parameters.about(form, name, is_fixed=True), type_)}"
         yield from ((f"{shader(form)}.{name.lower()}", f"output {type_}") for name, type_ in outputs(form).items())
     yield "Scale", re.search(r"^SCALE = ([\d.]+)", (PACKAGE / "nodes.py").read_text(encoding="utf-8"), re.M)[1]
 

@@ -47,6 +47,10 @@ INPUTS = {
     ("lacunarity", "float"): Input("lacunarity", "float", 'value="2.0" uiname="Lacunarity"'),
     ("gain", "float"): Input("diminish", "float", 'value="0.5" uiname="Diminish"'),
     ("amplitude", "float"): Input("amplitude", "float", 'value="1.0" uiname="Amplitude"'),
+    ("wave", "vec2"): Input("wave", "vec2", 'value="3.0, 0.0" uiname="Wave"'),
+    ("wave", "vec3"): Input("wave", "vec3", 'value="3.0, 0.0, 0.0" uiname="Wave"'),
+    ("bandwidth", "float"): Input("bandwidth", "float", 'value="0.0" uiname="Bandwidth"'),
+    ("phase", "float"): Input("phase", "float", 'value="0.0" uiname="Phase"'),
     ("jitter", "float"): Input("jitter", "float", 'value="1.0" uiname="Jitter"'),
     ("metric", "int"): Input("metric", "int", f'value="1" enum="{",".join(METRICS)}" enumvalues="'
                              f'{",".join(str(i + 1) for i in range(len(METRICS)))}" uiname="Metric" '
@@ -79,7 +83,7 @@ def pick():
 
 def node(form: str) -> str:
     """The name of the node: hn_perlin2d of hn_perlin2, and hn_perlin2d_tile of hn_perlin2_place."""
-    return re.sub(r"(\d)(_jitter)?$", r"\1d", form.replace("2_place", "2d_tile"))
+    return re.sub(r"(\d)$", r"\1d", popular.ENDS.sub("", form.replace("2_place", "2d_tile")))
 
 
 def inputs(form: str) -> list[Input]:
@@ -107,7 +111,7 @@ def described(given: Input, form: str, parameter: str) -> Input:
         return given
     write = float if given.type == "float" else int
     ends = "".join(f' {end}="{write(value)}"' for end, value in (("uimin", about.least), ("uimax", about.most))
-                   if value is not None)
+                   if value is not None and given.type in ("float", "int"))
     return given._replace(said=f'{given.said}{ends} doc="{about.what[0].upper()}{about.what[1:]}."')
 
 

@@ -27,6 +27,7 @@ class Text(unittest.TestCase):
                 ("hn_perlin2", "hn_perlin2d", ["amplitude", "pivot", "texcoord", "seed"]),
                 ("hn_fbm3", "hn_fbm3d", ["amplitude", "position", "octaves", "lacunarity", "diminish", "seed"]),
                 ("hn_cellular2_jitter", "hn_cellular2d", ["texcoord", "jitter", "metric", "seed"]),
+                ("hn_phasor2_bandwidth", "hn_phasor2d", ["texcoord", "wave", "bandwidth", "phase", "seed"]),
                 ("hn_warp3", "hn_warp3d", ["position", "octaves", "lacunarity", "diminish", "amplitude", "seed"]),
                 ("hn_perlin2_place", "hn_perlin2d_tile", ["amplitude", "pivot", "texcoord", "period", "seed"])):
             with self.subTest(form):

@@ -11,7 +11,7 @@ from catalog.tables.markdown import table
 from translate.single_file.files import text
 
 DIMENSIONS = re.compile(r"(\d)d\.glsl$")
-NODE = re.compile(r"(hn_\w+?)(\d)(?:_jitter|(_place))?")
+NODE = re.compile(r"(hn_\w+?)(\d)(?:_jitter|_bandwidth|(_place))?")
 GRAPHS = {"graphs": "Unity, Unreal", "blender": "Blender", "materialx": "MaterialX"}
 
 

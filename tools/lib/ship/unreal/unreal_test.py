@@ -67,6 +67,8 @@ class Text(unittest.TestCase):
         for form, code, output in (
                 ("hn_fbm3", "return hn_fbm(Position, (int)Octaves, Lacunarity, Gain, (uint)(int)Seed);",
                  "CMOT Float 1"),
+                ("hn_phasor2_bandwidth", "return hn_phasor(Position, Wave, Bandwidth, Phase, (uint)(int)Seed);",
+                 "CMOT Float 2"),
                 ("hn_cellular2_jitter", "return hn_cellular(Position, Jitter, (int)Metric, (uint)(int)Seed);",
                  "CMOT Float 2"),
                 ("hn_perlin2_place", "return hn_perlin(hn_tile(Position, (int2)Period), (uint)(int)Seed);",
