@@ -11,7 +11,6 @@
 // to place. They bend where the random phases of the lattice do not agree. The value by itself looks as Gabor noise
 // does. The angle of value and quadrature, atan(n.y, n.x), grows across the stripes: any profile may be made of it. So
 // n.x / length(n) is stripes of one height. length(n) is how well the stripes agree.
-// Experimental: a later version may return other values.
 //   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
 //            than 2^23 along each axis: larger floats have no fraction
 //   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)

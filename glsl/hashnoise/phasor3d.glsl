@@ -9,7 +9,6 @@
 
 // Phasor noise in space: layers across a direction and with a wavelength of your choice, which may change from place to
 // place. The angle of value and quadrature, atan(n.y, n.x), grows across the layers, so any profile can be made of it.
-// Experimental: a later version may return other values.
 //   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
 //            than 2^23 along each axis: larger floats have no fraction
 //   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)

@@ -56,7 +56,6 @@ HN_FN hn_i_num2 hn_i_scaled_fall2(hn_i_num2 n) {
 }
 
 // Phasor noise on the plane and its slopes: the value and the quadrature of hn_phasor with their derivatives.
-// Experimental: a later version may return other values.
 //   (parameters as for hn_phasor in phasor2d.glsl)
 //   example  hn_derivatives2x2 n = hn_phasor_d(uv * 8.0, vec2(4.0, 0.0), 0.25, 7u);
 //   returns  value, and in dx and dy the derivatives of both along x and y, per cell, at a constant wave and phase: in

@@ -62,7 +62,6 @@ HN_FN hn_i_num2 hn_i_scaled_fall3(hn_i_num2 n) {
 }
 
 // Phasor noise in space and its slopes: the value and the quadrature of hn_phasor with their derivatives.
-// Experimental: a later version may return other values.
 //   (parameters as for hn_phasor in phasor3d.glsl)
 //   example  hn_derivatives2x3 n = hn_phasor_d(vec3(uv * 8.0, 0.5), vec3(4.0, 0.0, 0.0), 0.25, 7u);
 //   returns  value, and in dx, dy and dz the derivatives of both along x, y and z, per cell, at a constant wave and

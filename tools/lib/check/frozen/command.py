@@ -8,7 +8,7 @@ with HN_FIXED, and of each hash. docs/reference/frozen.md states the promise.
 
 The table of values is conformance/expected/frozen.csv. An entry that exists is never written again, and where one is
 wrong nothing is written. Only --provisional replaces entries, and it is refused for all functions but those that
-catalog/functions.toml calls experimental. A NAME is that of functions in the table, such as 'noise2d.phasor*'. The
+catalog/functions.toml calls experimental. A NAME is that of functions in the table, such as 'noise2d.gullies*'. The
 values are those of hn-frozen, which tools/test builds. After a change of glsl/ check with --all: the 2,048 points may
 have none that the change touches.
 

@@ -204,8 +204,7 @@ class Committed(unittest.TestCase):
 
     def test_what_is_experimental_says_so_everywhere(self) -> None:
         names = {row.calls for row in read_functions() if row.experimental}
-        self.assertEqual(names, {"hn_phasor", "hn_phasor_d", "hn_gullies", "hn_perlin_worley", "hn_distribution",
-                                 "hn_distribution_fbm"})
+        self.assertEqual(names, {"hn_gullies", "hn_perlin_worley", "hn_distribution", "hn_distribution_fbm"})
         self.assertEqual({row.calls for row in read_functions() if row.calls in names and not row.experimental}, set())
         page = (ROOT / "docs" / "reference" / "frozen.md").read_text(encoding="utf-8")
         listed = page.partition("\n## What is experimental\n")[2].partition("\n## ")[0]
