@@ -45,7 +45,7 @@ def with_bandwidths(rows: Sequence[Row], generator: Generator) -> list[Row]:
     """The rows of the form with a wave and a phase, with a bandwidth between them. Each kind of wave has each edge."""
     def bandwidth(index: int) -> float:
         if index % 2:
-            return BANDWIDTHS[index // 10 % len(BANDWIDTHS)]
+            return BANDWIDTHS[index // 2 % len(BANDWIDTHS)]
         return to_f32(generator.uniform(0, 16) / 4**(index % 3))
 
     return [(*row[:-2], bandwidth(index), *row[-2:]) for index, row in enumerate(rows)]
