@@ -218,7 +218,7 @@ phasor = _noise("phasor", 2, 3, wave=None, bandwidth=None, phase=None, doc="""\
 Phasor noise, in 2D and 3D: stripes across a direction and with a wavelength of your choice.
 
 The angle of both numbers, atan2(quadrature, value), grows across the stripes, so any profile can be made of it; the
-length of both is how well the stripes agree. Experimental: a later version may return other values.
+length of both is how well the stripes agree.
 
 wave       the direction across the stripes, times the number of waves per cell: from -16 to 16 for each axis, usually 2
            to 8 in all; 3 waves along x if it is left out
