@@ -4,8 +4,16 @@
 #ifndef HN_PHASOR2D_GLSL
 #define HN_PHASOR2D_GLSL
 
-#include "detail/phasor.glsl"
-#include "detail/triangular_lattice.glsl"
+#include "detail/phasor_points2d.glsl"
+
+// The sum of the waves around points, each with a wave of its own.
+HN_FN hn_vec2 hn_i_phasor(hn_i_wave_points2 p, hn_i_num2 first, hn_i_num2 middle, hn_i_num2 last) {
+  hn_i_num2 n = hn_i_wave_at(p.h.x + p.angle + hn_i_waves_from(first, p.x.x, p.y.x), hn_i_weight_wave(p.t.x));
+  n = hn_i_plus(n, hn_i_wave_at(p.h.y + p.angle + hn_i_waves_from(middle, p.x.y, p.y.y), hn_i_weight_wave(p.t.y)));
+  n = hn_i_plus(n, hn_i_wave_at(p.h.z + p.angle + hn_i_waves_from(last, p.x.z, p.y.z), hn_i_weight_wave(p.t.z)));
+  n = hn_i_scaled_waves2(n);
+  return vec2(hn_i_value(n.x), hn_i_value(n.y));
+}
 
 // Phasor noise on the plane: stripes in a direction and with a wavelength of your choice, which may change from place
 // to place. They bend where the random phases of the lattice do not agree. The value by itself looks as Gabor noise
@@ -30,24 +38,15 @@
 //   source   Tricard et al., "Procedural phasor noise", 2019; Lagae et al., "Procedural noise using sparse Gabor
 //            convolution", 2009; docs/reference/contract.md, section 23
 HN_FN hn_vec2 hn_phasor(hn_place2 place, hn_vec2 wave, hn_float phase, hn_uint seed) {
-  hn_i_num2 skewed = hn_i_skewed(place.fraction);
-  hn_uvec3 h = hn_i_triangle(place, skewed, seed);
-  hn_i_num3 x = hn_i_triangle_x(skewed);
-  hn_i_num3 y = hn_i_triangle_y(skewed);
-  hn_i_num3 t = hn_i_triangle_falloff(x, y);
-  hn_i_num2 k = hn_i_vector(hn_i_waves(wave.x), hn_i_waves(wave.y));
-  hn_uint angle = hn_i_angle(phase);
-  hn_i_num2 n = hn_i_wave_at(h.x + angle + hn_i_waves_from(k, x.x, y.x), hn_i_weight_wave(t.x));
-  n = hn_i_plus(n, hn_i_wave_at(h.y + angle + hn_i_waves_from(k, x.y, y.y), hn_i_weight_wave(t.y)));
-  n = hn_i_plus(n, hn_i_wave_at(h.z + angle + hn_i_waves_from(k, x.z, y.z), hn_i_weight_wave(t.z)));
-  return vec2(hn_i_value(hn_i_scaled(n.x, 762)), hn_i_value(hn_i_scaled(n.y, 762)));
+  hn_i_wave_points2 p = hn_i_wave_points(place, wave, phase, seed);
+  return hn_i_phasor(p, p.k, p.k, p.k);
 }
 HN_FN hn_vec2 hn_phasor(hn_vec2 p, hn_vec2 wave, hn_float phase, hn_uint seed) {
   return hn_phasor(hn_place(p), wave, phase, seed);
 }
 
-// Phasor noise whose waves differ from point to point of the lattice, as in Gabor noise. With a wave the
-// stripes bend, fork and end more, the larger the bandwidth. Without one, at vec2(0.0), the stripes have all
+// Phasor noise whose waves differ from point to point of the lattice, as in Gabor noise. With a wave the stripes
+// bend, fork and end more, the larger the bandwidth. Without one, at vec2(0.0), the stripes have all
 // directions, and the bandwidth is the number of waves per cell.
 //   (other parameters as for hn_phasor above)
 //   bandwidth  how far the wave of each point is from `wave`, in a direction of its own, in waves per cell: usually up
@@ -62,20 +61,9 @@ HN_FN hn_vec2 hn_phasor(hn_vec2 p, hn_vec2 wave, hn_float phase, hn_uint seed) {
 //   cost     hn_phasor without a bandwidth, and for each of 3 points 11 multiplications of integers and 4 of floats
 //   source   as of hn_phasor without a bandwidth; docs/reference/contract.md, section 23
 HN_FN hn_vec2 hn_phasor(hn_place2 place, hn_vec2 wave, hn_float bandwidth, hn_float phase, hn_uint seed) {
-  hn_i_num2 skewed = hn_i_skewed(place.fraction);
-  hn_uvec3 h = hn_i_triangle(place, skewed, seed);
-  hn_i_num3 x = hn_i_triangle_x(skewed);
-  hn_i_num3 y = hn_i_triangle_y(skewed);
-  hn_i_num3 t = hn_i_triangle_falloff(x, y);
-  hn_i_num2 k = hn_i_vector(hn_i_waves(wave.x), hn_i_waves(wave.y));
+  hn_i_wave_points2 p = hn_i_wave_points(place, wave, phase, seed);
   hn_i_num b = hn_i_bandwidth(bandwidth);
-  hn_uint angle = hn_i_angle(phase);
-  hn_i_num2 n = hn_i_wave_at(h.x + angle + hn_i_waves_from(hn_i_own_waves(k, b, h.x), x.x, y.x), hn_i_weight_wave(t.x));
-  n = hn_i_plus(
-      n, hn_i_wave_at(h.y + angle + hn_i_waves_from(hn_i_own_waves(k, b, h.y), x.y, y.y), hn_i_weight_wave(t.y)));
-  n = hn_i_plus(
-      n, hn_i_wave_at(h.z + angle + hn_i_waves_from(hn_i_own_waves(k, b, h.z), x.z, y.z), hn_i_weight_wave(t.z)));
-  return vec2(hn_i_value(hn_i_scaled(n.x, 762)), hn_i_value(hn_i_scaled(n.y, 762)));
+  return hn_i_phasor(p, hn_i_own_waves(p.k, b, p.h.x), hn_i_own_waves(p.k, b, p.h.y), hn_i_own_waves(p.k, b, p.h.z));
 }
 HN_FN hn_vec2 hn_phasor(hn_vec2 p, hn_vec2 wave, hn_float bandwidth, hn_float phase, hn_uint seed) {
   return hn_phasor(hn_place(p), wave, bandwidth, phase, seed);

@@ -4,8 +4,17 @@
 #ifndef HN_PHASOR3D_GLSL
 #define HN_PHASOR3D_GLSL
 
-#include "detail/body_centred_lattice.glsl"
-#include "detail/phasor.glsl"
+#include "detail/phasor_points3d.glsl"
+
+// The sum of the waves around points, each with a wave of its own.
+HN_FN hn_vec2 hn_i_phasor(hn_i_wave_points3 p, hn_i_num3 a, hn_i_num3 b, hn_i_num3 c, hn_i_num3 d) {
+  hn_i_num2 n = hn_i_wave_at(p.h.x + p.angle + hn_i_waves_from(a, p.x.x, p.y.x, p.z.x), hn_i_weight_wave(p.t.x));
+  n = hn_i_plus(n, hn_i_wave_at(p.h.y + p.angle + hn_i_waves_from(b, p.x.y, p.y.y, p.z.y), hn_i_weight_wave(p.t.y)));
+  n = hn_i_plus(n, hn_i_wave_at(p.h.z + p.angle + hn_i_waves_from(c, p.x.z, p.y.z, p.z.z), hn_i_weight_wave(p.t.z)));
+  n = hn_i_plus(n, hn_i_wave_at(p.h.w + p.angle + hn_i_waves_from(d, p.x.w, p.y.w, p.z.w), hn_i_weight_wave(p.t.w)));
+  n = hn_i_scaled_waves3(n);
+  return vec2(hn_i_value(n.x), hn_i_value(n.y));
+}
 
 // Phasor noise in space: layers across a direction and with a wavelength of your choice, which may change from place to
 // place. The angle of value and quadrature, atan(n.y, n.x), grows across the layers, so any profile can be made of it.
@@ -27,18 +36,8 @@
 //            spread the coordinates, and 2 more for a seed that is not constant
 //   source   as of hn_phasor on the plane; docs/reference/contract.md, section 23
 HN_FN hn_vec2 hn_phasor(hn_place3 place, hn_vec3 wave, hn_float phase, hn_uint seed) {
-  hn_i_num4 x;
-  hn_i_num4 y;
-  hn_i_num4 z;
-  hn_i_num4 t;
-  hn_uvec4 h = hn_i_four_points(hn_i_neighbourhood(place), place.fraction, seed, x, y, z, t);
-  hn_i_num3 k = hn_i_vector(hn_i_waves(wave.x), hn_i_waves(wave.y), hn_i_waves(wave.z));
-  hn_uint angle = hn_i_angle(phase);
-  hn_i_num2 n = hn_i_wave_at(h.x + angle + hn_i_waves_from(k, x.x, y.x, z.x), hn_i_weight_wave(t.x));
-  n = hn_i_plus(n, hn_i_wave_at(h.y + angle + hn_i_waves_from(k, x.y, y.y, z.y), hn_i_weight_wave(t.y)));
-  n = hn_i_plus(n, hn_i_wave_at(h.z + angle + hn_i_waves_from(k, x.z, y.z, z.z), hn_i_weight_wave(t.z)));
-  n = hn_i_plus(n, hn_i_wave_at(h.w + angle + hn_i_waves_from(k, x.w, y.w, z.w), hn_i_weight_wave(t.w)));
-  return vec2(hn_i_value(hn_i_scaled(n.x, 674)), hn_i_value(hn_i_scaled(n.y, 674)));
+  hn_i_wave_points3 p = hn_i_wave_points(place, wave, phase, seed);
+  return hn_i_phasor(p, p.k, p.k, p.k, p.k);
 }
 HN_FN hn_vec2 hn_phasor(hn_vec3 p, hn_vec3 wave, hn_float phase, hn_uint seed) {
   return hn_phasor(hn_place(p), wave, phase, seed);
@@ -61,23 +60,10 @@ HN_FN hn_vec2 hn_phasor(hn_vec3 p, hn_vec3 wave, hn_float phase, hn_uint seed) {
 //            floats
 //   source   as of hn_phasor on the plane; docs/reference/contract.md, section 23
 HN_FN hn_vec2 hn_phasor(hn_place3 place, hn_vec3 wave, hn_float bandwidth, hn_float phase, hn_uint seed) {
-  hn_i_num4 x;
-  hn_i_num4 y;
-  hn_i_num4 z;
-  hn_i_num4 t;
-  hn_uvec4 h = hn_i_four_points(hn_i_neighbourhood(place), place.fraction, seed, x, y, z, t);
-  hn_i_num3 k = hn_i_vector(hn_i_waves(wave.x), hn_i_waves(wave.y), hn_i_waves(wave.z));
+  hn_i_wave_points3 p = hn_i_wave_points(place, wave, phase, seed);
   hn_i_num b = hn_i_bandwidth(bandwidth);
-  hn_uint angle = hn_i_angle(phase);
-  hn_i_num2 n =
-      hn_i_wave_at(h.x + angle + hn_i_waves_from(hn_i_own_waves(k, b, h.x), x.x, y.x, z.x), hn_i_weight_wave(t.x));
-  n = hn_i_plus(
-      n, hn_i_wave_at(h.y + angle + hn_i_waves_from(hn_i_own_waves(k, b, h.y), x.y, y.y, z.y), hn_i_weight_wave(t.y)));
-  n = hn_i_plus(
-      n, hn_i_wave_at(h.z + angle + hn_i_waves_from(hn_i_own_waves(k, b, h.z), x.z, y.z, z.z), hn_i_weight_wave(t.z)));
-  n = hn_i_plus(
-      n, hn_i_wave_at(h.w + angle + hn_i_waves_from(hn_i_own_waves(k, b, h.w), x.w, y.w, z.w), hn_i_weight_wave(t.w)));
-  return vec2(hn_i_value(hn_i_scaled(n.x, 674)), hn_i_value(hn_i_scaled(n.y, 674)));
+  return hn_i_phasor(p, hn_i_own_waves(p.k, b, p.h.x), hn_i_own_waves(p.k, b, p.h.y), hn_i_own_waves(p.k, b, p.h.z),
+                     hn_i_own_waves(p.k, b, p.h.w));
 }
 HN_FN hn_vec2 hn_phasor(hn_vec3 p, hn_vec3 wave, hn_float bandwidth, hn_float phase, hn_uint seed) {
   return hn_phasor(hn_place(p), wave, bandwidth, phase, seed);

@@ -4,8 +4,7 @@
 #ifndef HN_PHASOR_D2D_GLSL
 #define HN_PHASOR_D2D_GLSL
 
-#include "detail/phasor.glsl"
-#include "detail/triangular_lattice.glsl"
+#include "detail/phasor_points2d.glsl"
 
 // The waves around lattice points, weighted, and how they fall along each axis.
 struct hn_i_waves2 {
@@ -49,7 +48,6 @@ HN_FN hn_i_own_waves2 hn_i_plus(hn_i_own_waves2 a, hn_i_own_waves2 b) {
   s.y = hn_i_plus(a.y, b.y);
   return s;
 }
-HN_FN hn_i_num2 hn_i_scaled_waves2(hn_i_num2 n) { return hn_i_vector(hn_i_scaled(n.x, 762), hn_i_scaled(n.y, 762)); }
 HN_FN hn_i_num2 hn_i_scaled_fall2(hn_i_num2 n) {
   hn_i_num2 fall = hn_i_scaled_waves2(n);
   return hn_i_vector(hn_i_of_fall(fall.x, 2), hn_i_of_fall(fall.y, 2));
@@ -66,21 +64,15 @@ HN_FN hn_i_num2 hn_i_scaled_fall2(hn_i_num2 n) {
 //   cost     the hashes and sines of hn_phasor, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and wave; docs/reference/contract.md, section 23
 HN_FN hn_derivatives2x2 hn_phasor_d(hn_place2 place, hn_vec2 wave, hn_float phase, hn_uint seed) {
-  hn_i_num2 skewed = hn_i_skewed(place.fraction);
-  hn_uvec3 h = hn_i_triangle(place, skewed, seed);
-  hn_i_num3 x = hn_i_triangle_x(skewed);
-  hn_i_num3 y = hn_i_triangle_y(skewed);
-  hn_i_num3 t = hn_i_triangle_falloff(x, y);
-  hn_i_num2 k = hn_i_vector(hn_i_waves(wave.x), hn_i_waves(wave.y));
-  hn_uint angle = hn_i_angle(phase);
-  hn_i_waves2 s = hn_i_waves_at(h.x + angle + hn_i_waves_from(k, x.x, y.x), x.x, y.x, t.x);
-  s = hn_i_plus(s, hn_i_waves_at(h.y + angle + hn_i_waves_from(k, x.y, y.y), x.y, y.y, t.y));
-  s = hn_i_plus(s, hn_i_waves_at(h.z + angle + hn_i_waves_from(k, x.z, y.z), x.z, y.z, t.z));
+  hn_i_wave_points2 p = hn_i_wave_points(place, wave, phase, seed);
+  hn_i_waves2 s = hn_i_waves_at(p.h.x + p.angle + hn_i_waves_from(p.k, p.x.x, p.y.x), p.x.x, p.y.x, p.t.x);
+  s = hn_i_plus(s, hn_i_waves_at(p.h.y + p.angle + hn_i_waves_from(p.k, p.x.y, p.y.y), p.x.y, p.y.y, p.t.y));
+  s = hn_i_plus(s, hn_i_waves_at(p.h.z + p.angle + hn_i_waves_from(p.k, p.x.z, p.y.z), p.x.z, p.y.z, p.t.z));
   hn_i_num2 n = hn_i_scaled_waves2(s.n);
   HN_I_NEW(hn_derivatives2x2, d);
   d.value = vec2(hn_i_value(n.x), hn_i_value(n.y));
-  d.dx = hn_i_wave_slopes(n, hn_i_scaled_fall2(s.x), k.x);
-  d.dy = hn_i_wave_slopes(n, hn_i_scaled_fall2(s.y), k.y);
+  d.dx = hn_i_wave_slopes(n, hn_i_scaled_fall2(s.x), p.k.x);
+  d.dy = hn_i_wave_slopes(n, hn_i_scaled_fall2(s.y), p.k.y);
   return d;
 }
 HN_FN hn_derivatives2x2 hn_phasor_d(hn_vec2 p, hn_vec2 wave, hn_float phase, hn_uint seed) {
@@ -101,17 +93,11 @@ HN_FN hn_derivatives2x2 hn_phasor_d(hn_vec2 p, hn_vec2 wave, hn_float phase, hn_
 //   cost     the hashes and sines of hn_phasor with a bandwidth, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and wave; docs/reference/contract.md, section 23
 HN_FN hn_derivatives2x2 hn_phasor_d(hn_place2 place, hn_vec2 wave, hn_float bandwidth, hn_float phase, hn_uint seed) {
-  hn_i_num2 skewed = hn_i_skewed(place.fraction);
-  hn_uvec3 h = hn_i_triangle(place, skewed, seed);
-  hn_i_num3 x = hn_i_triangle_x(skewed);
-  hn_i_num3 y = hn_i_triangle_y(skewed);
-  hn_i_num3 t = hn_i_triangle_falloff(x, y);
-  hn_i_num2 k = hn_i_vector(hn_i_waves(wave.x), hn_i_waves(wave.y));
+  hn_i_wave_points2 p = hn_i_wave_points(place, wave, phase, seed);
   hn_i_num b = hn_i_bandwidth(bandwidth);
-  hn_uint angle = hn_i_angle(phase);
-  hn_i_own_waves2 s = hn_i_own_waves_at(h.x + angle, hn_i_own_waves(k, b, h.x), x.x, y.x, t.x);
-  s = hn_i_plus(s, hn_i_own_waves_at(h.y + angle, hn_i_own_waves(k, b, h.y), x.y, y.y, t.y));
-  s = hn_i_plus(s, hn_i_own_waves_at(h.z + angle, hn_i_own_waves(k, b, h.z), x.z, y.z, t.z));
+  hn_i_own_waves2 s = hn_i_own_waves_at(p.h.x + p.angle, hn_i_own_waves(p.k, b, p.h.x), p.x.x, p.y.x, p.t.x);
+  s = hn_i_plus(s, hn_i_own_waves_at(p.h.y + p.angle, hn_i_own_waves(p.k, b, p.h.y), p.x.y, p.y.y, p.t.y));
+  s = hn_i_plus(s, hn_i_own_waves_at(p.h.z + p.angle, hn_i_own_waves(p.k, b, p.h.z), p.x.z, p.y.z, p.t.z));
   hn_i_num2 n = hn_i_scaled_waves2(s.waves.n);
   HN_I_NEW(hn_derivatives2x2, d);
   d.value = vec2(hn_i_value(n.x), hn_i_value(n.y));

@@ -4,8 +4,7 @@
 #ifndef HN_PHASOR_D3D_GLSL
 #define HN_PHASOR_D3D_GLSL
 
-#include "detail/body_centred_lattice.glsl"
-#include "detail/phasor.glsl"
+#include "detail/phasor_points3d.glsl"
 
 // The waves around lattice points, weighted, and how they fall along each axis.
 struct hn_i_waves3 {
@@ -55,7 +54,6 @@ HN_FN hn_i_own_waves3 hn_i_plus(hn_i_own_waves3 a, hn_i_own_waves3 b) {
   s.z = hn_i_plus(a.z, b.z);
   return s;
 }
-HN_FN hn_i_num2 hn_i_scaled_waves3(hn_i_num2 n) { return hn_i_vector(hn_i_scaled(n.x, 674), hn_i_scaled(n.y, 674)); }
 HN_FN hn_i_num2 hn_i_scaled_fall3(hn_i_num2 n) {
   hn_i_num2 fall = hn_i_scaled_waves3(n);
   return hn_i_vector(hn_i_of_fall(fall.x, 1), hn_i_of_fall(fall.y, 1));
@@ -73,23 +71,21 @@ HN_FN hn_i_num2 hn_i_scaled_fall3(hn_i_num2 n) {
 //   cost     the hashes and sines of hn_phasor, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and wave; docs/reference/contract.md, section 23
 HN_FN hn_derivatives2x3 hn_phasor_d(hn_place3 place, hn_vec3 wave, hn_float phase, hn_uint seed) {
-  hn_i_num4 x;
-  hn_i_num4 y;
-  hn_i_num4 z;
-  hn_i_num4 t;
-  hn_uvec4 h = hn_i_four_points(hn_i_neighbourhood(place), place.fraction, seed, x, y, z, t);
-  hn_i_num3 k = hn_i_vector(hn_i_waves(wave.x), hn_i_waves(wave.y), hn_i_waves(wave.z));
-  hn_uint angle = hn_i_angle(phase);
-  hn_i_waves3 s = hn_i_waves_at(h.x + angle + hn_i_waves_from(k, x.x, y.x, z.x), x.x, y.x, z.x, t.x);
-  s = hn_i_plus(s, hn_i_waves_at(h.y + angle + hn_i_waves_from(k, x.y, y.y, z.y), x.y, y.y, z.y, t.y));
-  s = hn_i_plus(s, hn_i_waves_at(h.z + angle + hn_i_waves_from(k, x.z, y.z, z.z), x.z, y.z, z.z, t.z));
-  s = hn_i_plus(s, hn_i_waves_at(h.w + angle + hn_i_waves_from(k, x.w, y.w, z.w), x.w, y.w, z.w, t.w));
+  hn_i_wave_points3 p = hn_i_wave_points(place, wave, phase, seed);
+  hn_i_waves3 s =
+      hn_i_waves_at(p.h.x + p.angle + hn_i_waves_from(p.k, p.x.x, p.y.x, p.z.x), p.x.x, p.y.x, p.z.x, p.t.x);
+  s = hn_i_plus(s,
+                hn_i_waves_at(p.h.y + p.angle + hn_i_waves_from(p.k, p.x.y, p.y.y, p.z.y), p.x.y, p.y.y, p.z.y, p.t.y));
+  s = hn_i_plus(s,
+                hn_i_waves_at(p.h.z + p.angle + hn_i_waves_from(p.k, p.x.z, p.y.z, p.z.z), p.x.z, p.y.z, p.z.z, p.t.z));
+  s = hn_i_plus(s,
+                hn_i_waves_at(p.h.w + p.angle + hn_i_waves_from(p.k, p.x.w, p.y.w, p.z.w), p.x.w, p.y.w, p.z.w, p.t.w));
   hn_i_num2 n = hn_i_scaled_waves3(s.n);
   HN_I_NEW(hn_derivatives2x3, d);
   d.value = vec2(hn_i_value(n.x), hn_i_value(n.y));
-  d.dx = hn_i_wave_slopes(n, hn_i_scaled_fall3(s.x), k.x);
-  d.dy = hn_i_wave_slopes(n, hn_i_scaled_fall3(s.y), k.y);
-  d.dz = hn_i_wave_slopes(n, hn_i_scaled_fall3(s.z), k.z);
+  d.dx = hn_i_wave_slopes(n, hn_i_scaled_fall3(s.x), p.k.x);
+  d.dy = hn_i_wave_slopes(n, hn_i_scaled_fall3(s.y), p.k.y);
+  d.dz = hn_i_wave_slopes(n, hn_i_scaled_fall3(s.z), p.k.z);
   return d;
 }
 HN_FN hn_derivatives2x3 hn_phasor_d(hn_vec3 p, hn_vec3 wave, hn_float phase, hn_uint seed) {
@@ -112,18 +108,12 @@ HN_FN hn_derivatives2x3 hn_phasor_d(hn_vec3 p, hn_vec3 wave, hn_float phase, hn_
 //   cost     the hashes and sines of hn_phasor with a bandwidth, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and wave; docs/reference/contract.md, section 23
 HN_FN hn_derivatives2x3 hn_phasor_d(hn_place3 place, hn_vec3 wave, hn_float bandwidth, hn_float phase, hn_uint seed) {
-  hn_i_num4 x;
-  hn_i_num4 y;
-  hn_i_num4 z;
-  hn_i_num4 t;
-  hn_uvec4 h = hn_i_four_points(hn_i_neighbourhood(place), place.fraction, seed, x, y, z, t);
-  hn_i_num3 k = hn_i_vector(hn_i_waves(wave.x), hn_i_waves(wave.y), hn_i_waves(wave.z));
+  hn_i_wave_points3 p = hn_i_wave_points(place, wave, phase, seed);
   hn_i_num b = hn_i_bandwidth(bandwidth);
-  hn_uint angle = hn_i_angle(phase);
-  hn_i_own_waves3 s = hn_i_own_waves_at(h.x + angle, hn_i_own_waves(k, b, h.x), x.x, y.x, z.x, t.x);
-  s = hn_i_plus(s, hn_i_own_waves_at(h.y + angle, hn_i_own_waves(k, b, h.y), x.y, y.y, z.y, t.y));
-  s = hn_i_plus(s, hn_i_own_waves_at(h.z + angle, hn_i_own_waves(k, b, h.z), x.z, y.z, z.z, t.z));
-  s = hn_i_plus(s, hn_i_own_waves_at(h.w + angle, hn_i_own_waves(k, b, h.w), x.w, y.w, z.w, t.w));
+  hn_i_own_waves3 s = hn_i_own_waves_at(p.h.x + p.angle, hn_i_own_waves(p.k, b, p.h.x), p.x.x, p.y.x, p.z.x, p.t.x);
+  s = hn_i_plus(s, hn_i_own_waves_at(p.h.y + p.angle, hn_i_own_waves(p.k, b, p.h.y), p.x.y, p.y.y, p.z.y, p.t.y));
+  s = hn_i_plus(s, hn_i_own_waves_at(p.h.z + p.angle, hn_i_own_waves(p.k, b, p.h.z), p.x.z, p.y.z, p.z.z, p.t.z));
+  s = hn_i_plus(s, hn_i_own_waves_at(p.h.w + p.angle, hn_i_own_waves(p.k, b, p.h.w), p.x.w, p.y.w, p.z.w, p.t.w));
   hn_i_num2 n = hn_i_scaled_waves3(s.waves.n);
   HN_I_NEW(hn_derivatives2x3, d);
   d.value = vec2(hn_i_value(n.x), hn_i_value(n.y));
