@@ -100,7 +100,7 @@ HN_FN hn_derivatives2x3 hn_phasor_d(hn_vec3 p, hn_vec3 wave, hn_float phase, hn_
 //   example  hn_derivatives2x3 n = hn_phasor_d(vec3(uv * 8.0, 0.5), vec3(4.0, 0.0, 0.0), 1.0, 0.25, 7u);
 //   returns  value, and in dx, dy and dz the derivatives of both along x, y and z, per cell, at a constant wave,
 //   bandwidth
-//            and phase: in [-100.5, 100.5] for the largest waves, once continuously differentiable (HN_FIXED: in
+//            and phase: in [-100.6, 100.6] for the largest waves, once continuously differentiable (HN_FIXED: in
 //            steps of 2^-16)
 //   error    hn_phasor's, and of a derivative at most 6.18e-3 against the exact value, in any rounding mode
 //            (docs/measured/accuracy.md). HN_FIXED 6.83e-2. From a cell at most 4.34e-3
