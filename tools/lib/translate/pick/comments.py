@@ -230,8 +230,8 @@ def of_struct(name: str, called: Callable[[str], str]) -> str:
 # Examples of arguments, a number for each component; where there is no number, a variable of that name.
 ARGUMENTS: Mapping[str, tuple[float, ...]] = {
     "octaves": (6,), "lacunarity": (2,), "gain": (0.5,), "seed": (7,), "jitter": (1,), "metric": (1,), "phase": (0.25,),
-    "strength": (1,), "amplitude": (1,), "detail": (3.5,), "footprint": (0.125,), "wave": (4, 0, 0), "radius": (0.75,),
-    "depth": (0.125,), "slope": (0.5, 0), "period": (8, 8, 8, 8), "cell": (3, -5, 2, 0), "f": (0.25, 0.75, 0.5, 0),
+    "strength": (1,), "amplitude": (1,), "detail": (3.5,), "footprint": (0.125,), "wave": (4, 0, 0),
+    "bandwidth": (1,), "radius": (0.75,), "depth": (0.125,), "slope": (0.5, 0), "period": (8, 8, 8, 8), "cell": (3, -5, 2, 0), "f": (0.25, 0.75, 0.5, 0),
     "position": (640, -320, 100, 0), "cells": (1,), "units": (64,), "h": (12345,), "k": (5,), "x": (12345,),
     "v": (12, 34, 56, 78), "i": (3,), "n": (0.25, 0.5, -0.5, 0), "kind": (2,), "value": (0.25,)}
 # Functions with one name, by the type.
