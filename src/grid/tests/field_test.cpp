@@ -389,7 +389,7 @@ TEST(Errors, OfABandwidth) {
   EXPECT_EQ(error(of("perlin"), 0.0f), "\"perlin\" in 2D has no bandwidth; phasor has one in 2D and 3D");
 }
 
-// Of 0 it changes no bit, and of others it does, also in a tile.
+// A bandwidth of 0 changes no bit, and others do, also in a tile.
 TEST(Values, OfABandwidth) {
   for (const Arithmetic arithmetic : {Arithmetic::kFast, Arithmetic::kPrecise, Arithmetic::kFixed}) {
     for (const int period : {0, 4}) {
