@@ -229,6 +229,23 @@ inline Float one_of(char how, Float a, double lo, double hi) {
   same[key] = f.n;
   return f;
 }
+// Whether it is one of several whole numbers, by conditions that are not known. Then each is a path.
+inline bool are_whole(int n, std::vector<double>& all) {
+  if (nodes[n].made == 'o') return are_whole(nodes[n].left, all) && are_whole(nodes[n].right, all);
+  double x = 0.5;
+  const bool is_whole = is_constant(Float::at(n), &x) && x == std::trunc(x);
+  all.push_back(x);
+  return is_whole;
+}
+inline bool is_one_of_several(Float a, double* which) {
+  std::vector<double> all;
+  if (nodes[a.n].made != 'o' || !are_whole(a.n, all)) return false;
+  if (last_common == 0) last_common = last_word;
+  const auto [found, is_new] = same.try_emplace(step_key('o', a.n, 0), 0);
+  if (is_new) found->second = taken(static_cast<int>(all.size()));
+  *which = all[found->second];
+  return true;
+}
 inline Float floor(Float a) {
   Form cells;
   Interval rest;

@@ -316,6 +316,7 @@ struct Decision {
 };
 inline std::vector<Decision> path;
 inline size_t decided = 0;
+inline bool given = false;  // rounding changes no decision
 inline int taken(int count, Form number = {}) {
   if (decided == path.size()) path.push_back({0, count, std::move(number)});
   return path[decided++].taken;

@@ -58,7 +58,10 @@ struct Integer : Word {
   explicit(!std::same_as<T, Native>) Integer(T v) { value = static_cast<std::uint32_t>(v); }
   template <bool Other>
   requires(Other != Signed) explicit Integer(Integer<Other> o) : Word(o) {
-    if (Signed && is == kBits) *this = numeric(o.number());
+    if (Signed && is == kBits) {
+      const Float f = o.number();
+      *this = range_of(f.n).hi < 0x1p31 ? numeric(f) : Integer(made_by(new_step('I', step_of())));
+    }
     if (is == kAny) n = 0;
     if (Signed && is == kNumeric) *this = numeric(Float::at(n));
   }
@@ -69,7 +72,9 @@ struct Integer : Word {
       return;
     }
     const Form& form = f.form();
-    if (is_of_cells(form)) {
+    if (double x = 0; is_one_of_several(f, &x)) {
+      value = static_cast<std::uint32_t>(static_cast<std::int64_t>(x));
+    } else if (is_of_cells(form)) {
       *this = Integer(made_by(new_step('N', f.n)));
       n = f.n;
     } else if (!(form.range.lo > (Signed ? -0x1p31 - 1 : -1) && form.range.hi < (Signed ? 0x1p31 : 0x1p32)))
@@ -181,20 +186,23 @@ struct Integer : Word {
       if (b.value != 0) a.n = (-Float::at(a.n)).n;
       return a;
     }
-    Vector<Form> out;
-    out.reserve(b.bits.size());
-    const int n = nodes[a.n].word == b.word ? a.n : joined_node(a.n);
-    for (size_t i = 0; i < b.bits.size(); ++i) {
-      const Form& f = nodes[n].forms[nodes[n].word ? i : 0];
-      if ((b.bits[i].known | 0x80000000u) != ~0u || (b.bits[i].value & 0x7FFFFFFFu) != 0) refuse("more than a sign");
-      if (!(b.bits[i].known >> 31)) b.want(0x80000000u);
-      if (!flips && f.range.lo < 0) throw TooLarge{"a sign for a number that may have one"};
-      out.push_back(b.bits[i].value >> 31 ? negative(f) : f);
-    }
     Integer result;
     result.is = kFloat;
-    result.n = node(b.word, std::move(out));
-    nodes[result.n].made = flips ? '^' : '|', nodes[result.n].left = a.n, nodes[result.n].step = b.step_of();
+    result.n = once(flips ? '^' : '|', a.n, b.step_of(), 0, [&] {
+      Vector<Form> out;
+      out.reserve(b.bits.size());
+      const int n = nodes[a.n].word == b.word ? a.n : joined_node(a.n);
+      for (size_t i = 0; i < b.bits.size(); ++i) {
+        const Form& f = nodes[n].forms[nodes[n].word ? i : 0];
+        if ((b.bits[i].known | 0x80000000u) != ~0u || (b.bits[i].value & 0x7FFFFFFFu) != 0) refuse("more than a sign");
+        if (!(b.bits[i].known >> 31)) b.want(0x80000000u);
+        if (!flips && f.range.lo < 0) throw TooLarge{"a sign for a number that may have one"};
+        out.push_back(b.bits[i].value >> 31 ? negative(f) : f);
+      }
+      const int signed_one = node(b.word, std::move(out));
+      nodes[signed_one].made = flips ? '^' : '|', nodes[signed_one].left = a.n, nodes[signed_one].step = b.step_of();
+      return signed_one;
+    });
     return result;
   }
 #define PROVER_BOTH(op) both(a, b, [](auto x, auto y) { return x op y; })
@@ -400,10 +408,10 @@ inline Float select(Mask c, Float a, Float b) {
   if (c.word == 0) {
     if (c.v[0] < 0) {
       // Rounded and exact arithmetic may take either side.
-      const double apart = (a.form().range - b.form().range).size();
+      const double apart = given ? 0 : (a.form().range - b.form().range).size();
       Form f = joined({a.form(), b.form()});
       if (apart > 0) f.terms.push_back({symbol(kError, {-apart, apart}), {1, 1}});
-      return Float::of(f);
+      return given ? made(Float::of(f), 'o', a, b) : Float::of(f);
     }
     return c.v[0] ? a : b;
   }

@@ -38,6 +38,7 @@ struct Node {
     Interval range, error;
   };
   std::vector<Alternative> alternatives;
+  double by_length = INFINITY;  // of a component of a direction: its error times the length of the vector
 };
 inline std::vector<Node> nodes;
 inline int node(int word, Vector<Form> forms) {

@@ -6,8 +6,11 @@
 //   ARGUMENT    any, word:N, float:X, box:LO:HI for a float in there, or position:LO:HI for a coordinate in there,
 //               in any cell; up to 16
 //   outputs     bits: 1 for the first of the four words that it returns, 2 for the second, and so on
-//   measure     error; most or least, the ends of the range; exact_most or exact_least, those in exact arithmetic; or
-//               slope, by a place that is off by 1 along each axis
+//   measure     error; most or least, the ends of the range; exact_most or exact_least, those in exact arithmetic;
+//               slope, by a place that is off by 1 along each axis; or error_by_length, of a component of a direction,
+//               times the length of the vector
+//   longest     the k-th smallest length, and the length of such a vector, are known to be this at most
+//   unit        what a length of the text is, in the result and in `longest`
 //   most        boxes
 //   tolerance   relative: how far the bound may be from the largest that was seen
 //   target      a bound that is small enough
@@ -95,8 +98,11 @@ Uint word_of(const Argument& argument, const Box& box, std::size_t& axis) {
   std::abort();
 }
 
-double measured(Measure measure, const Form& f) {
-  switch (measure) {
+double measured(const Job& job, Float number) {
+  const Form& f = number.form();
+  switch (job.measure) {
+    case kErrorByLength:
+      return nodes[number.n].by_length * job.unit;
     case kLargestError:
       return f.error().size();
     case kMost:
@@ -150,7 +156,7 @@ double found_in(const Job& job, Box& box, std::string& problem) {
     if (starts) {
       symbols = constants.symbols, nodes = constants.nodes;
       path.clear(), outcomes.clear(), steps.resize(1), places.clear(), all_taken.clear(), numbering.clear();
-      last_word = 0;
+      last_word = 0, last_common = 0;
       linears.clear();
       std::fill_n(along, kAxes, Along{});
     }
@@ -172,7 +178,7 @@ double found_in(const Job& job, Box& box, std::string& problem) {
       for (unsigned i = 0; i < 4; ++i) {
         if (!(job.outputs >> i & 1)) continue;
         const Float number = uintBitsToFloat(*out[i]);
-        const double found_here = measured(job.measure, number.form());
+        const double found_here = measured(job, number);
         for (const Term& t : number.form().terms) {
           if (explains && symbols[t.symbol].kind == kError)
             parts.push_back({(t.d * symbols[t.symbol].range).size(), origins[t.symbol]});
@@ -182,7 +188,7 @@ double found_in(const Job& job, Box& box, std::string& problem) {
       }
       if (rounds) outcomes.push_back(std::move(outcome));
       if (next_path()) continue;
-      return job.measure == kLargestError && !job.given ? largest + apart(outcomes) : largest;
+      return job.measure == kLargestError && !given ? largest + apart(outcomes) : largest;
     } catch (Again) {
       starts = true, paths = -1;
     } catch (const Cut& at) {
@@ -215,7 +221,8 @@ double first_half(double lo, double side) {
 }
 
 Proven prove(const Job& job) {
-  may_split = false, wanted = {}, divisions = {};
+  may_split = false, wanted = {}, divisions = {}, bits_of_chosen = 0, given = job.given,
+  longest = job.longest / job.unit;
   Proven proven;
   place_bits = job.bits;
   const double unit = std::ldexp(1.0, -place_bits);
@@ -321,13 +328,16 @@ Argument argument_of(const std::string& text) {
 }
 
 void set(Job& job, const std::string& option, const std::string& value) {
-  static const char* const kMeasures[] = {"error", "most", "least", "exact_most", "exact_least", "slope"};
+  static const char* const kMeasures[] = {"error",       "most",  "least",          "exact_most",
+                                          "exact_least", "slope", "error_by_length"};
   if (option == "outputs") job.outputs = static_cast<unsigned>(std::stoul(value));
   if (option == "bits") job.bits = std::stoi(value);
   if (option == "most") job.most = std::stoul(value);
   if (option == "tolerance") job.tolerance = std::stod(value);
   if (option == "target") job.target = std::stod(value);
   if (option == "given") job.given = value != "0";
+  if (option == "longest") job.longest = std::stod(value);
+  if (option == "unit") job.unit = std::stod(value);
   if (option == "seconds") job.seconds = std::stod(value);
   if (option == "measure")
     job.measure = static_cast<Measure>(std::find(kMeasures, std::end(kMeasures), value) - kMeasures);

@@ -21,6 +21,10 @@ namespace hn::prover {
 
 constexpr double kUnit = 0x1p-23 * (1 + 0x1p-10);  // a rounding, relative; products of roundings included
 constexpr double kRootUlps = 6, kQuotientUlps = 3;
+constexpr double kRoom = 1 + 0x1p-18;  // a computed number may be so much more
+// How long, in exact arithmetic, the k-th smallest length is known to be at most, and so a vector if a result is its
+// direction.
+inline double longest = INFINITY;
 
 inline Interval root_of(Interval x) {
   return {-(-std::sqrt(std::max(x.lo, 0.0)) * (1 - 0x1p-50)), std::sqrt(std::max(x.hi, 0.0))};
@@ -37,7 +41,7 @@ inline Form within(Form f, double ulps_off) {
   add_error(f, {-off, off});
   return f;
 }
-inline Float operator/(Float a, Float b) {
+inline Float ratio(Float a, Float b) {
   return each(a, b, [](const Form& x, const Form& y) {
     const Interval by = reciprocal(y.range), quotient = x.range * by;
     Form f;
@@ -91,15 +95,15 @@ inline double error_up_to(int n, int word, size_t i, double most) {
   };
   const auto form = [i](int m) -> const Form& { return nodes[m].forms[nodes[m].word != 0 ? i : 0]; };
   const auto rounding = [](double size) { return ulp(size) + kTiny; };
-  constexpr double kRoom = 1 + 0x1p-18;  // a computed number may be so much more
   n = within(n);
   const double own = form(n).error().size();
   const char how = nodes[n].made;
   most = std::min(most, form(n).range.size());
   double found = own;
   const int of = how == 'Q' ? nodes[n].left : n;  // a root
-  if (const Node::Powers p = nodes[of].powers; p.power == 2 && (p.part == 1 || how == 'Q')) {
-    const double length = how == 'Q' ? most : std::sqrt(most);
+  if (const Node::Powers p = nodes[of].powers; p.power == 2 && p.part >= 0.5) {
+    const bool is_length = p.part == 0.5;
+    const double length = is_length ? most : std::sqrt(most);
     double off = 0;
     for (const auto& [m, w] : p.of) {
       if (w <= 0) return own;
@@ -107,9 +111,9 @@ inline double error_up_to(int n, int word, size_t i, double most) {
       off += w * e * e;
     }
     off = std::sqrt(off);
-    if (how == 'Q')
-      found =
-          off + most * p.roundings * kUnit + std::sqrt(4 * p.of.size() * kTiny) + kRootUlps * ulp(most * kRoom) + kTiny;
+    if (is_length)
+      found = off + most * p.roundings * kUnit / 2 + std::sqrt(4 * p.of.size() * kTiny) +
+              (how == 'Q' ? kRootUlps * ulp(most * kRoom) + kTiny : 0);
     else
       found = (2 * length + off) * off + most * p.roundings * kUnit + p.of.size() * kTiny;
   } else if (double scale = 0; how == '*' && is_constant(Float::at(nodes[n].right), &scale) && scale == 0.5) {
@@ -169,6 +173,50 @@ inline Form length_of(const Node::Powers& powers, int word, size_t i) {
   return f;
 }
 
+// A component of a DIRECTION is one of a vector over its length, or over a least length. Let the vector be off by e, as
+// a norm. If it is longer than that, it turns by an angle with a sine of e over the length at most; below a right angle
+// a chord is at most sqrt(2) times the sine. So the error times the length is sqrt(2) e at most, and what the length
+// and the quotient round by, relative to the length. If the vector is shorter, the component is off by 2 at most.
+constexpr double kLeastLength = 0x1p-47;
+inline const Node::Powers* vector_of(Float a, Float b) {
+  if (nodes[b.n].made != 'Q') return nullptr;
+  int n = nodes[b.n].left;
+  if (nodes[n].made == 'M' && nodes[nodes[n].right].forms[0].range.hi < kLeastLength) n = nodes[n].left;
+  const Node::Powers& p = nodes[n].powers;
+  bool is_in = false, alike = p.power == 2 && p.part == 0.5;
+  for (const auto& [m, w] : p.of) is_in |= m == a.n, alike &= w == 1 && nodes[m].word == nodes[a.n].word;
+  return is_in && alike ? &p : nullptr;
+}
+inline Float operator/(Float a, Float b) {
+  const Node::Powers* const vector = vector_of(a, b);
+  if (!vector) return ratio(a, b);
+  const Node::Powers p = *vector;
+  const double steps = (p.roundings / 2.0 + kRootUlps + kQuotientUlps) * kUnit;
+  double most = 0;
+  Vector<Form> forms;
+  for (size_t i = 0; i < nodes[a.n].forms.size(); ++i) {
+    double e = 0, length = 0;
+    for (const auto& [n, w] : p.of) {
+      const double off = error_up_to(n, nodes[n].word, i, longest * kRoom), size = nodes[n].forms[i].exact().size();
+      e += off * off, length += size * size;
+    }
+    e = std::sqrt(e) + 2 * kLeastLength;
+    if (e > longest * (kRoom - 1)) throw TooLarge{"an error of a length"};
+    most = std::max({most, std::sqrt(2) * e + steps * std::min(std::sqrt(length), longest), (2 + steps) * e});
+    Form f;
+    f.range = Interval{-1 - steps, 1 + steps}, f.mid = {-1, 1};
+    f.add_slope(kLargest);
+    add_error(f, {-2 - steps, 2 + steps});
+    forms.push_back(std::move(f));
+  }
+  bool may_be_0 = false;
+  for (const Form& f : nodes[b.n].forms) may_be_0 |= f.range.lo <= 0;
+  const bool has_least = nodes[nodes[b.n].left].made == 'M';  // else 0 / 0 is no number
+  const Float f = may_be_0 && has_least ? Float::at(node(nodes[a.n].word, std::move(forms))) : ratio(a, b);
+  nodes[f.n].by_length = most;
+  return f;
+}
+
 // --- Order ----------------------------------------------------------------------------------------------------------
 
 // The range and the error of each alternative of a node, and the hull of all ranges.
@@ -183,7 +231,7 @@ inline const std::vector<Node::Alternative>& alternatives(int n) {
   }
   return known;
 }
-inline Float ranked(std::vector<int> of, int kth) {
+inline Float ranked(std::vector<int> of, int kth, double most = INFINITY) {
   if (of.size() == 1) return Float::at(of[0]);
   std::vector<double> lows, highs;
   for (int n : of) {
@@ -192,7 +240,7 @@ inline Float ranked(std::vector<int> of, int kth) {
   }
   std::nth_element(lows.begin(), lows.begin() + kth - 1, lows.end());
   std::nth_element(highs.begin(), highs.begin() + kth - 1, highs.end());
-  const Interval range{lows[kth - 1], highs[kth - 1]};
+  const Interval range{lows[kth - 1], std::max(lows[kth - 1], std::min(highs[kth - 1], most))};
   const auto matters = [&](Interval x) { return x.hi >= range.lo && x.lo <= range.hi; };
   Interval error;
   double slope = 0;
@@ -234,10 +282,11 @@ inline std::vector<int> united(std::vector<int> a, const std::vector<int>& b) {
 // Numbers of different hashes, or the k-th smallest of such. All are kept, though some may always be larger: so sets of
 // them are the same.
 inline bool are_ranks(Float a, Float b) {
-  const int x = nodes[a.n].word, y = nodes[b.n].word;
+  const Node &x = nodes[a.n], &y = nodes[b.n];
+  const bool apart = x.word != 0 && y.word != 0 && x.word != y.word;
+  const bool joined = x.word == 0 && y.word == 0 && x.powers.power != 0 && y.powers.power != 0;  // squares of several
   double at = 0;
-  return ((x != 0 && y != 0 && x != y) || nodes[a.n].made == 'k' || nodes[b.n].made == 'k') && !is_constant(a, &at) &&
-         !is_constant(b, &at);
+  return (apart || joined || x.made == 'k' || y.made == 'k') && !is_constant(a, &at) && !is_constant(b, &at);
 }
 // The larger of both, if it is always the same one; else -1.
 inline int always_larger(Float a, Float b) {
@@ -252,7 +301,7 @@ inline Float larger(Float a, Float b) {
                       {std::max(x.mid.lo, y.mid.lo), std::max(x.mid.hi, y.mid.hi)});
   });
 }
-inline Float max(Float a, Float b) {
+inline Float new_max(Float a, Float b) {
   if (are_ranks(a, b)) {
     const Rank x = rank_of(a), y = rank_of(b);
     std::vector<int> both = united(x.of, y.of);
@@ -263,7 +312,10 @@ inline Float max(Float a, Float b) {
   }
   return made(larger(a, b), 'M', a, b);
 }
-inline Float min(Float a, Float b) {
+inline Float max(Float a, Float b) {
+  return Float::at(once('M', a.n, b.n, 0, [&] { return new_max(a, b).n; }));
+}
+inline Float new_min(Float a, Float b) {
   if (!are_ranks(a, b)) {
     if (const int n = always_larger(a, b); n >= 0) return n == a.n ? b : a;
     return made(-larger(-a, -b), 'n', a, b);
@@ -280,6 +332,10 @@ inline Float min(Float a, Float b) {
   return made(-larger(-a, -b), 'n', a, b);
 }
 
+inline Float min(Float a, Float b) {
+  return Float::at(once('n', a.n, b.n, 0, [&] { return new_min(a, b).n; }));
+}
+
 // --- Roots ----------------------------------------------------------------------------------------------------------
 
 // The exact root of a number that was computed.
@@ -292,7 +348,8 @@ inline Float root(Float a) {
     std::vector<int> roots;
     for (int c : n.candidates) roots.push_back(root(Float::at(c)).n);
     std::sort(roots.begin(), roots.end());  // also one that is several's: each counts
-    out = ranked(std::move(roots), n.kth);
+    out = ranked(std::move(roots), n.kth, longest * kRoom);
+    if (longest < INFINITY && out.form().error().size() > longest * (kRoom - 1)) throw TooLarge{"an error of a length"};
   } else if (n.made == 'M' || n.made == 'n') {
     const Float x = root(Float::at(n.left)), y = root(Float::at(n.right));
     out = n.made == 'M' ? max(x, y) : min(x, y);
@@ -317,7 +374,7 @@ inline Float root(Float a) {
   same[key] = out.n;
   return out;
 }
-inline Float sqrt(Float a) {
+inline Float new_sqrt(Float a) {
   const Float exact = root(a);
   const Float out = each(exact, [](const Form& x) { return within(x, kRootUlps); });
   nodes[out.n].made = 'Q', nodes[out.n].left = exact.n;
@@ -327,6 +384,9 @@ inline Float sqrt(Float a) {
     nodes[out.n].powers.roundings += static_cast<int>(kRootUlps * 2);
   }
   return out;
+}
+inline Float sqrt(Float a) {
+  return Float::at(once('Q', a.n, 0, 0, [&] { return new_sqrt(a).n; }));
 }
 
 }  // namespace hn::prover

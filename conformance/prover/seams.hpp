@@ -32,7 +32,7 @@ struct Step {
   int of[3];
   int word = 0;  // its number
 };
-inline int last_word = 0;
+inline int last_word = 0, last_common = 0;         // of all paths
 inline std::vector<Step> steps{{'#', {0, 0, 0}}};  // of a box; the first one is 0
 inline int new_step(int op, int a, int b = 0, int c = 0) {
   const auto make = [&] {

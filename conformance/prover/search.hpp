@@ -19,7 +19,7 @@ struct Argument {
 
 using Body = uvec4 (*)(uvec4, uvec4, uvec4, uvec4);
 
-enum Measure { kLargestError, kMost, kLeast, kExactMost, kExactLeast, kSlope };
+enum Measure { kLargestError, kMost, kLeast, kExactMost, kExactLeast, kSlope, kErrorByLength };
 
 struct Job {
   Body function = nullptr;
@@ -31,6 +31,8 @@ struct Job {
   double target = -INFINITY;  // a bound that is small enough
   int bits = 20;              // of a place in HN_FIXED
   bool given = false;         // decisions come out as in exact arithmetic
+  double longest = INFINITY;  // is the k-th smallest length, and a vector if a result is its direction
+  double unit = 1;            // is a length of the text in the result and in `longest`
   double seconds = INFINITY;
 };
 

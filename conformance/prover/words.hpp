@@ -23,9 +23,12 @@ struct Division {
   std::vector<std::uint32_t> thresholds;
   Vector<Bits> classes;
 };
-inline std::vector<Division> divisions;  // by the number of the word
+inline std::vector<Division> divisions;   // by the number of the word
+inline std::uint32_t bits_of_chosen = 0;  // divide the words that a path makes of what it chooses: from last_common on
 inline Division& division(int word) {
-  if (divisions.size() <= static_cast<std::size_t>(word)) divisions.resize(word + 1);
+  const auto is_chosen = [](std::size_t i) { return last_common > 0 && i > static_cast<std::size_t>(last_common); };
+  while (divisions.size() <= static_cast<std::size_t>(word))
+    divisions.push_back({is_chosen(divisions.size()) ? bits_of_chosen : 0, {}, {}});
   return divisions[word];
 }
 constexpr int kSpread = 5;  // so many of the highest bits of a number that bends
@@ -57,6 +60,10 @@ inline const Vector<Bits>& classes(int word) {
   if (std::popcount(bits | of.bits) > 10) refuse("too many bits of a hash decide");
   of.bits |= bits;
   of.classes.clear();
+  if (last_common > 0 && word > last_common) {
+    bits_of_chosen |= bits;
+    divisions.resize(last_common + 1);
+  }
   throw Again{};
 }
 // Divides all words that are divided: one after another each would start the proof again.

@@ -1,5 +1,5 @@
-"""The errors of cellular noise that its text does not prove (text.py): in floats those of derivatives, offsets, borders
-and points that move; and those in integers.
+"""The errors of cellular noise that its text does not prove (text.py): in floats those of borders, of
+offsets from points that move, and of the third distance in space; and those in integers.
 
 FLOATS. As elsewhere an operation returns one of the two floats around its exact result (floats.py). GLSL leaves more
 room to a square root and to a division: here a root is taken to be within ROOT_ULPS and a quotient within
@@ -52,8 +52,9 @@ def components(dims: int, reach: float) -> tuple[float, float]:
 
 
 def from_points(dims: int, reach: float, centre: float, product: float) -> tuple[float, float]:
-    """The norm where a component of the offset from the centre of a cell, and the product of a direction and the
-    jitter, are off by so much. HN_PRECISE may take a jitter as 0."""
+    """Such errors where a component of the offset from the centre of a cell, and the product of a direction and the
+    jitter, are off by so much: of two components that are rotated, so that these are longer by sqrt(2), and of a third one.
+    HN_PRECISE may take a jitter as 0."""
     length, point = 2 * reach, product + 2.0**-32
     along = centre + point + f32(length * 1.001)
     if dims == 2:
@@ -62,29 +63,8 @@ def from_points(dims: int, reach: float, centre: float, product: float) -> tuple
     return 2 * centre + f32(rotated + 1) + point + f32(rotated), along
 
 
-def length_error(dims: int, reach: float) -> float:
-    """The error of an offset, before its length is computed, in half cells."""
-    return length_of(*components(dims, reach))
-
-
-def length_of(across: float, along: float) -> float:
-    """Two components. Where there are three, two are rotated, and longer by sqrt(2)."""
-    return math.hypot(across, along)
-
-
 def relative(operations: float) -> float:
     return (1 + UNIT) ** operations - 1
-
-
-def distance_error(dims: int, reach: float) -> float:
-    return root_error(dims, reach, length_error(dims, reach))
-
-
-def root_error(dims: int, reach: float, err: float) -> float:
-    """The error of the length of an offset, in cells, given the error of the offset in half cells."""
-    length = 2 * reach
-    computed = (length + err) * (1 + relative(OPERATIONS[dims] / 2)) * (1 + UNIT * ROOT_ULPS)
-    return (computed - length + 2.0**-60) / 2 * SAFE
 
 
 def euclidean_reach(metric: str, dims: int, largest: float) -> float:
@@ -105,7 +85,8 @@ def manhattan_reach(metric: str, dims: int, largest: float) -> float:
 def hybrid_error(dims: int, largest: float) -> float:
     """The error of a distance up to the largest in the hybrid metric, in cells."""
     reach, size = (of("hybrid", dims, largest) for of in (euclidean_reach, manhattan_reach))
-    (across, along), length, err = components(dims, reach), 2 * reach, length_error(dims, reach)
+    across, along = components(dims, reach)
+    length, err = 2 * reach, math.hypot(across, along)
     square = (length + err) ** 2 * (1 + relative(OPERATIONS[dims])) - length**2
     total = (2 * across if dims == 2 else across + along) + f32(2 * size * 1.001)
     return (square / 2 + f32(2 * reach**2 * 1.001) + total + f32(2 * largest * 1.001)) / 2 * SAFE
@@ -120,27 +101,6 @@ def metric_slope(metric: str, dims: int, largest: float) -> float:
     return {"euclidean": math.sqrt(dims), "manhattan": float(dims), "chebyshev": 1.0}[metric]
 
 
-def direction_error(dims: int, reach: float) -> float:
-    """The error of a component of an offset divided by its length, times that length. If the offset is off by e and
-    longer than e, then its direction rotates by an angle of a sine of at most e over the length. Below a right angle no
-    chord is longer than sqrt(2) times the sine. If it is shorter, the component may be off by 2. Hence 2 e, for
-    both."""
-    steps = relative(1 + OPERATIONS[dims] / 2) + UNIT * (ROOT_ULPS + QUOTIENT_ULPS) + UNIT**2 * 100
-    return (2 * length_error(dims, reach) / 2 + steps * reach) * SAFE
-
-
-def offset_error(dims: int, fixed: bool) -> float:
-    """The error of a component of the offset of a point that is nearest in any metric, from a position or a cell, in
-    cells."""
-    if fixed:
-        return 2.5 * PLACE
-    largest = {metric: features.largest_distance(dims, 1, metric) for metric in features.METRICS}
-    reach = max(euclidean_reach(metric, dims, most) for metric, most in largest.items())
-    across, along = components(dims, reach)
-    plain = across if dims == 2 else max(across + f32(2 * reach * 1.001) / 2, along)
-    return (plain / 2 + 2.0**-24) * SAFE
-
-
 def _over_distances(error, dims: int, apart: float) -> float:
     """The largest of an error that is convex in the distance of two points: at an end."""
     return max(error(apart), error(2 * BLOCK_REACH[dims])) * SAFE
@@ -152,7 +112,7 @@ BLOCK_REACH = {dims: math.sqrt(2.5**2 + (dims - 1) * 1.5**2) for dims in (2, 3)}
 def border_error(dims: int, apart: float | None = None) -> float:
     """The error for points that are at least so far apart."""
     largest, first = features.largest_border(dims), features.largest_distance(dims, 1)
-    of_offset = length_error(dims, BLOCK_REACH[dims]) / 2
+    of_offset = math.hypot(*components(dims, BLOCK_REACH[dims])) / 2
     squares = relative(OPERATIONS[dims] + 1)
     steps = relative(3 + OPERATIONS[dims] / 2) + UNIT * (ROOT_ULPS + QUOTIENT_ULPS) + UNIT**2 * 1000
 

@@ -12,7 +12,7 @@ import time
 import unittest
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from unittest import mock
 
@@ -213,7 +213,14 @@ SEAM = """
     const uint i = a.x + uint(int(floor(u)));
     return uvec4(bits_of(share(i, x) + share(i + {step}u, x - 1.0f)), 0u, 0u, 0u);"""
 SEAMS = ((1.0, 1, 0.0, 2e-6), (1.25, 1, 0.03, 1.0), (1.0, 2, 1.9, 4.0))  # with bounds of their error
-BODIES = {"text": TEXT} | {f"seam{i}": Body.of("c:u32 x:f32", "v:f64", SEAM.format(radius=radius, step=step))
+# A direction, near the vector 0; and a number by another that one of two hashes chooses.
+OTHERS = {"direction": Body.of("x:f32 y:f32", "v:f64", """
+    float x = float_of(a.x) * 3.0f - 1.0f, y = float_of(a.y) * 3.0f - 1.0f;
+    return uvec4(bits_of(x / sqrt(max(x * x + y * y, HN_I_TINY_SQUARE))), 0u, 0u, 0u);"""), "chosen": Body.of("x:f32 h:u32 k:u32", "v:f64", """
+    float h = float(a.y >> 20u), k = float(a.z >> 20u);
+    float n = hn_i_select(h < k, 2.0f, hn_i_select(k < h, 5.0f, 7.0f));
+    return uvec4(bits_of(float(int(n)) * float_of(a.x)), 0u, 0u, 0u);""")}
+BODIES = {"text": TEXT} | OTHERS | {f"seam{i}": Body.of("c:u32 x:f32", "v:f64", SEAM.format(radius=radius, step=step))
                            for i, (radius, step, *_) in enumerate(SEAMS)}
 INTERVALS = """
 #include <cstdio>
@@ -305,6 +312,29 @@ class Engine(unittest.TestCase):
             with self.subTest(radius=radius, step=step):
                 self.assertLess(least, found.bound)
                 self.assertLess(found.bound, most)
+
+    def test_directions(self) -> None:
+        """The error times the length is bounded, also where the length may be 0."""
+        at, rng = np.float32(1 / 3) + np.arange(-200, 200) * np.float32(2.0**-24), np.random.default_rng(5)
+        x, y = (rng.choice(at, 5000).astype(float) for _ in range(2))
+        text, box = Text((), direction=OTHERS["direction"]), f"box:{at.min()!r}:{at.max()!r}".replace("np.float32", "")
+        exact = text("direction", EXACT, x=x, y=y)[0]
+        seen = max((abs(text("direction", rounding, x=x, y=y)[0] - exact) * np.hypot(3 * x - 1, 3 * y - 1)).max()
+                   for rounding in ROUNDINGS)
+        job = Job("direction", ("v",), {"x": box, "y": box}, most=1, measure="error_by_length")
+        bound = Prover(BODIES).prove([job])[0].bound
+        self.assertTrue(0.3 * bound < seen < bound, (seen, bound))
+        for mistake in (("roots.hpp", "std::sqrt(2) * e + steps", "steps"), ("roots.hpp", "e += off * off", "e += 0"))[:2 * THOROUGH]:
+            with self.subTest(mistake), mistaken(*mistake):
+                self.assertLess(Prover(OTHERS).prove([job])[0].bound, seen)
+
+    def test_choices(self) -> None:
+        """Each number that conditions may choose is a path."""
+        jobs = [Job("chosen", ("v",), {"x": "float:1.5"}, given=1, measure=measure) for measure in ("least", "most", "error")]
+        found = [proven.bound for proven in Prover(BODIES).prove(jobs)]
+        self.assertEqual([-3.0, 10.5, 0.0], found)
+        wrong, = Prover(BODIES).prove([replace(jobs[2], given=0)])  # rounding decides, for all it knows
+        self.assertEqual(math.inf, wrong.bound)
 
     def test_mistakes(self) -> None:
         """The same texts notice a mistake that is planted."""

@@ -115,7 +115,7 @@ def rotation_error(dims: int) -> float:
 
 
 def components(dims: int, reach: float) -> tuple[float, float]:
-    """As in distances.py, but without ROTATION."""
+    """As of from_points, but without ROTATION."""
     away = 2 * (reach + RADIUS[dims]) * 1.001
     projected = dims * f32(1.0) + sum(f32(math.sqrt(axes) * 1.001) for axes in range(2, dims + 1))
     centre = math.sqrt(dims) * 1.001 * f32(1.0) + projected + dims * f32(away)
@@ -123,21 +123,16 @@ def components(dims: int, reach: float) -> tuple[float, float]:
     return distances.from_points(dims, reach, centre, product)
 
 
-def length_error(dims: int, reach: float) -> float:
-    away = 2 * (reach + RADIUS[dims])
-    return distances.length_of(*components(dims, reach)) + rotation_error(dims) * away
-
-
-def distance_error(dims: int, reach: float) -> float:
-    """The error of a distance up to `reach`, in cells."""
-    return distances.root_error(dims, reach, length_error(dims, reach))
+def moved_by_sines(dims: int) -> float:
+    """How far distances move by that."""
+    return rotation_error(dims) * (largest_distance(dims, 2) + RADIUS[dims]) * SAFE
 
 
 def float_offset_error(dims: int) -> float:
     """The error of a component, from a position or a cell, in cells."""
     reach = largest_distance(dims, 1)
     length, rotation = 2 * reach, rotation_error(dims)
-    err = length_error(dims, reach)
+    err = math.hypot(*components(dims, reach)) + rotation * (length + 2 * RADIUS[dims])
     if dims == 3:
         err += math.sqrt(2) * f32(2 * length * 1.001) / 2  # x + y and x - y become x and y
     forwards = rotation * length + (2 * dims - 1) * f32(length * 1.001)

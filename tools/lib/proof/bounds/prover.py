@@ -64,7 +64,9 @@ class Job:
     target: float = -math.inf  # a bound that is small enough
     bits: int = 20  # of a place in HN_FIXED
     given: int = 0  # or 1: decisions come out as in exact arithmetic
-    measure: str = "error"  # or "most", "least", "exact_most", "exact_least", "slope"
+    measure: str = "error"  # or "most", "least", "exact_most", "exact_least", "slope", "error_by_length"
+    longest: float = math.inf  # of distances that are the k-th smallest, and of a vector if a result is its direction
+    unit: float = 1.0  # of the text's lengths, in those of `longest` and of the result
     seconds: float = math.inf  # then the search ends with the bound that it has
 
 
@@ -106,7 +108,8 @@ class Prover:
         arguments = [job.arguments.get(column.name, usual_argument(column)) for column in body.inputs]
         outputs = sum(1 << i for i, column in enumerate(body.outputs) if column.name in job.outputs)
         number = list(self.bodies).index(job.function)
-        options = [f"{name}={getattr(job, name)}" for name in ("measure", "most", "tolerance", "target", "bits", "given", "seconds")]
+        names = "measure", "most", "tolerance", "target", "bits", "given", "longest", "unit", "seconds"
+        options = [f"{name}={getattr(job, name)}" for name in names]
         return " ".join(map(str, (number, *arguments, f"outputs={outputs}", *options))) + "\n"
 
 

@@ -25,6 +25,7 @@ from proof.bounds.table import Bounds, closer, published
 
 Key = tuple[str, int, Gradient | None]
 VALUE, SLOPE, OFFSET = "value", "derivative", "offset"  # kinds of results: each has an error of its own
+ERRORS = "error", "error_by_length"  # measures
 
 
 @dataclass(frozen=True)
@@ -39,9 +40,11 @@ class Line:
     tolerance: float = 0.003
     bits: int = 20  # of places in HN_FIXED: the text rounds them to these
     kinds: tuple[str, ...] = (VALUE, SLOPE, OFFSET)
-    # Decisions come out as in exact arithmetic, of a place no farther than 2^-25 along each axis: there the noise's
-    # module proves that both sides are the same. So it is off by L * 2^-24 more.
+    # Decisions come out as in exact arithmetic: a result that jumps has an error only where they do. Or as at a place
+    # that is moved, by 2^-25 along each axis at most: there the noise's module proves that both sides are the same. So it
+    # is off by L * 2^-24 more.
     given: bool = False
+    moved: bool = False
     limits: bool | None = False  # by the text, too; None: by a formula of the noise's module
     long: bool = False  # not by `--check`, but by writing and by thorough tests
     # The cosine and the sine of a phase are exact there. How far they are off moves a noise or a derivative of the
@@ -83,10 +86,13 @@ PROVEN = (
     Line("simplex simplex_d", (3,), long=True),
     Line("cellular", (2,), kinds=(VALUE,)),
     Line("cellular", (3,), kinds=(VALUE,), long=True),
-    Line("cellular_three", (2,), given=True),
-    *(Line("cellular_three", (3,), given=True, arguments={"metric": f"word:{number}"}, long=True)
+    Line("cellular_three", (2,), given=True, moved=True),
+    *(Line("cellular_three", (3,), given=True, moved=True, arguments={"metric": f"word:{number}"}, long=True)
       for number in range(1, 5)),  # the hybrid metric has a formula: distances.py
     Line("cellular_smooth", (2, 3)),
+    Line("cellular", (2, 3), kinds=(OFFSET,), given=True),
+    Line("cellular_d", (2, 3), given=True),
+    Line("cellular_phase", (2, 3), kinds=(VALUE,), arguments={"phase": "any"}, exact_sines=True),
 )
 
 
@@ -139,7 +145,8 @@ class Case:
 def target(name: str, dims: int, line: Line, kind: str) -> float:
     """The documented error from a cell, and less if that from a position needs it."""
     if kind == OFFSET:
-        return noises.find(name).offset_error(dims, line.fixed)
+        of_vector = noises.find(name).offset_error(dims, line.fixed)
+        return of_vector if line.fixed else of_vector - position_error(0.0, 1.0)
     row = row_of((name, dims, line.gradient), kind)
     if not row:
         return -math.inf
@@ -153,8 +160,8 @@ def left_out(name: str, dims: int, line: Line, kind: str) -> float:
     row = row_of((name, dims, line.gradient), kind)
     if not row:
         return 0.0
-    of_sines = math.sqrt(2) * rotations.float_error() * row.limit if line.exact_sines else 0.0
-    return of_sines + (position_error(0.0, row.lipschitz) if line.given else 0.0)
+    of_sines = noises.find(name).moved_by_sines or (lambda _: math.sqrt(2) * rotations.float_error() * row.limit)
+    return of_sines(dims) * line.exact_sines + (position_error(0.0, row.lipschitz) if line.moved else 0.0)
 
 
 def cases(lines: Iterable[Line]) -> Iterator[Case]:
@@ -171,10 +178,14 @@ def cases(lines: Iterable[Line]) -> Iterator[Case]:
                     if kind not in line.kinds:
                         continue
                     outputs = tuple(column.name for column in function.outputs if kind_of(function, column.name) == kind)
+                    length = noises.find(name).length
+                    of_length = {"longest": length(dims), "unit": 0.5} if length and kind != OFFSET else {}
+                    if length and kind == SLOPE:
+                        of_length["measure"] = "error_by_length"
                     for metric in [{"metric": f"word:{number}"} for number in metrics] if several else [{}]:
                         case = Case(line, (name, dims, line.gradient), kind, Job(
                             function.id, outputs, {**line.arguments, **metric}, line.most, line.tolerance,
-                            target(name, dims, line, kind), line.bits, int(line.given)))
+                            target(name, dims, line, kind), line.bits, int(line.given), **of_length))
                         yield case
                         if line.limits:
                             limit = row_of(case.key, kind).fixed_limit
@@ -220,7 +231,7 @@ def below(published: float) -> float:
 
 def worst(found: Iterable[tuple[Case, Proven]], key: Key, kind: str, fixed: bool, *measures: str) -> float:
     return max(proven.bound for case, proven in found if case.kind == kind and case.line.holds(key, fixed)
-               and case.key[:2] == key[:2] and case.job.measure in (measures or ("error",)))
+               and case.key[:2] == key[:2] and case.job.measure in (measures or ERRORS))
 
 
 def completed(key: Key, bounds: ProvenBounds, found: Sequence[tuple[Case, Proven]]) -> ProvenBounds:
@@ -265,13 +276,14 @@ def wrong(found: Iterable[tuple[Case, Proven]], derived: Mapping[Key, ProvenBoun
         name, dims, gradient = case.key
         of = derived.get(case.key) or derived[name, dims, None]
         of = (case.kind == SLOPE and of.slope) or of
-        if case.job.measure != "error":
+        if case.job.measure not in ERRORS:
             if case.line.limits and not is_within(proven, of.fixed_largest):
                 messages.append(f"{case.job.function}: the {case.kind} is {of.fixed_largest:.6g} at most, and its text "
                                 f"proves {proven.bound:.6g} (HN_FIXED)")
             continue
         if case.kind == OFFSET:
-            limits = [("", 0.0, noises.find(name).offset_error(dims, case.line.fixed))]
+            limits = [("", 0.0 if case.line.fixed else position_error(0.0, 1.0),
+                       noises.find(name).offset_error(dims, case.line.fixed))]
         elif case.line.fixed:
             if case.line.limits is False and case.kind == VALUE and of.range + proven.bound > of.fixed_largest:
                 messages.append(f"{case.job.function}: the value may be {of.range + proven.bound:.6g} (HN_FIXED)")

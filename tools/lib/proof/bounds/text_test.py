@@ -10,10 +10,9 @@ from dataclasses import replace
 import numpy as np
 
 from base.thorough import THOROUGH, some
-from proof.bounds import kernels, moving, noises, suprema
+from proof.bounds import kernels, noises, suprema
 from proof.bounds import text as proofs
 from proof.bounds.features import METRICS
-from proof.bounds.floats import position_error
 from proof.bounds.gradients import OCTAHEDRAL, ROTATED, SINE
 from proof.bounds.noises import phasor
 from proof.bounds.noises.perlin import SCALE
@@ -108,10 +107,6 @@ def proven(function, name, gradient, fixed):
     """The bound of a result's error, and the limit of its size."""
     if name[0] in "oxy":  # of a vector to a point
         return noises.find(function.bound).offset_error(function.axes, fixed), np.inf
-    if function.bound == "cellular_phase":  # the row has the larger bound, that of the vector
-        dims, limit = function.axes, moving.largest_distance(function.axes, 2)
-        error = moving.fixed_distance_error(dims) if fixed else moving.distance_error(dims, limit)
-        return error if fixed or function.has_cell else position_error(error, dims**0.5), limit + error
     is_slope = name[0] == "d" and len(name) == 2
     row = slope_bounds_of(function.bound, function.axes) if is_slope else bounds_of(
         function.bound, function.axes, gradient.name)
@@ -214,7 +209,8 @@ class Boxes(unittest.TestCase):
             exact = text(gradient)(function.id, EXACT, **columns)
             runs = [text(gradient, *[FIXED] * case.line.fixed)(function.id, rounding, **columns)
                     for rounding in roundings(int(rng.integers(100)))[5:]]
-            off = np.max([abs(run[i] - exact[i]) for run in runs for i in at], axis=0)
+            counts = weights_of(function, columns, case.job.outputs[0][0])
+            off = np.max([abs(run[i] - exact[i]) * counts for run in runs for i in at], axis=0)
             worst, best = max(worst, off.max()), np.argsort(-off)[:count // 8].repeat(8)
             columns = {name: column[best] for name, column in columns.items()}
             for name, (low, high) in ends.items():

@@ -73,6 +73,10 @@ class Proof:
     ends: Callable[[int], list[float]] | None = None
     least: Callable[[int], float] | None = None
     offset_error: Callable[[int, bool], float] | None = None  # of a component of an offset, in floats or in integers
+    moved_by_sines: Callable[[int], float] | None = None  # in cells: by sines and cosines that are not exact
+    # The largest distance, in cells; the text has half cells. Derivatives are a vector over its length, which is a distance,
+    # and their errors are times that.
+    length: Callable[[int], float] | None = None
     # Numbers in prose: pairs of a file and a text that must stand in it
     quotes: Callable[[], list[tuple[str, str]]] = list
     is_of_text: bool = False  # there is no module of it
