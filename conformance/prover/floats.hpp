@@ -103,6 +103,10 @@ inline void only_leaf(int n, std::initializer_list<int> from) {
   }
   nodes[n].leaf = leaf;
 }
+inline Float made(Float f, char how, Float a) {
+  nodes[f.n].made = how, nodes[f.n].left = a.n;
+  return f;
+}
 inline Float made(Float f, char how, Float a, Float b) {
   nodes[f.n].made = how, nodes[f.n].left = a.n, nodes[f.n].right = b.n;
   only_leaf(f.n, {a.n, b.n});
@@ -142,7 +146,8 @@ inline Float new_sum(Float a, Float b, double sign) {
     Form f = constant(0);
     f.range = {-1, 1}, f.grid = -149, f.bits = 24;
     choose(f, 1);
-    return Float::of(f);
+    if (a.form().rounds()) add_error(f, {-2, 2}), f.range = {-1, 1};
+    return made(Float::of(f), '%', a);
   }
   int to = 0, t = 0, apart = 0;
   if (sign > 0 && interpolates(a, b, to, t, apart)) {
@@ -152,9 +157,9 @@ inline Float new_sum(Float a, Float b, double sign) {
   }
   double more = 0;
   for (int swap = 0; swap < 2 && sign > 0; ++swap, std::swap(a, b)) {  // t (b - a) + (a + constant)
+    if (nodes[b.n].made != '+' || !is_constant(Float::at(nodes[b.n].right), &more)) continue;
     const Node n = nodes[b.n];
-    if (n.made != '+' || !is_constant(Float::at(n.right), &more) || !interpolates(Float::at(n.left), a, to, t, apart))
-      continue;
+    if (!interpolates(Float::at(n.left), a, to, t, apart)) continue;
     const Vector<Form>& of_left = nodes[n.left].forms;
     const auto is_exact = [](const Form& sum, const Form& x) {  // it has no symbol of its own
       return sum.terms.empty() || (!x.terms.empty() && sum.terms.back().symbol <= x.terms.back().symbol);
@@ -192,10 +197,6 @@ inline Float operator*(Float a, Float b) {
                          '*', a, b);
     return with_powers(f, '*', a, b).n;
   }));
-}
-inline Float made(Float f, char how, Float a) {
-  nodes[f.n].made = how, nodes[f.n].left = a.n;
-  return f;
 }
 inline Float operator-(Float a) {
   if (nodes[a.n].lazy) return a * Float(-1.0f);
@@ -266,12 +267,15 @@ inline Float floor(Float a) {
 }
 inline Float trunc(Float a) {
   Form f = a.form();
-  if (!decided_by_hash(f) || f.range.size() < 0x1p24)
-    return one_of('t', a, std::trunc(f.range.lo), std::trunc(f.range.hi));
+  const Interval error = f.error() + Interval{-1, 1};
+  const bool by_hash = decided_by_hash(f);
+  if (by_hash ? f.range.size() < 0x1p24 : kFixed) return one_of('t', a, std::trunc(f.range.lo), std::trunc(f.range.hi));
   f = constant(0), f.grid = 0, f.bits = 24;
   f.range = {std::trunc(a.form().range.lo), std::trunc(a.form().range.hi)};
   return Float::at(once('T', a.n, 0, 0, [&] {
-    choose(f, f.range.size());
+    const Interval range = f.range;
+    choose(f, range.size());
+    if (!by_hash) add_error(f, error), f.range = range;
     return made(Float::of(f), 'T', a).n;
   }));
 }
@@ -290,7 +294,7 @@ inline bool is_extreme(int a, int b, char how) {
 }
 inline Mask operator<(Float a, Float b) {
   const Interval x = a.form().range, y = b.form().range;
-  if (x.hi < y.lo || x.lo >= y.hi) return Mask::of(x.hi < y.lo);
+  if (x.hi < y.lo || x.lo >= y.hi || a.n == b.n) return Mask::of(x.hi < y.lo);
   const Form less = plus(a.form(), b.form(), -1);
   for (const Term& t : less.terms) {  // a hash decides: few texts choose by that
     if (symbols[t.symbol].kind == kChoice) return Mask::unknown(less.rounds());
@@ -298,7 +302,8 @@ inline Mask operator<(Float a, Float b) {
   const auto key = step_key('<', a.n, b.n);
   if (!same.count(key)) {
     if (!less.rounds()) cut(less);
-    const bool is_wrong = !less.rounds() && (is_extreme(a.n, b.n, 'M') || is_extreme(a.n, b.n, 'n'));
+    const bool is_wrong = is_extreme(a.n, b.n, 'M') || is_extreme(a.n, b.n, 'n');
+    if (!kFixed && !is_wrong && !less.rounds() && decided >= kMostDecisions) return Mask::either(key);
     same[key] = is_wrong ? 0 : taken(2, less);
   }
   return Mask::of(same[key] != 0);

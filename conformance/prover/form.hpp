@@ -317,6 +317,8 @@ struct Decision {
 inline std::vector<Decision> path;
 inline size_t decided = 0;
 inline bool given = false;  // rounding changes no decision
+// After so many, those that have no roundings are left open (Mask::open): ties of n numbers would make 2^n paths.
+constexpr size_t kMostDecisions = 2;
 inline int taken(int count, Form number = {}) {
   if (decided == path.size()) path.push_back({0, count, std::move(number)});
   return path[decided++].taken;

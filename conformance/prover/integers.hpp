@@ -14,6 +14,11 @@ struct Word {
   int down = 0;       // these were so many bits higher in the word
   int n = 0;          // of kFloat: these are its bits; of kNumeric: it is this number
   int step = -1;      // that made it, of kAny and kBits
+  // Where an angle rounds, the exact one, which may be no whole number, is so far from the computed one at most,
+  // modulo 2^modulo; and within kAngleCut of a number that is known.
+  double off = 0;
+  int modulo = 32;
+  static constexpr double kAngleCut = 16;
 
   static Word any() {
     Word w;
@@ -38,7 +43,11 @@ struct Word {
   // Bits that decide.
   [[noreturn]] void want(std::uint32_t of) const { want_bits(word, down >= 0 ? of << down : of >> -down); }
   std::uint32_t wanted() const { return down >= 0 ? division(word).bits >> down : division(word).bits << -down; }
+  void must_be_exact() const {
+    if (off > 0) refuse("the bits of an angle that rounds");
+  }
   Word divided() const {
+    must_be_exact();
     if (is == kBits) return *this;
     if (is != kAny) refuse("the bits of a number");
     Word w = *this;
@@ -48,6 +57,12 @@ struct Word {
   }
 };
 inline Float select(Mask c, Float a, Float b);
+// How many parts a turn has, if a number is in these what another one has beyond whole turns.
+inline double parts_of_a_turn(int n) {
+  double parts = 0;
+  const bool is_part = nodes[n].made == '*' && nodes[nodes[n].left].made == '%';
+  return is_part && is_constant(Float::at(nodes[n].right), &parts) ? parts : 0;
+}
 template <bool Signed>
 struct Integer : Word {
   using Native = std::conditional_t<Signed, std::int32_t, std::uint32_t>;
@@ -87,9 +102,16 @@ struct Integer : Word {
     else if (kFixed && form.grid >= 0 && form.range.size() < 0x1p31) {
       *this = numeric(Float::of(Form(form)));
       nodes[n].made = 'L', nodes[n].leaf = n, nodes[n].shift = kFraction;
-    } else if (decided_by_hash(form))
+    } else if (const double turn = parts_of_a_turn(f.n); decided_by_hash(form) || turn > 0) {
       *this = Integer(made_by(new_step('N', f.n)));
-    else
+      if (turn == 0 || kExactSines) return;
+      // It is cut off, and rounding may take it to another whole turn.
+      const Form turns = Float::at(nodes[nodes[f.n].left].left).form();
+      const Interval exact = turns.exact() * point(turn);
+      if (exact.hi - exact.lo < 0.5) *this = Integer(static_cast<Native>(std::int64_t(std::floor(exact.lo))));
+      off = turns.error().size() * turn + 1, modulo = std::ilogb(turn);
+      if (std::ldexp(1.0, modulo) != turn) refuse("parts of a turn");
+    } else
       throw TooLarge{"a float that is no integer"};
   }
   // Uints are modulo 2^32 only where they are read.
@@ -110,6 +132,7 @@ struct Integer : Word {
   Float read() const { return as_read(number()); }
   bool counts() const { return is == kNumber || is == kNumeric || is == kFloat; }
   Float number() const {
+    must_be_exact();
     if (is == kNumber) return Float::whole(static_cast<double>(native()));
     if (is == kBits) {  // some bits of a hash
       return Float::at(once('B', step, Signed, 0, [&] {
@@ -124,7 +147,9 @@ struct Integer : Word {
           out.push_back(f);
         }
         const int by = out.size() == 1 ? 0 : word;  // before it is moved from
-        return node(by, std::move(out));
+        const int n = node(by, std::move(out));
+        nodes[n].made = Signed ? 'b' : 'B', nodes[n].step = step;
+        return n;
       }));
     }
     return is == kFloat ? as_bits(Float::at(n)) : Float::at(n);
@@ -138,7 +163,10 @@ struct Integer : Word {
     return a.counts() && b.counts() && (a.is != kNumber || b.is != kNumber);
   }
   explicit Integer(Mask m) { value = bool(m) ? 1 : 0; }
-  Native native() const { return static_cast<Native>(value); }
+  Native native() const {
+    must_be_exact();
+    return static_cast<Native>(value);
+  }
   // An integer may be any instead, if it is the same in exact arithmetic.
   static void forget(const Integer& a) {
     if (a.is != kNumeric && a.is != kFloat) return;
@@ -148,7 +176,8 @@ struct Integer : Word {
   }
   template <typename Step>
   static Integer both(const Integer& a, const Integer& b, const Step& step) {
-    if (a.is == kNumber && b.is == kNumber) return Integer(static_cast<Native>(step(a.native(), b.native())));
+    if (a.is == kNumber && b.is == kNumber)
+      return Integer(static_cast<Native>(step(static_cast<Native>(a.value), static_cast<Native>(b.value))));
     forget(a), forget(b);
     return Integer(any());
   }
@@ -226,6 +255,7 @@ struct Integer : Word {
   }
   static Integer up(Integer a, Integer b) {
     if (a.word != 0 && b.is == kNumber && b.value < 32) {
+      a.off = 0;  // see stepped
       Integer out(a.divided());
       for (Bits& x : out.bits) x = {~(~x.known << b.value), x.value << b.value, 0, ~0u};
       out.down -= static_cast<int>(b.value);
@@ -272,10 +302,16 @@ struct Integer : Word {
   // Words are made of others by steps; some depend on the sign alone.
   static Integer stepped(char op, const Integer& a, const Integer& b, Integer out) {
     const bool by_sign = op == '/' || op == '%' || op == '>';
-    if (out.is != kAny && out.is != kBits) return out;
-    const int step = new_step(op + by_sign * Signed * 256, a.step_of(), b.step_of());
-    if (out.is == kAny) return Integer(made_by(step));
-    out.step = step;
+    const bool shifts = op == '<' && b.is == kNumber && b.value < 32, numeric = out.is == kNumeric || out.is == kFloat;
+    if (numeric || (op != '+' && !shifts)) a.must_be_exact(), b.must_be_exact();
+    if (numeric) return out;
+    if (out.is != kNumber) {
+      const int step = new_step(op + by_sign * Signed * 256, a.step_of(), b.step_of());
+      if (out.is == kAny) out = Integer(made_by(step));
+      out.step = step;
+    }
+    out.off = shifts ? std::ldexp(a.off, static_cast<int>(b.value)) : a.off + b.off;
+    out.modulo = std::min(shifts ? a.modulo + static_cast<int>(b.value) : std::min(a.modulo, b.modulo), 32);
     return out;
   }
 #define PROVER_OPERATOR(op, result)                                                          \
@@ -297,6 +333,7 @@ struct Integer : Word {
   friend Integer& operator++(Integer& a) { return a = a + Integer(Native(1)); }
 
   static Mask unknown(const Integer& a, const Integer& b) {
+    a.must_be_exact(), b.must_be_exact();
     const auto rounds = [](const Integer& x) {
       return (x.is == kNumeric || x.is == kFloat) && Float::at(x.n).form().rounds();
     };
@@ -337,9 +374,11 @@ struct Integer : Word {
   friend Mask operator<=(Integer a, Integer b) { return b >= a; }
   friend Mask equal(Integer a, Integer b, bool flip) {
     if (a.is == kNumber && b.is == kNumber) return Mask::of((a.value == b.value) != flip);
-    if (b.is != kNumber || a.is != kBits) return unknown(a, b);
-    Mask m = Mask::make(a.word, {});
+    Mask m = unknown(a, b);
+    if (b.is != kNumber || a.word == 0) return m;
     m.step = new_step(flip ? 'D' : 'E', a.step_of(), b.step_of());
+    if (a.is != kBits) return m;
+    m.word = a.word, m.v.clear();
     for (const Bits& x : a.bits) {
       if (std::popcount(~x.known) > 8) return Mask::unknown();
       if (x.known != ~0u) a.want(~x.known);
@@ -360,7 +399,7 @@ struct Integer : Word {
     if (c.word == 0 && c.v[0] >= 0) return c.v[0] ? a : b;
     if (numbers(a, b) || (c.word != 0 && a.counts() && b.counts())) return numeric(select(c, a.number(), b.number()));
     if (c.rounds) throw TooLarge{"a word by a number that rounds"};
-    forget(a), forget(b);
+    forget(a), forget(b), a.must_be_exact(), b.must_be_exact();
     return Integer(c.step >= 0 ? made_by(new_step('?', c.step, a.step_of(), b.step_of())) : any());
   }
   friend Integer min(Integer a, Integer b) {
@@ -376,6 +415,7 @@ struct Integer : Word {
 };
 template <bool Signed>
 Float::Float(const Integer<Signed>& i) : Float() {
+  i.must_be_exact();
   if (i.is == Word::kNumber) {
     *this = Float(i.native());
   } else if (i.is == Word::kNumeric || i.is == Word::kFloat || i.is == Word::kBits) {
@@ -407,8 +447,8 @@ inline Float select(Mask c, Float a, Float b) {
   if (c.zero >= 0 && is_zero(a) && vanishes_with(b, c.zero)) return b;
   if (c.word == 0) {
     if (c.v[0] < 0) {
-      // Rounded and exact arithmetic may take either side.
-      const double apart = given ? 0 : (a.form().range - b.form().range).size();
+      // Rounded and exact arithmetic may take either side, or both the same one.
+      const double apart = given || c.open ? 0 : (a.form().range - b.form().range).size();
       Form f = joined({a.form(), b.form()});
       if (apart > 0) f.terms.push_back({symbol(kError, {-apart, apart}), {1, 1}});
       return given ? made(Float::of(f), 'o', a, b) : Float::of(f);
@@ -475,13 +515,16 @@ inline int of_bits(const Uint& w) {
 }
 inline Float uintBitsToFloat(Uint w) {
   if (w.is == Word::kFloat) return Float::at(w.n);
+  w.must_be_exact();
   if (w.is == Word::kNumber) return Float(std::bit_cast<float>(w.value));
   if (w.is == Word::kAny) {  // a finite argument
     if (w.step < 0 || steps[w.step].op != 'A') refuse("a float of any bits");
-    Form f = constant(0);
-    f.range = {-0x1.fffffep127, 0x1.fffffep127}, f.grid = -149, f.bits = 24;
-    choose(f, f.range.hi);
-    return Float::of(f);
+    return Float::at(once('A', w.step, 0, 0, [] {
+      Form f = constant(0);
+      f.range = {-0x1.fffffep127, 0x1.fffffep127}, f.grid = -149, f.bits = 24;
+      choose(f, f.range.hi);
+      return Float::of(f).n;
+    }));
   }
   return Float::at(once('U', w.step, 0, 0, [&] { return of_bits(Uint(w.divided())); }));
 }

@@ -47,6 +47,11 @@ inline int node(int word, Vector<Form> forms) {
   return static_cast<int>(nodes.size()) - 1;
 }
 constexpr bool kFixed = HN_ARITHMETIC == HN_FIXED;
+#ifdef PROVER_EXACT_SINES
+constexpr bool kExactSines = true;
+#else
+constexpr bool kExactSines = false;
+#endif
 int settled(int n);
 
 // The paths of a box share nodes: a step that was taken before, of the same nodes, has the same node. But a step that

@@ -119,7 +119,7 @@ double measured(const Job& job, Float number) {
   std::abort();
 }
 
-constexpr int kMostPaths = 1000;
+constexpr int kMostPaths = 1000, kMostSeams = 64;  // each two of the latter are compared
 
 // The results of a path.
 struct Outcome {
@@ -137,7 +137,8 @@ double apart(const std::vector<Outcome>& outcomes) {
       while (i < a.path.size() && i < b.path.size() && a.path[i].taken == b.path[i].taken) ++i;
       if (i == a.path.size() || i == b.path.size() || !a.path[i].rounds) continue;
       for (std::size_t j = 0; j < a.numbers.size(); ++j)
-        most = std::max(most, numbering.apart(a.numbers[j], b.numbers[j], a.path[i].number));
+        if (a.numbers[j] != b.numbers[j])
+          most = std::max(most, numbering.apart(a.numbers[j], b.numbers[j], a.path[i].number));
     }
   }
   return most;
@@ -149,7 +150,7 @@ double found_in(const Job& job, Box& box, std::string& problem) {
   bool starts = true;
   std::array<uvec4, 4> in;
   for (int paths = 0;; ++paths) {
-    if (paths > kMostPaths) {
+    if (paths > kMostPaths || outcomes.size() > kMostSeams) {
       problem = "too many paths";
       return INFINITY;
     }

@@ -54,7 +54,7 @@ class Numbering {
 
   Sum<double> of(int n) {
     if (const auto found = floats_.find(n); found != floats_.end()) return found->second;
-    const Node x = nodes[n];
+    const Node& x = nodes[n];
     const Form& f = x.forms[0];
     Sum<double> sum;
     if (x.word == 0 && f.terms.empty() && f.range.lo == f.range.hi)
@@ -193,11 +193,14 @@ class Numbering {
   }
 
   int atom(int n) {
-    const Node x = nodes[n];
+    const Node& x = nodes[n];
     int number = -1;
     switch (x.made) {
-      case 'U':  // the float of a word
-        number = id({'U', id(of_step(x.step))});
+      case 'U':  // the float of a word, its number, or its sine
+      case 'w':
+      case 'B':
+      case 'b':
+        number = id({std::uint64_t(x.made), id(of_step(x.step))});
         break;
       case '*':
       case 'M':
@@ -210,7 +213,9 @@ class Numbering {
         break;
       }
       case 'a':
-        number = id({'a', id(of(x.left))});
+      case 'W':  // the sine of a quarter
+      case '%':  // without its whole part
+        number = id({std::uint64_t(x.made), id(of(x.left))});
         break;
       case '?':
         number = id({'?', id(of_step(x.step)), id(of(x.left)), id(of(x.right))});
@@ -237,6 +242,8 @@ class Numbering {
       sum.terms = {{id({'N', id(this->of(of[0]))}), 1}};
     } else if (op == 'X' || op == 'A') {
       sum.terms = {{unique(), 1}};
+    } else if (op == '?' && id(of_step(of[1])) == id(of_step(of[2]))) {
+      sum = of_step(of[1]);
     } else {
       const Sum<std::uint32_t> a = of_step(of[0]), b = of_step(of[1]);
       if (op == '+' || op == '-') {

@@ -20,7 +20,7 @@ namespace hn::prover {
 // turn of 2^30, which is a rounding of a number that a hash makes, but not of one that is known.
 static Float hn_i_polynomial_sine(Uint q);
 inline Float hn_i_quarter_sine(Uint q) {
-  return each(hn_i_polynomial_sine(q), [known = q.is != Word::kNumeric](Form f) {
+  const auto sine = [known = q.is != Word::kNumeric](Form f) {
     const double most = PROVER_SINE + (known ? 63 * 0x1p-30 * 1.5708 : 0);
     const Interval off{-most, most}, range = hull(f.range, {0, 1});
     f.mid = f.mid + off, f.place = Form::kSeveral;
@@ -32,7 +32,48 @@ inline Float hn_i_quarter_sine(Uint q) {
 #endif
     f.range = meet(f.range, range);
     return f;
-  });
+  };
+  return made(each(hn_i_polynomial_sine(q), sine), 'W', q.number());
+}
+#endif
+#if HN_ARITHMETIC != HN_FIXED
+#define hn_i_wave hn_i_known_wave
+#include "detail/sine.glsl"
+#undef hn_i_wave
+// How far the sine of any angle is off.
+inline double error_of_sines() {
+  static const double most = [] {
+    const auto words = last_word;
+    const auto before = divisions;
+    for (;;) {
+      try {
+        const double found = Float::at(joined_node(hn_i_known_wave(Uint(Word::any()), 0u).n)).form().error().size();
+        last_word = words, divisions = before;
+        return found;
+      } catch (const Again&) {
+        last_word = words;
+      }
+    }
+  }();
+  return most;
+}
+// The sine of an angle that rounds: the angle moves it by no more than that.
+inline Float hn_i_wave(Uint angle, Uint sign) {
+  if (angle.off == 0) return hn_i_known_wave(angle, sign);
+  if (angle.modulo < 32 || sign.is != Word::kNumber || sign.value != 0) refuse("a part of an angle that rounds");
+  constexpr double kUnit = 0x1p-32 * 6.283186;
+  const double error = error_of_sines() + std::exchange(angle.off, 0) * kUnit;
+  Form f = constant(0);
+  f.range = {-1, 1}, f.grid = kNoGrid, f.bits = 24;
+  if (angle.is == Word::kNumber) {
+    f.mid = hn_i_known_wave(angle, sign).form().mid + Interval{-kUnit, kUnit} * point(Word::kAngleCut);
+  } else {
+    choose(f, 1);
+  }
+  add_error(f, {-error, error});
+  const auto n = node(0, {f});
+  nodes[n].made = 'w', nodes[n].step = angle.step;
+  return Float::at(n);
 }
 #endif
 #include "hashnoise.glsl"

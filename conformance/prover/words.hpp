@@ -89,10 +89,17 @@ struct Mask {
   int less[2] = {-1, -1};  // nodes that are compared
   int zero = -1;           // a node that is compared with 0
   bool rounds = false;     // rounding may change it
+  std::uint64_t open = 0;  // a step that makes no path until a branch needs it; it is exact
+  bool flips = false;
   int word = 0;
   Vector<signed char> v{0};  // 0, 1
   explicit operator bool() const {
     if (word != 0) refuse("a branch by a hash");
+    if (open != 0) {
+      const auto [known, is_new] = same.try_emplace(open, 0);
+      if (is_new) known->second = taken(2);
+      return (known->second != 0) != flips;
+    }
     if (v[0] < 0) throw TooLarge{"a branch by an unknown number"};
     return v[0] != 0;
   }
@@ -107,9 +114,18 @@ struct Mask {
     m.rounds = rounds;
     return m;
   }
+  static Mask either(std::uint64_t key) {
+    Mask m = unknown();
+    m.open = key;
+    return m;
+  }
   friend Mask operator&&(Mask a, Mask b) { return of(bool(a) && bool(b)); }
   friend Mask operator||(Mask a, Mask b) { return of(bool(a) || bool(b)); }
-  friend Mask operator!(Mask a) { return of(!bool(a)); }
+  friend Mask operator!(Mask a) {
+    if (a.open == 0) return of(!bool(a));
+    a.flips = !a.flips;
+    return a;
+  }
 };
 
 template <bool Signed>

@@ -35,7 +35,8 @@ STEPS = (
     "[&] { const float m = max(p, q); return hn_i_select(p < m, hn_i_select(q < m, c, r), q); }()",
     "uintBitsToFloat(floatBitsToUint(abs(p)) | (k & 0x80000000u))",
     "uintBitsToFloat(floatBitsToUint(p) ^ (h & 0x80000000u))", "float(k >> 20u) * 0.00390625f", "float(h & 0x30u)",
-    "float(k)", "float((k & 0xFFu) << 4u)", "sqrt(p * p + q * q)", "p / (q * q + 1.0f)")
+    "float(k)", "float((k & 0xFFu) << 4u)", "sqrt(p * p + q * q)", "p / (q * q + 1.0f)",
+    "hn_i_wave(hn_i_angle(p), 0u)", "hn_i_wave((h << 2u) + hn_i_angle(p) + hn_i_angle(q), 0u)")
 CONSTANTS = ("0.5f", "1.0f", "3.0f", "0.75f", "-0.25f", "0.000732421875f", "1.999755859375f", "1.99951171875f")
 # Texts beside random ones, of steps and their p, q, r and c. Negative numbers count from the end.
 TEXTS = (
@@ -60,6 +61,12 @@ TEXTS = (
     # The smaller one of numbers of two hashes: one of them may be far below 0.
     (("float(k >> 20u) * 0.00390625f", 0), ("hn_i_select((k >> 28u) == 3u, q, p)", -1, 0), ("p - q", 0, -1),
      ("hn_i_select((h & 4u) != 0u, p, q)", 0, 0), ("min(p, q)", -1, -2)),
+    # The waves of a place that rounds.
+    (("p * q", 0, 1), ("p + c", -1, 0, 0, 1), ("hn_i_wave(hn_i_angle(p), 0u)", -1)),
+    (("p * q", 0, 1), ("hn_i_wave((h << 2u) + hn_i_angle(p) + hn_i_angle(q), 0u)", -1, -1)),
+    # The third decision rounds.
+    (("hn_i_select(p < q, p, q)", 0, 1), ("hn_i_select(p < q, p, q)", 1, 0),
+     ("hn_i_select(p * 3.0f < p + p + p, q, r)", 0, 0, 1)),
     # The square of a square and so on is no float.
     (("float(k)", 0), *(("p * p", -1),) * 3),
 )
@@ -185,6 +192,7 @@ MISTAKES = (
     ("roots.hpp", "error += w * raised(off),", "error = w * raised(off),"),
     ("roots.hpp", "some[i].range.lo < 0 ? INFINITY : range.hi", "range.hi"),
     ("floats.hpp", "taken(2, less) ? hi : lo", "taken(2) ? hi : lo"),
+    ("floats.hpp", "!less.rounds() && decided >= kMostDecisions", "decided >= kMostDecisions"),
     ("floats.hpp", "is_wrong ? 0 : taken(2, less)", "is_wrong ? 0 : taken(2)"),
     ("floats.hpp", "known != same.end() && known->second != 0", "true"),
     ("floats.hpp", "&& x.fused < 0 ?", "?"),
@@ -200,6 +208,11 @@ MISTAKES = (
     ("integers.hpp", "const double lo = std::max(x.lo, x.value), hi = std::min(x.hi, x.value | ~x.known)",
      "const double lo = std::max(x.lo, x.value), hi = lo"),
     ("integers.hpp", "const int n = c.v[i] ? x : y;", "const int n = c.v[i] ? y : x;"),
+    ("integers.hpp", "off = turns.error().size() * turn + 1", "off = 1"),
+    ("integers.hpp", "std::ldexp(a.off, static_cast<int>(b.value)) : a.off + b.off", "a.off : a.off + b.off"),
+    ("integers.hpp", ": a.off + b.off;", ": a.off;"),
+    ("text.hpp", "std::exchange(angle.off, 0) * kUnit", "std::exchange(angle.off, 0) * 0"),
+    ("text.hpp", "double error = error_of_sines() + std", "double error = std"),
     ("integers.hpp", "std::ilogb(one) - 23", "std::ilogb(one) - 22"),
 )
 # A noise on a line whose cells are a third of x: rounding decides which cell a place is in. Its points reach as far as
