@@ -17,14 +17,12 @@ sqrt(3) times a cosine, of angles that are 120 degrees apart: so |A| + |B| is at
 rounded, by b, and A, by a' beside the cosine and B / 2: this moves the noise by b (m - n / 2) + a' n = b sqrt(3)/2
 N(1/4 turn) + a' n, at most (sqrt(3)/2 b + a') R.
 
-IN FLOATS the cosine and the sine are off by the error of a sine, and by the angle that is cut off. In space B is a
-product with the float FACTOR, and A a difference; B / 2 is exact. Two products round, their sum and the scaled result.
-The products are at most R in sum on the plane, where (n, m) is no longer than R, and 2 R in space.
+IN FLOATS the text proves the rest: PROVEN in text.py.
 
-IN INTEGERS they are off likewise. In space B is 2 sin(a) / sqrt(3) with 20277 / 2^15 for 4 (2 / sqrt(3) - 1), rounded
-down to a multiple of 2^-18, and B >> 1 rounds down to one. All parts of an error but the cut of the place and SCALE are
-moved by sqrt(2), or by 2. Two parts (docs/reference/contract.md, section 10) round down, with factors as large as A and
-B in units of 2^-18.
+IN INTEGERS the cosine and the sine are off by the error of a sine, and by the angle that is cut off. In space B is 2
+sin(a) / sqrt(3) with 20277 / 2^15 for 4 (2 / sqrt(3) - 1), rounded down to a multiple of 2^-18, and B >> 1 rounds down
+to one. All parts of an error but the cut of the place and SCALE are moved by sqrt(2), or by 2. Two parts
+(docs/reference/contract.md, section 10) round down, with factors as large as A and B in units of 2^-18.
 """
 
 from __future__ import annotations
@@ -37,7 +35,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from proof.bounds import sine
-from proof.bounds.floats import TINY, UNIT
 from proof.bounds.gradients import OCTAHEDRAL, Gradient
 from proof.bounds.integers import FADE_ONE, RAMP_ONE, fixed_scale, part_intermediate, scaled_intermediate
 from proof.bounds.noises import Proof, ProvenBounds, derived
@@ -48,10 +45,8 @@ ANGLE_CUT = 2 * math.pi * 2.0**-30  # a phase is cut off to a multiple of 2^-30 
 IN_SUM = {2: math.sqrt(2), 3: 2.0}  # |A| + |B|, by the number of dimensions
 OFF_IN_SUM = {2: 2.0, 3: 3.0}  # how far they are off, by the error of a cosine and a sine
 LARGEST_SHARE = {2: 1.0, 3: 2 / math.sqrt(3)}  # of A and of B
-PRODUCTS = {2: 1.0, 3: 2.0}  # |A n| + |B m|, by R
 # Two parts, each in units of its whole.
 MIXED_ROUNDING = {dims: 511 * in_sum + 2 + 2 * 511 for dims, in_sum in IN_SUM.items()}
-FACTOR = 1.15470054
 
 
 @functools.cache
@@ -63,14 +58,6 @@ def float_error() -> float:
 @functools.cache
 def fixed_error() -> float:
     return sine.fixed_sine_error() + ANGLE_CUT
-
-
-def float_rounding(dims: int) -> float:
-    """sqrt(3)/2 b + a'. The constant may be the float on the other side."""
-    if dims == 2:
-        return 0.0
-    of_sine = abs(FACTOR / LARGEST_SHARE[3] - 1) + 2 * UNIT
-    return (of_sine + LARGEST_SHARE[3] * UNIT) * (1 + 2 * float_error())
 
 
 def fixed_rounding(dims: int) -> float:
@@ -88,12 +75,6 @@ def moved(dims: int, error: float, off: float, largest: float, rounding: float =
             + (OFF_IN_SUM[dims] * off + 2 * rounding) * error)
 
 
-def mixed(dims: int, error: float, largest: float) -> float:
-    """The error of a noise in floats, from the errors of n and m."""
-    err = moved(dims, error, float_error(), largest, float_rounding(dims))
-    return err + (PRODUCTS[dims] + 2) * UNIT * (1 + UNIT)**3 * (largest + err) + 4 * dims * TINY
-
-
 def rotated(still: ProvenBounds, dims: int, largest: float, lipschitz: float, unit: float,
             ratio: float = 1.0) -> ProvenBounds:
     """Bounds of a noise, or of its derivatives. In integers n has this unit, times the scale, which is so much of that
@@ -103,8 +84,7 @@ def rotated(still: ProvenBounds, dims: int, largest: float, lipschitz: float, un
     beside = ratio * sum(value for name, value in still.fixed_parts.items() if name not in ("cut", "scaling"))
     parts["gradient"] = (moved(dims, beside, fixed_error(), largest, fixed_rounding(dims)) - IN_SUM[dims] * beside
                          + MIXED_ROUNDING[dims] * unit)
-    cell_error = None if still.cell_error is None else mixed(dims, ratio * still.cell_error, largest)
-    return derived(still.promise, largest, lipschitz, cell_error, parts)
+    return derived(still.promise, largest, lipschitz, parts=parts)
 
 
 def rotated_words(name: str, dims: int, value: float, scale: int) -> dict[str, float]:

@@ -8,13 +8,10 @@ In integers t is off by e, and
     W    by the errors of its factors, and 2^-19
     E    an eighth of the fall, likewise
 
-EVEN. The weight of phasor noise is t^3 (1 + 15 (1 - t)^2), and its slope 3 h^2 with h = 4 t - 5 t^2. Floats compute
-
-    q = t*t;  g = t - q;  w = ((g*g)*15 + q)*t;  h = t*4 - q*5;  fall = (h*h)*(6 m)
-
-The steps depend on each other: g, for one, is off by 1 - 2 t times what t is off by. So e is followed through the exact
-weight, which moves by at most |e| times the largest slope between t and t + e, and the roundings of the steps through
-steps from a t + e that is exact. In integers, with r = 2^-17, x = t (1 - t), and x and h taken at t + e,
+EVEN. The weight of phasor noise is t^3 (1 + 15 (1 - t)^2), and its slope 3 h^2 with h = 4 t - 5 t^2. The steps depend on
+each other. So e is followed through the exact weight, which moves by at most |e| times the largest slope between t and
+t + e, and the roundings of the steps through steps from a t + e that is exact. With r = 2^-17, x = t (1 - t), and x and h
+taken at t + e,
 
     Q    is rounded by r, and so G is off by that
     M    is off by r |1 - 30 x| + 15 r^2 because of both, and by r because 15 G^2 is rounded
@@ -144,34 +141,13 @@ def _floats_plane_fall(t: Approx, m: int) -> Approx:
     return t.times(t).times(t.exactly(-16.0).plus(18.0)).scaled(float(m))
 
 
-def _without_error(t: Approx) -> Approx:
-    """The values that it may have been computed as."""
-    return Approx(np.maximum(t.lo - t.err, 0.0), t.hi + t.err)
-
-
-def _floats_even(t: Approx) -> Approx:
-    own = _without_error(t)
-    q = own.times(own)
-    g = own.minus(q).clipped(*_around(OF_G, t.lo, t.hi, t.err))
-    w = g.times(g).scaled(15.0).sum(q).clipped(*_around(OF_M, t.lo, t.hi, t.err)).times(own)
-    return Approx(w.lo, w.hi, w.err + _moved(0, t.lo, t.hi, t.err))
-
-
-def _floats_even_fall(t: Approx, m: int) -> Approx:
-    own = _without_error(t)
-    h = own.exactly(4.0).minus(own.times(own).scaled(5.0))
-    h = h.clipped(*_around(OF_H, t.lo, t.hi, t.err))
-    fall = h.times(h).scaled(6.0 * m)
-    return Approx(fall.lo, fall.hi, fall.err + 2 * m * _moved(1, t.lo, t.hi, t.err))
-
-
 @dataclass(frozen=True, eq=False)
 class Weight:
     """A polynomial: coefficients by powers of t. `floats` computes it, and `float_fall` its fall; `fixed` and
     `fixed_fall` bound the errors of W and E, given the least and the largest t and its error. A fall has its m as an
     argument. Where there are no derivatives there is no fall."""
     coefficients: Terms
-    floats: Callable[[Approx], Approx]
+    floats: Callable[[Approx], Approx] | None
     fixed: Callable
     float_fall: Callable[[Approx, int], Approx] | None = None
     fixed_fall: Callable | None = None
@@ -199,5 +175,4 @@ FOURTH = Weight({4: 1.0}, _floats_fourth, _fixed_fourth, lambda t, m: _floats_cu
                 lambda low, t, e, m: m * _fixed_cube(low, t, e))
 FIFTH = Weight({5: 4.0}, lambda t: _floats_fourth(t).times(t).scaled(4.0), _fixed_fifth)
 PLANE = Weight({3: 3.0, 4: -2.0}, _floats_plane, _fixed_plane, _floats_plane_fall, _fixed_plane_fall)
-EVEN = Weight({3: 16.0, 4: -30.0, 5: 15.0}, _floats_even, _fixed_even, _floats_even_fall, _fixed_even_fall,
-              forgotten=1e-9)
+EVEN = Weight({3: 16.0, 4: -30.0, 5: 15.0}, None, _fixed_even, None, _fixed_even_fall)

@@ -18,19 +18,11 @@ The supremum over all angles is the sum of the magnitudes. |k.u| is at most the 
 axis, for any signs of u. For given angles the sum is as smooth as the weights: so in a box it is bounded by its values
 at the vertices and its second derivatives, as in kernels.py.
 
-FLOATS, as in kernel_floats.py, with these in place of a ramp:
-
-    turns = k*d + ..;  on the plane turns/2;  the angle is cut off to a multiple of 2^-30 turns;  cosine and sine
-
-Everything behind the sum is exact up to the sine, and sine.py has the sine's error. The angle of the phase is cut off,
-too. On the plane the skewed coordinate moves the place, for all points alike.
-
 FIXED, as in kernel_fixed.py. The wave is cut to a multiple of 2^-16 along each axis, which turns a point by up to that
 times its offset. The product along each axis rounds down by less than 2^-32 turns. Sines times 2^13 are exact.
 
-BANDWIDTH. The wave of a point is below 16 along each axis, too, so ranges and slopes are the same. With floats the
-product of the bandwidth and the direction, which is exact, is below 16, and so is the sum where it is not clamped: each
-rounds by less than 2^-20. With integers the wave, the bandwidth and the product are cut by less than 2^-16 each.
+BANDWIDTH. The wave of a point is at most 16 along each axis, too, so ranges and slopes are the same. In integers the wave,
+the bandwidth and the product are cut by less than 2^-16 each.
 
 NO OVERFLOW. K is at most 2^20. An offset is at most 1 step along an axis, and the contract's product takes the high and
 the low 10 bits in turn: the low ones are below 2^10, and the high ones are at most 2^10. The words on the way to a
@@ -45,15 +37,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from proof.bounds import kernel_fixed, kernel_floats, kernels, rotations
+from proof.bounds import kernel_fixed, kernels, rotations
 from proof.bounds.boxes import cell, supremum
-from proof.bounds.floats import Approx
 from proof.bounds.gradients import Gradient
 from proof.bounds.integers import word
 from proof.bounds.kernels import Jet, Kernel, Offsets, dot, weight_jet
 from proof.bounds.noises import Proof, ProvenBounds, derived, listed
 from proof.bounds.sine import fixed_sine_largest
-from proof.bounds.table import scientific, shortest
+from proof.bounds.table import shortest
 from proof.bounds.weights import EVEN
 
 WAVES = 16  # per cell along an axis, at most
@@ -64,24 +55,18 @@ WAVE_CUT, ANGLE_UNIT = 2.0**-16, 2.0**-32  # in waves per cell, and in turns
 class Waves(Kernel):
     """With so many waves per cell along an axis at most, in place of gradients."""
     waves: float = WAVES
-    wave_error: float = 0.0  # of a component in floats
+    is_own: bool = False  # each point has a wave of its own
     wave_cut: float = WAVE_CUT  # of a component in integers
-
-    def float_ramp(self, own: list[Approx]) -> Approx:
-        return Approx.within(1.0, wave_error(self, own))  # no sine is above 1
 
     def fixed_ramp(self, offsets: Offsets) -> tuple[float, np.ndarray]:
         """With the error of the cosine and the sine of a point."""
         along = self.wave_cut * offsets.size.sum(axis=0) / self.steps + self.dims * ANGLE_UNIT
         return 1.0, rotations.fixed_error() + TURN * along
 
-    def along_x(self) -> float:
-        return largest(self, (1.0, 0.0), rate_along(self, 1))
-
 
 # The lattices and the distances are hn_simplex's.
 KERNELS = {2: Waves(2, 819 / 1024, 1, 762, 3, EVEN, triangles=True), 3: Waves(3, 1.0, 2, 674, 4, EVEN)}
-OWN = {dims: replace(kernel, wave_error=2 * 2.0**-20, wave_cut=3 * WAVE_CUT) for dims, kernel in KERNELS.items()}
+OWN = {dims: replace(kernel, is_own=True, wave_cut=3 * WAVE_CUT) for dims, kernel in KERNELS.items()}
 CASES = tuple((dims, None) for dims in KERNELS)
 TURN = 2 * math.pi
 RAMP_ONE = 2**29  # the unit of the factors of weights
@@ -137,26 +122,11 @@ def lipschitz_of(kernel: Waves) -> float:
                                                  for sign, same in kernels.signs(kernel))
 
 
-# --- Floats -----------------------------------------------------------------------------------------------------------
-
-def angle_error(kernel: Waves, own: kernel_floats.Offsets):
-    """The error of the waves along an offset, before they are cut off."""
-    wave = Approx.within(float(kernel.waves), kernel.wave_error)
-    along = kernel_floats.total(wave.times(Approx.within(d.size(), d.err)) for d in own)
-    return TURN * along.err / kernel.steps
-
-
-def wave_error(kernel: Waves, own: kernel_floats.Offsets):
-    """The error of the cosine and the sine of a point."""
-    return angle_error(kernel, own) + rotations.ANGLE_CUT + rotations.float_error()
-
-
 # --- Proofs -----------------------------------------------------------------------------------------------------------
 
 def derived_value(kernel: Waves) -> ProvenBounds:
     lipschitz = lipschitz_of(kernel)
-    return derived(1.0, range_of(kernel), lipschitz, kernel_floats.error_bound(kernel),
-                   kernel_fixed.error_parts(kernel, lipschitz))
+    return derived(1.0, range_of(kernel), lipschitz, parts=kernel_fixed.error_parts(kernel, lipschitz))
 
 
 def derive(dims: int, _: Gradient | None) -> ProvenBounds:
@@ -168,9 +138,9 @@ def derive_own(dims: int, _: Gradient | None) -> ProvenBounds:
 
 
 def length(proven: ProvenBounds) -> float:
-    """How long value and quadrature can be, as computed in floats or in integers: both leave their range by their
-    error, but for the cut of the place."""
-    return proven.range + math.sqrt(2) * (max(proven.largest, proven.fixed_largest) - proven.range)
+    """How long value and quadrature can be, as computed: in integers, where errors are larger, both leave their range by
+    their error, but for the cut of the place."""
+    return proven.range + math.sqrt(2) * (proven.fixed_largest - proven.range)
 
 
 @functools.cache
@@ -196,8 +166,8 @@ def quotes() -> list[tuple[str, str]]:
     below = listed([range_of(kernel) for kernel in KERNELS.values()])
     long, own = ([shortest(length(of(dims, None)), 5) for dims in KERNELS] for of in (derive, derive_own))
     return [("docs/measured/accuracy.md", text) for text in (
-        f"`hn_phasor` stays below {below} in 2D and 3D", f"are at most {long[0]} long in 2D and {long[1]} in 3D, and with a bandwidth {own[0]} and {own[1]}",
-        f"which costs {scientific(kernel_floats.moved(KERNELS[2], KERNELS[2].along_x))}")]
+        f"`hn_phasor` stays below {below} in 2D and 3D",
+        f"are at most {long[0]} long in 2D and {long[1]} in 3D, and with a bandwidth {own[0]} and {own[1]}")]
 
 
 PROOFS = {"phasor": Proof(CASES, derive, largest_intermediates, quotes=quotes),

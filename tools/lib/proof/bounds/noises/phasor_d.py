@@ -13,12 +13,6 @@ LIPSCHITZ. The derivative of that along a vector s has in place of z
 Its length is convex in c and in b, so it is largest where both are: for both signs of their product. As in kernels.py
 it is bounded by the value in the middle of a box and the first derivatives.
 
-FLOATS. Each point adds to the derivative fall * cosine * x, in any order, and then
-
-    S * sum;  on the plane times 2;  (k * 6.2831853) * z, of the quadrature or the value z as it is returned;  the sum
-
-On the plane the skewed coordinate moves the place for all of this alike.
-
 FIXED. The fall is as in kernel_fixed.py, with a cosine, which is at most 1, in place of a ramp. The sum is in units of
 2^-27 per step. Its product with S, in units of 2^-19, is exact in units of 2^-24 per cell, and so
 
@@ -28,8 +22,7 @@ FIXED. The fall is as in kernel_fixed.py, with a cosine, which is at most 1, in 
     VALUE    the error of z times 2 pi k_i
     LAST     the last sum is rounded to a multiple of 2^-16
 
-BANDWIDTH. In place of the value each of its terms is multiplied, in floats by k and their sum by 2 pi, in integers by T
-of the point. There the half of a term rounds down by up to 2^-29, the part of each is off as `part` is, and the sum is
+BANDWIDTH. In place of the value each of its terms is multiplied by T of the point. There the half of a term rounds down by up to 2^-29, the part of each is off as `part` is, and the sum is
 rounded to a multiple of 2^-14 before it is scaled.
 
 NO OVERFLOW. |z| is at most 2^21. The last sum is the derivative in units of 2^-24, which is less than 128. Its two
@@ -39,15 +32,12 @@ terms are less than that each, too.
 from __future__ import annotations
 
 import functools
-import itertools
 from dataclasses import replace
 
 import numpy as np
 
-from proof.bounds import kernel_fixed, kernel_floats, kernels
+from proof.bounds import kernel_fixed, kernels
 from proof.bounds.boxes import Boxes, cell, supremum
-from proof.bounds.floats import TINY, Approx, constant, largest_of
-from proof.bounds.floats import UNIT as ROUNDED
 from proof.bounds.gradients import Gradient
 from proof.bounds.integers import ONE, SLOPE_UNIT, UNIT, part_intermediate
 from proof.bounds.kernels import Jet, Offsets, dot, weight_jet
@@ -110,59 +100,6 @@ def lipschitz_of(kernel: Waves) -> float:
     return kernel.steps**2 * scale_of(kernel) * max(second_derivative(kernel, *of) for of in kernels.axes_and_signs(kernel))
 
 
-# --- Floats -----------------------------------------------------------------------------------------------------------
-
-def falling(fall: Approx, cosine: Approx, d: Approx) -> Approx:
-    """Their product, in any order."""
-    orders = [a.times(b).times(c) for a, b, c in itertools.permutations((fall, cosine, d)) if a is not d]
-    return Approx.within(largest_of(product.size() for product in orders), largest_of(product.err for product in orders))
-
-
-def slope_error(kernel: Waves, largest: float, lo, hi):
-    """The largest error of a derivative, per cell, in each box of places, given by its ends along each axis."""
-    values, along = [], [[] for _ in range(kernel.dims)]
-    for own, q in kernel_floats.distances(kernel, lo, hi):
-        t = kernel_floats.nearness(kernel, q)
-        cosine = kernel.float_ramp(own)
-        fall = kernel_floats.fall(kernel, t)
-        values.append(cosine.times(kernel_floats.weighted(kernel, t)))
-        for terms, d in zip(along, own):
-            terms.append(falling(fall, cosine, d))
-    rotated = rotated_terms(kernel, values) if kernel.wave_error else rotated_value(
-        kernel, kernel_floats.added(kernel, values))
-    sums = [kernel_floats.added(kernel, terms) for terms in along]
-    return largest_of(last_sum(a.exactly(kernel.steps), rotated, largest).err for a in sums)
-
-
-def rotated_value(kernel: Waves, z: Approx) -> Approx:
-    """2 pi k z, in any order of its two products."""
-    rate = constant(TURN)
-    largest = kernel.waves * (rate.hi + rate.err) * (z.size() + z.err)
-    err = kernel.waves * (rate.hi * z.err + rate.err * (z.size() + z.err))
-    err = err + 2.001 * ROUNDED * largest + TINY
-    return Approx.within(kernel.waves * TURN * z.size(), err)
-
-
-def rotated_terms(kernel: Waves, values: list[Approx]) -> Approx:
-    """With a wave of each point, and so of each term."""
-    wave = Approx.within(float(kernel.waves), kernel.wave_error)
-    return kernel_floats.added(kernel, [wave.times(value) for value in values]).times(constant(TURN))
-
-
-def last_sum(a: Approx, b: Approx, largest: float) -> Approx:
-    """A sum, whose exact value is at most `largest`."""
-    return Approx.within(largest, a.err + b.err).rounded()
-
-
-@functools.cache
-def error_bound(kernel: Waves) -> float:
-    """A proven upper bound of the error of a derivative from (cell, fraction), per cell."""
-    error = functools.partial(slope_error, kernel, range_of(kernel))
-    of_move = kernel_floats.moved(kernel, lambda: max(second_derivative(kernel, axis, (1.0, 0.0), 2)
-                                                      for axis in kernels.axes(kernel)))
-    return kernel_floats.error_supremum(error, kernel) + kernel.steps * of_move
-
-
 # --- Fixed ------------------------------------------------------------------------------------------------------------
 
 @functools.cache
@@ -190,15 +127,15 @@ def fixed_rotation_error(kernel: Waves) -> float:
     turns = whole_turns(kernel)
     exactly = TURN * 2.0**-3 * np.arange(-(len(turns) // 2), len(turns) // 2 + 1)
     off = abs(turns - exactly).max() * 2.0**-13 + TURN * kernel.wave_cut
-    if kernel.wave_error:
+    if kernel.is_own:
         of_part = kernel_fixed.part_rounding(abs(turns).max() / 2**18).item() * 2.0**-23
-        return off + scale_of(kernel) * kernel.visited * (of_part + TURN * kernel.waves * 2.0**-29)
+        return off + scale_of(kernel) * (kernel.dims + 1) * (of_part + TURN * kernel.waves * 2.0**-29)
     rounding = abs((turns >> 9) / 2).max() + abs(turns & 511).max()
     return off + rounding * FINE
 
 
 def fixed_parts(kernel: Waves, lipschitz: float) -> dict[str, float]:
-    of_value = (scale_of(kernel) * 2.0**-15 if kernel.wave_error else
+    of_value = (scale_of(kernel) * 2.0**-15 if kernel.is_own else
                 TURN * kernel.waves * kernel_fixed.scale_error(kernel, UNIT))
     scaling = kernel.steps * kernel_fixed.scale_error(kernel, SLOPE_UNIT) + of_value
     return {"cut": lipschitz / ONE, "points": scale_of(kernel) * fixed_rounding_effect(kernel), "scaling": scaling,
@@ -209,7 +146,7 @@ def fixed_parts(kernel: Waves, lipschitz: float) -> dict[str, float]:
 
 def derived_slope(kernel: Waves) -> ProvenBounds:
     lipschitz = lipschitz_of(kernel)
-    return derived(0.0, range_of(kernel), lipschitz, error_bound(kernel), fixed_parts(kernel, lipschitz))
+    return derived(0.0, range_of(kernel), lipschitz, parts=fixed_parts(kernel, lipschitz))
 
 
 def derive(dims: int, gradient: Gradient | None) -> ProvenBounds:
@@ -244,7 +181,7 @@ def sum_of_falls(kernel: Waves) -> float:
 
 def largest_own_intermediates(dims: int, gradient: Gradient | None) -> dict[str, float]:
     kernel, turns = OWN[dims], whole_turns(OWN[dims])
-    rounding = kernel.visited * kernel_fixed.part_rounding(abs(turns).max() / 2**18).item()
+    rounding = (kernel.dims + 1) * kernel_fixed.part_rounding(abs(turns).max() / 2**18).item()
     of_terms = TURN * kernel.waves * phasor.range_of(kernel) / scale_of(kernel) * 2**23 + rounding
     return largest_intermediates(dims, gradient) | {
         "rotated term": part_intermediate(2.0**28, turns[[0, -1]]), "rotated terms": of_terms + 2**8,
