@@ -1,5 +1,4 @@
-"""Steps of the float arithmetic (HN_FAST and HN_PRECISE), for the formulas of errors of noises that are not in PROVEN of
-text.py.
+"""Steps of the float arithmetic (HN_FAST and HN_PRECISE), for the formulas of errors that text.py does not prove.
 
 GLSL fixes no rounding mode: an operation returns one of the two floats around its exact result, so it errs by less than
 one ulp. So does a constant that is no float. Inputs and results below 2^-126 may become 0.
@@ -18,14 +17,12 @@ Everything is computed for many boxes at a time: a number may be an array of num
 
 from __future__ import annotations
 
-import functools
 import struct
 from dataclasses import dataclass
 
 import numpy as np
 
 from proof.bounds.boxes import SAFE
-from proof.bounds.gradients import OCTAHEDRAL, two_largest
 
 UNIT = 2.0**-23  # the largest relative error of a faithfully rounded operation
 TINY = 2.0**-126  # the largest absolute error of flushing a subnormal to 0
@@ -43,39 +40,20 @@ class Approx:
     hi: np.ndarray | float
     err: np.ndarray | float = 0.0
 
-    @staticmethod
-    def within(size, err=0.0) -> Approx:
-        return Approx(-size, size, err)
-
     def size(self):
         """The largest magnitude of the exact value."""
         return np.maximum(abs(self.lo), abs(self.hi))
 
-    def rounded(self, offset=0.0) -> Approx:
-        """After one rounding: the ulp of the largest magnitude the computed value can have, if it is computed with an
-        offset that this exact value is without."""
-        return Approx(self.lo, self.hi, self.err + rounding(offset + self.size() + self.err))
+    def rounded(self) -> Approx:
+        """After one rounding: the ulp of the largest magnitude that the computed value can have."""
+        return Approx(self.lo, self.hi, self.err + rounding(self.size() + self.err))
 
     def clipped(self, lo, hi) -> Approx:
         """With a range known from elsewhere."""
         return Approx(np.maximum(self.lo, lo), np.minimum(self.hi, hi), self.err)
 
-    def exactly(self, factor) -> Approx:
-        """Times a number, where that does not round."""
-        ends = (self.lo * factor, self.hi * factor)[::1 if factor > 0 else -1]
-        return Approx(*ends, self.err * abs(factor))
-
     def plus(self, constant) -> Approx:
         return Approx(self.lo + constant, self.hi + constant, self.err).rounded()
-
-    def scaled(self, constant) -> Approx:
-        return self.exactly(constant).rounded()
-
-    def sum(self, other: Approx) -> Approx:
-        return Approx(self.lo + other.lo, self.hi + other.hi, self.err + other.err).rounded()
-
-    def minus(self, other: Approx) -> Approx:
-        return self.sum(other.exactly(-1.0))
 
     def times(self, other: Approx) -> Approx:
         ends = [a * b for a in (self.lo, self.hi) for b in (other.lo, other.hi)]
@@ -87,39 +65,6 @@ def rounding(magnitude, ulps=1.0):
     """The largest error of rounding a result of at most this magnitude; the ulp is 2^(e - 23) in [2^e, 2^(e + 1))."""
     exponent = np.frexp(magnitude * SAFE)[1] - 1
     return ulps * np.ldexp(1.0, exponent - 23) + TINY
-
-
-def constant(value) -> Approx:
-    """One that the compiler rounds."""
-    return Approx(value, value).rounded()
-
-
-# --- Ramps ------------------------------------------------------------------------------------------------------------
-
-def largest_of(numbers):
-    return functools.reduce(np.maximum, numbers)
-
-
-def approx_plane_ramp(own):
-    """With 3/4 along either axis and 1/4 along the other."""
-    x, y = own
-    err = largest_of((3 * a.err + b.err) / 4 + rounding(0.75 * (a.size() + a.err)) for a, b in ((x, y), (y, x)))
-    size = OCTAHEDRAL.support([x.size(), y.size()])
-    return Approx.within(size, err + TINY).rounded()
-
-
-def approx_sum_of_two(own):
-    """The sum of the two that are largest, with the two largest errors."""
-    size, err = (sum(two_largest(np.broadcast_arrays(*numbers))) for numbers in
-                 ([d.size() for d in own], [d.err for d in own]))
-    return Approx.within(size, err).rounded()
-
-
-def approx_octahedral_ramp(own):
-    """From the offsets of a corner, or of a lattice point."""
-    if len(own) == 1:
-        return Approx.within(own[0].size(), own[0].err).rounded()
-    return approx_plane_ramp(own) if len(own) == 2 else approx_sum_of_two(own)
 
 
 def position_error(cell_error, lipschitz):

@@ -34,19 +34,17 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from proof.bounds.boxes import Bound, Boxes, cell, smooth, supremum
-from proof.bounds.floats import Approx, approx_octahedral_ramp
 from proof.bounds.gradients import OCTAHEDRAL, Gradient
 from proof.bounds.weights import CUBE, FIFTH, FOURTH, PLANE, Weight
 
 
 @dataclass(frozen=True, eq=False)
 class Kernel:
-    """The sum of a noise. `visited` points at most are looked at, anywhere."""
+    """The sum of a noise."""
     dims: int
     radius: float  # r
     fall: int  # m
     scale: int  # 1024 S
-    visited: int
     weight: Weight
     triangles: bool = False
 
@@ -68,17 +66,9 @@ class Kernel:
 
     # A ramp is the number that a weight multiplies: here of a gradient.
 
-    def float_ramp(self, own: list[Approx]) -> Approx:
-        """The ramp in floats, from the offsets along the axes."""
-        return approx_octahedral_ramp(own)
-
     def fixed_ramp(self, offsets: Offsets) -> tuple[np.ndarray | float, np.ndarray | float]:
         """The largest ramp of a point in each box, and its error in integers."""
         return OCTAHEDRAL.support(offsets.size), 0.0
-
-    def along_x(self) -> float:
-        """The largest derivative of the sum, not scaled, per step."""
-        return largest(self, Quantity(((1.0, 0.0),)), OCTAHEDRAL)
 
     def nearness(self, d: np.ndarray) -> np.ndarray:
         """t at offsets."""
@@ -90,11 +80,11 @@ class Kernel:
             yield place - np.array(point)[:, None]
 
 
-SIMPLEX = {2: Kernel(2, 819 / 1024, 1, 4099, 3, PLANE, triangles=True),
-           3: Kernel(3, 1.0, 2, 4918, 4, FOURTH),
-           4: Kernel(4, 1.0, 2, 4298, 4, CUBE)}
+SIMPLEX = {2: Kernel(2, 819 / 1024, 1, 4099, PLANE, triangles=True),
+           3: Kernel(3, 1.0, 2, 4918, FOURTH),
+           4: Kernel(4, 1.0, 2, 4298, CUBE)}
 ROTATING = {2: SIMPLEX[2], 3: replace(SIMPLEX[3], scale=4902)}  # with a phase
-SMOOTH = {2: Kernel(2, 1.0, 1, 3081, 4, CUBE, triangles=True), 3: Kernel(3, 0.75, 1, 4279, 8, FIFTH)}
+SMOOTH = {2: Kernel(2, 1.0, 1, 3081, CUBE, triangles=True), 3: Kernel(3, 0.75, 1, 4279, FIFTH)}
 
 
 # --- Summands ---------------------------------------------------------------------------------------------------------

@@ -86,6 +86,7 @@ PROVEN = (
     Line("phasor phasor_d", (3,), arguments=dict.fromkeys(("kx", "ky", "kz", "phase"), "any"), most=200_000, long=True),
     Line("simplex simplex_d simplex_smooth curl", (2,)),
     Line("simplex simplex_d simplex_smooth", (3,), long=True),
+    Line("simplex simplex_d", (4,), most=200_000, long=True),
     Line("cellular", (2,), kinds=(VALUE,)),
     Line("cellular", (3,), kinds=(VALUE,), long=True),
     Line("cellular_three", (2,), given=True, moved=True),

@@ -1,5 +1,5 @@
 """The weights w(t) of simplex noise and of phasor noise (docs/reference/contract.md, sections 13 and 23): their
-derivatives, and how they are computed, in floats and in integers. The fall of a weight is 2 m w'(t): what the weight's
+derivatives, and how integers compute them. The fall of a weight is 2 m w'(t): what the weight's
 derivative multiplies an offset with.
 
 In integers t is off by e, and
@@ -27,8 +27,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-
-from proof.bounds.floats import Approx
 
 NEAR_ONE, WEIGHT_ONE = 2**16, 2**18  # the units of t and Q, and of W and E
 HALF_NEAR, HALF_WEIGHT = 0.5 / NEAR_ONE, 0.5 / WEIGHT_ONE
@@ -124,34 +122,13 @@ def _fixed_even_fall(low, high, e, m: int):
     return m / 4 * (_moved(1, low, high, e) + 3 * of_square)
 
 
-def _floats_cube(t: Approx) -> Approx:
-    return t.times(t).times(t)
-
-
-def _floats_fourth(t: Approx) -> Approx:
-    q = t.times(t)
-    return q.times(q)
-
-
-def _floats_plane(t: Approx) -> Approx:
-    return _floats_cube(t).times(t.exactly(-2.0).plus(3.0))
-
-
-def _floats_plane_fall(t: Approx, m: int) -> Approx:
-    return t.times(t).times(t.exactly(-16.0).plus(18.0)).scaled(float(m))
-
-
 @dataclass(frozen=True, eq=False)
 class Weight:
-    """A polynomial: coefficients by powers of t. `floats` computes it, and `float_fall` its fall; `fixed` and
-    `fixed_fall` bound the errors of W and E, given the least and the largest t and its error. A fall has its m as an
-    argument. Where there are no derivatives there is no fall."""
+    """A polynomial: coefficients by powers of t. `fixed` and `fixed_fall` bound the errors of W and E, given the least and
+    the largest t and its error. A fall has its m as an argument. Where there are no derivatives there is no fall."""
     coefficients: Terms
-    floats: Callable[[Approx], Approx] | None
     fixed: Callable
-    float_fall: Callable[[Approx, int], Approx] | None = None
     fixed_fall: Callable | None = None
-    forgotten: float = 1e-10  # more than what points add that floats leave out: see kernel_floats.py
 
     def terms(self, order: int) -> Terms:
         return derived(self.coefficients, order)
@@ -169,10 +146,8 @@ class Weight:
         return np.maximum(*map(np.abs, self.ends(order, low, high)))
 
 
-CUBE = Weight({3: 1.0}, _floats_cube, _fixed_cube, lambda t, m: t.times(t).scaled(6.0 * m),
-              lambda _, t, e, m: m * 0.75 * square_error(t, e))
-FOURTH = Weight({4: 1.0}, _floats_fourth, _fixed_fourth, lambda t, m: _floats_cube(t).scaled(8.0 * m),
-                lambda low, t, e, m: m * _fixed_cube(low, t, e))
-FIFTH = Weight({5: 4.0}, lambda t: _floats_fourth(t).times(t).scaled(4.0), _fixed_fifth)
-PLANE = Weight({3: 3.0, 4: -2.0}, _floats_plane, _fixed_plane, _floats_plane_fall, _fixed_plane_fall)
-EVEN = Weight({3: 16.0, 4: -30.0, 5: 15.0}, None, _fixed_even, None, _fixed_even_fall)
+CUBE = Weight({3: 1.0}, _fixed_cube, lambda _, t, e, m: m * 0.75 * square_error(t, e))
+FOURTH = Weight({4: 1.0}, _fixed_fourth, lambda low, t, e, m: m * _fixed_cube(low, t, e))
+FIFTH = Weight({5: 4.0}, _fixed_fifth)
+PLANE = Weight({3: 3.0, 4: -2.0}, _fixed_plane, _fixed_plane_fall)
+EVEN = Weight({3: 16.0, 4: -30.0, 5: 15.0}, _fixed_even, _fixed_even_fall)

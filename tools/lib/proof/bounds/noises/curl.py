@@ -26,14 +26,15 @@ derivative is at most twice the product of their amplitudes, which are derivativ
 
 Let S be the largest |a_y| + |a_z| + |b_y| + |b_z|, or with two other axes. It is the sum of H and H_m along
 (0, +-1, +-1), so it is bounded likewise, over places alone. Whatever changes each derivative by at most e moves a
-component by at most S e + 2 e^2: the place, and the errors of the derivatives. |a_y b_z| + |a_z b_y| is at most a
-quarter of S^2.
+component by at most S e + 2 e^2: the place, and the errors of the derivatives. If it changes b's by d more, it
+moves a component by (|a_y| + |a_z|) d + 2 e d more, where the sum is at most L of hn_simplex. |a_y b_z| + |a_z b_y| is at
+most a quarter of S^2.
 
-In floats the fraction that is moved rounds once, to one in [m, 1], whose floats are at most 2^-24 apart. (The
-difference, of a fraction from 1 - m on, is exact.) So the derivatives of the second noise are off by 2^-24 times their
-Lipschitz constant, too. The products and the difference round. In integers the move is exact, and prod(a, b) is below
-the product by less than 2 units of 2^-20, 1 for the low digits and 1 for the shift. The result is rounded to a multiple
-of 2^-16.
+In floats, in space, the fraction that is moved rounds once, to one in [m, 1], whose floats are at most 2^-24 apart. (The
+difference, of a fraction from 1 - m on, is exact.) So the derivatives of the second noise are off as from a position, and
+the other ones as from a cell: by the published errors, which the text proves. The products and the difference round. In
+integers the move is exact, and prod(a, b) is below the product by less than 2 units of 2^-20, 1 for the low digits and 1
+for the shift. The result is rounded to a multiple of 2^-16.
 
 With a phase the gradients are ROTATED (gradients.py), and each noise has a phase of its own. All of the above holds,
 as rotated gradients have the same symmetries. (These are bounds for all pairs of phases.)
@@ -54,11 +55,11 @@ from proof.bounds.floats import UNIT, rounding
 from proof.bounds.gradients import LENGTH, OCTAHEDRAL, ROTATED, Gradient
 from proof.bounds.kernels import ROTATING, SIMPLEX, Jet, Kernel, Offsets, Quantity, jet, vector, weight_jet
 from proof.bounds.noises import Proof, ProvenBounds, derived, simplex
+from proof.bounds.table import bounds_of, slope_bounds_of
 
 TOLERANCE, LEVEL = 1e-3, 10
 PARTS = 64  # of a quarter, between directions
 MOVE = (0.5, 0.0, 0.25)
-MOVE_ERROR = 2.0**-24  # of a fraction in floats
 AXES = ((1, 2), (0, 1))  # of the planes of the components along x, whose bounds that along y shares, and along z
 FIXED_PRODUCT = 2.0**-20  # the unit of prod
 KERNELS = {OCTAHEDRAL: SIMPLEX, ROTATED: ROTATING}
@@ -167,29 +168,34 @@ def off(error: float, gradient: Gradient) -> float:
     return largest_sum(gradient) * error + 2 * error**2
 
 
-def float_error(of_derivative: float, gradient: Gradient) -> float:
-    error = off(of_derivative, gradient)
-    products = UNIT * (largest_sum(gradient) ** 2 / 4 + error)
-    return error + products + float(rounding(largest_product(gradient) + error + products))
-
-
 @dataclass(frozen=True)
 class Curl:
     """Without a phase, or with one."""
+    phase: str  # which ends the names of noises
     gradient: Gradient
     slope: Callable[[int], ProvenBounds]  # of the derivatives, by the number of dimensions
     words: Callable[[int, Gradient | None], dict[str, float]]  # on the way to these
+
+    def float_error(self) -> float:
+        """In space, from the errors of the derivatives, from a cell and from a position; or the published one, which stays,
+        as it is no less."""
+        row, largest = slope_bounds_of(f"simplex_d{self.phase}", 3), largest_sum(self.gradient)
+        more = row.error - row.cell_error
+        error = off(row.cell_error, self.gradient) + more * (
+            bounds_of(f"simplex{self.phase}", 3, "none").lipschitz + 2 * row.cell_error)
+        error += UNIT * (largest**2 / 4 + error)
+        error += float(rounding(largest_product(self.gradient) + error))
+        return max(error, math.nextafter(bounds_of(f"curl{self.phase}", 3, "none").cell_error, 0.0))
 
     def derive(self, dims: int, _: Gradient | None) -> ProvenBounds:
         slope = self.slope(dims)
         if dims == 2:
             return slope
         exact, lipschitz = largest_product(self.gradient), largest_sum(self.gradient) * slope.lipschitz
-        cell_error = float_error(slope.cell_error + MOVE_ERROR * slope.lipschitz, self.gradient)
         cut = off(slope.fixed_parts["cut"], self.gradient)
         parts = {"cut": cut, "points": off(slope.fixed_error, self.gradient) - cut + 2 * FIXED_PRODUCT,
                  "scaling": 2.0**-17}
-        return derived(0.0, exact, lipschitz, cell_error, parts, fixed_largest=exact + sum(parts.values()) * SAFE)
+        return derived(0.0, exact, lipschitz, self.float_error(), parts, fixed_largest=exact + sum(parts.values()) * SAFE)
 
     def largest_intermediates(self, dims: int, _: Gradient | None) -> dict[str, float]:
         of_derivatives = self.words(dims, None)
@@ -204,7 +210,7 @@ class Curl:
         return Proof(((2, None), (3, None)), self.derive, self.largest_intermediates)
 
 
-STILL = Curl(OCTAHEDRAL, lambda dims: simplex.derived_slope(SIMPLEX[dims]), simplex.largest_slope_intermediates)
-PHASE = Curl(ROTATED, lambda dims: simplex.PHASE_D.derive(dims, None).slope,
+STILL = Curl("", OCTAHEDRAL, lambda dims: simplex.derived_slope(SIMPLEX[dims]), simplex.largest_slope_intermediates)
+PHASE = Curl("_phase", ROTATED, lambda dims: simplex.PHASE_D.derive(dims, None).slope,
              simplex.PHASE_D.largest_intermediates)
 PROOFS = {"curl": STILL.proof, "curl_phase": PHASE.proof}

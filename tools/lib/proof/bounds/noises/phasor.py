@@ -65,7 +65,7 @@ class Waves(Kernel):
 
 
 # The lattices and the distances are hn_simplex's.
-KERNELS = {2: Waves(2, 819 / 1024, 1, 762, 3, EVEN, triangles=True), 3: Waves(3, 1.0, 2, 674, 4, EVEN)}
+KERNELS = {2: Waves(2, 819 / 1024, 1, 762, EVEN, triangles=True), 3: Waves(3, 1.0, 2, 674, EVEN)}
 OWN = {dims: replace(kernel, is_own=True, wave_cut=3 * WAVE_CUT) for dims, kernel in KERNELS.items()}
 CASES = tuple((dims, None) for dims in KERNELS)
 TURN = 2 * math.pi

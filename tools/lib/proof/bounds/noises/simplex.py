@@ -1,13 +1,13 @@
 """Proofs for hn_simplex and its derivatives, hn_simplex_smooth, and both of the former with a phase, from
-docs/reference/contract.md, sections 13 and 14. kernels.py has the range and the slopes, kernel_floats.py and
-kernel_fixed.py the errors, and rotations.py what a phase changes; here they are put together. With derivatives the
-value is computed in the same steps, so it has the same bounds."""
+docs/reference/contract.md, sections 13 and 14. kernels.py has the range and the slopes, kernel_fixed.py the errors in
+integers, and rotations.py what a phase changes; here they are put together. With derivatives the value is computed in the
+same steps, so it has the same bounds."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
-from proof.bounds import kernel_fixed, kernel_floats, kernels
+from proof.bounds import kernel_fixed, kernels
 from proof.bounds.gradients import OCTAHEDRAL, ROTATED, Gradient
 from proof.bounds.kernels import ROTATING, SIMPLEX, SMOOTH, Kernel
 from proof.bounds.noises import Proof, ProvenBounds, derived, listed
@@ -18,14 +18,12 @@ ACCURACY = "docs/measured/accuracy.md"
 
 def derived_value(kernel: Kernel) -> ProvenBounds:
     exact, lipschitz = kernel.scale / 1024 * kernels.range_of(kernel, OCTAHEDRAL), lipschitz_of(kernel, OCTAHEDRAL)
-    cell_error = None if kernel is SMOOTH[2] else kernel_floats.error_bound(kernel)
-    return derived(1.0, exact, lipschitz, cell_error, kernel_fixed.error_parts(kernel, lipschitz))
+    return derived(1.0, exact, lipschitz, parts=kernel_fixed.error_parts(kernel, lipschitz))
 
 
 def derived_slope(kernel: Kernel) -> ProvenBounds:
     lipschitz = slope_lipschitz_of(kernel, OCTAHEDRAL)
-    return derived(0.0, slope_of(kernel, OCTAHEDRAL), lipschitz, kernel_floats.slope_error_bound(kernel),
-                   kernel_fixed.slope_error_parts(kernel, lipschitz))
+    return derived(0.0, slope_of(kernel, OCTAHEDRAL), lipschitz, parts=kernel_fixed.slope_error_parts(kernel, lipschitz))
 
 
 # Per cell, and scaled.
