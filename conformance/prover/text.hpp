@@ -76,6 +76,15 @@ inline Float hn_i_wave(Uint angle, Uint sign) {
   return Float::at(n);
 }
 #endif
+#ifdef PROVER_ANY_DIRECTION
+// A direction may be any, with each component in [-1, 1]: it is exact, and a word of its own makes it.
+#define HN_SPHERE_GLSL
+inline Int any_component(Uint h) { return Int(h >> 15u) - 65536; }
+inline hn_ivec2 hn_i_on_circle(Uint h) { return ivec2(any_component(h), any_component(h * 0x9E3779B1u)); }
+inline hn_ivec3 hn_i_on_sphere(Uint h, Uint height) {
+  return ivec3(any_component(h), any_component(h * 0x9E3779B1u), any_component(height));
+}
+#endif
 #include "hashnoise.glsl"
 #undef float
 #undef int

@@ -187,7 +187,7 @@ def run(options: argparse.Namespace) -> int:
             for path, content in files(derived, ROOT, "example").items():
                 path.write_text(content, encoding="utf-8")
         messages = [*identity.wrong_texts(), *identity.wrong_forms(lines, identity.golden_files()),
-                    *text.wrong(found, derived), *differences(derived)]
+                    *text.wrong(found, derived), *gullies.wrong_errors(), *differences(derived)]
         print("\n".join(messages or [f"the bounds of {len(derived)} noises are as derived"]))
         return 1 if messages else 0
     return 0

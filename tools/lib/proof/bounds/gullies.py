@@ -25,21 +25,28 @@ from __future__ import annotations
 
 import functools
 import math
+import re
 from dataclasses import astuple, dataclass, replace
 
 import numpy as np
 
+from proof.bounds import text
 from proof.bounds.answers import library
 from proof.bounds.boxes import Boxes, cell, supremum
 from proof.bounds.integers import FADE_ONE, UNIT
 from proof.bounds.kernels import Offsets
 from proof.bounds.noises import phasor, phasor_d
 from proof.bounds.noises.phasor import KERNELS, TURN, scale_of
+from proof.bounds.prover import Job, Prover, is_within
+from proof.bounds.rounded import table
 from proof.bounds.sums import WEIGHT_UNIT, Sum, doubled, fixed_fades, fixed_weights, tile_positions
-from proof.bounds.table import GulliesBounds, scientific, shortest
+from proof.bounds.table import GulliesBounds, read_gullies, scientific, shortest
 
 LONGEST = 3 / 2  # wave
 PLANE = replace(KERNELS[2], waves=LONGEST)
+# Whose errors the text proves: the field of the bounds, and the results.
+FUNCTIONS = {"noise2d.phasor_cell_period": ("value", "value", "quadrature"),
+             "noise2d.phasor_d_cell_period_quadrature": ("slope", "dx", "dy")}
 
 
 # The numbers of a point, from its distance in cells, its weight and the least of that, and the fall 2 m w' |d| per cell.
@@ -69,9 +76,21 @@ def largest(quantity: str) -> float:
 
 
 def bounds() -> GulliesBounds:
-    value, slope = phasor.derived_value(PLANE), phasor_d.derived_slope(PLANE)
-    return GulliesBounds(value.cell_error, value.lipschitz, largest("wave_rate"), slope.cell_error, slope.lipschitz,
-                         largest("wave_rate_of_slope"), largest("steep"), value.fixed_error, slope.fixed_error)
+    """The errors of the waves in floats are the published ones, which the text proves."""
+    value, slope, published = phasor.derived_value(PLANE), phasor_d.derived_slope(PLANE), read_gullies()
+    return GulliesBounds(text.below(published.value), value.lipschitz, largest("wave_rate"), text.below(published.slope),
+                         slope.lipschitz, largest("wave_rate_of_slope"), largest("steep"), value.fixed_error, slope.fixed_error)
+
+
+def wrong_errors() -> list[str]:
+    """A message for each of them that the text does not prove."""
+    published = read_gullies()
+    short = {name: replace(table()[name], code=re.sub(r"float_of\((b\.[zw])\)", rf"min(max(-{LONGEST}f, float_of(\1)), {LONGEST}f)",
+                                                      table()[name].code)) for name in FUNCTIONS}
+    jobs = [Job(name, tuple(outputs), dict.fromkeys(("kx", "ky", "phase"), "any"), target=getattr(published, kind))
+            for name, (kind, *outputs) in FUNCTIONS.items()]
+    return [f"GULLIES_BOUNDS of conformance/expected/bounds.inc: the text of {job.function} proves {proven.bound:.3g}, and not "
+            f"{job.target:.3g}" for job, proven in zip(jobs, Prover(short).prove(jobs)) if not is_within(proven, job.target)]
 
 
 # --- The sum, in floats ------------------------------------------------------------------------------------------------

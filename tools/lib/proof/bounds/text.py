@@ -50,6 +50,7 @@ class Line:
     # The cosine and the sine of a phase are exact there. How far they are off moves a noise or a derivative of the
     # range R by sqrt(2) R times that (rotations.py), which is added.
     exact_sines: bool = False
+    any_direction: bool = False  # the directions that the text makes of hashes are any, which are exact
 
     @property
     def cut(self) -> float:
@@ -58,7 +59,8 @@ class Line:
 
     @property
     def macros(self) -> tuple[str, ...]:
-        return (FIXED,) * self.fixed + (SINES,) * (self.gradient is SINE) + ("PROVER_EXACT_SINES=1",) * self.exact_sines
+        return ((FIXED,) * self.fixed + (SINES,) * (self.gradient is SINE) + ("PROVER_EXACT_SINES=1",) * self.exact_sines
+                + ("PROVER_ANY_DIRECTION=1",) * self.any_direction)
 
     def holds(self, key: Key, fixed: bool, kind: str = VALUE) -> bool:
         name, dims, gradient = key
@@ -82,6 +84,11 @@ PROVEN = (
     Line("perlin", (3,), gradient=SINE, long=True),
     *(Line("perlin_phase perlin_d_phase simplex_phase simplex_d_phase", (dims,), most=100_000, arguments={"phase": "any"},
            exact_sines=True, long=dims == 3) for dims in (2, 3)),
+    Line("curl_phase", (2,), most=100_000, arguments={"phase": "any"}, exact_sines=True),
+    Line("phasor_bandwidth phasor_d_bandwidth", (2,), arguments=dict.fromkeys(("kx", "ky", "bandwidth", "phase"), "any"),
+         any_direction=True),
+    Line("phasor_bandwidth phasor_d_bandwidth", (3,), arguments=dict.fromkeys(("kx", "ky", "kz", "bandwidth", "phase"), "any"),
+         most=200_000, any_direction=True, long=True),
     Line("phasor phasor_d", (2,), arguments=dict.fromkeys(("kx", "ky", "phase"), "any")),
     Line("phasor phasor_d", (3,), arguments=dict.fromkeys(("kx", "ky", "kz", "phase"), "any"), most=200_000, long=True),
     Line("simplex simplex_d simplex_smooth curl", (2,)),
