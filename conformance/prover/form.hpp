@@ -167,23 +167,23 @@ inline bool decided_by_hash(const Form& f) {
 }
 
 // The step applied to both derivatives by each symbol, or of one where the other has none.
-template <typename Step>
-Vector<Term> merged(const Form& a, const Form& b, const Step& step) {
-  Vector<Term> out;
-  out.reserve(a.terms.size() + b.terms.size() + 1);
-  auto i = a.terms.begin(), j = b.terms.begin();
-  while (i != a.terms.end() || j != b.terms.end()) {
-    const bool of_a = i != a.terms.end() && (j == b.terms.end() || i->symbol <= j->symbol);
-    const bool of_b = j != b.terms.end() && (i == a.terms.end() || j->symbol <= i->symbol);
-    const Interval d = step(of_a ? &i->d : nullptr, of_b ? &j->d : nullptr);
-    if (d.lo != 0 || d.hi != 0) out.push_back({of_a ? i->symbol : j->symbol, d});
+template <typename Terms, typename Step>
+Terms merged(const Terms& a, const Terms& b, const Step& step) {
+  Terms out;
+  out.reserve(a.size() + b.size() + 1);
+  auto i = a.begin(), j = b.begin();
+  while (i != a.end() || j != b.end()) {
+    const bool of_a = i != a.end() && (j == b.end() || i->symbol <= j->symbol);
+    const bool of_b = j != b.end() && (i == a.end() || j->symbol <= i->symbol);
+    const auto d = step(of_a ? &i->d : nullptr, of_b ? &j->d : nullptr);
+    if (d.size() > 0) out.push_back({of_a ? i->symbol : j->symbol, d});
     i += of_a, j += of_b;
   }
   return out;
 }
 // a's terms times p, and b's times q.
 inline Vector<Term> combined(const Form& a, Interval p, const Form& b, Interval q) {
-  return merged(a, b, [&](const Interval* x, const Interval* y) {
+  return merged(a.terms, b.terms, [&](const Interval* x, const Interval* y) {
     return x && y ? *x * p + *y * q : x ? *x * p : *y * q;
   });
 }
@@ -273,8 +273,8 @@ inline Form either(const Form& a, const Form& b, Interval range, Interval mid) {
   Form f;
   f.range = range, f.mid = mid;
   f.grid = std::min(a.grid, b.grid);
-  f.terms =
-      merged(a, b, [](const Interval* x, const Interval* y) { return hull(x ? *x : Interval{}, y ? *y : Interval{}); });
+  f.terms = merged(a.terms, b.terms,
+                   [](const Interval* x, const Interval* y) { return hull(x ? *x : Interval{}, y ? *y : Interval{}); });
   return f;
 }
 

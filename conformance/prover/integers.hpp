@@ -1,7 +1,7 @@
 // Integers of the text: words of 32 bits.
 #pragma once
 
-#include "counts.hpp"
+#include "linear.hpp"
 
 namespace hn::prover {
 
