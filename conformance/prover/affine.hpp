@@ -64,7 +64,7 @@ struct Weight {
   }
 };
 inline Weight constant_weight(double v) { return {Affine(v), {}}; }
-// Those by each symbol of a or b.
+// The derivatives by each symbol of a or b.
 template <typename Step>
 std::vector<Derivative> merged(const Weight& a, const Weight& b, const Step& step) {
   const Affine zero;

@@ -52,22 +52,28 @@ inline bool of_one(int n) { return nodes[n].leaf >= 0; }
 inline bool is_known(int n) {
   return nodes[n].word == 0 && !nodes[n].lazy && nodes[n].leaf == -1 && nodes[n].forms[0].terms.empty();
 }
-inline int grid_of(int n) {
-  int grid = nodes[n].forms[0].grid;
-  for (const Form& f : nodes[n].forms) grid = std::min(grid, f.grid);
-  return grid;
-}
 inline bool of_a_choice(int n) {
   for (const Term& t : nodes[n].forms[0].terms) {
     if (symbols[t.symbol].kind == kChoice) return true;
   }
   return false;
 }
+// A form of places alone, which are several or come from floats.
+inline bool is_of_places(int n) {
+  const Node& x = nodes[n];
+  return x.word == 0 && !x.lazy && x.leaf < 0 && !of_a_choice(n);
+}
+inline int grid_of(int n) {
+  int grid = nodes[n].forms[0].grid;
+  for (const Form& f : nodes[n].forms) grid = std::min(grid, f.grid);
+  return grid;
+}
 inline bool is_counted(Float a, Float b, char how) {
   if constexpr (!kFixed) return false;
   const Node &x = nodes[a.n], &y = nodes[b.n];
   if (x.lazy || y.lazy || (x.word != 0 && y.word != 0 && x.word != y.word)) return true;
   if (how != '*' || is_known(a.n) || is_known(b.n)) return false;
+  if ((x.word != 0 || y.word != 0) && (x.forms[0].rounds() || y.forms[0].rounds())) return true;
   return (of_one(a.n) && of_one(b.n)) || of_a_choice(a.n) || of_a_choice(b.n);
 }
 
@@ -108,13 +114,27 @@ inline bool interpolation(Float a, Float b, Float* out) {
   const auto at = [&](double x) { return range_of(other) * (s - point(x)) + range_of(left) * point(x); };
   *out = lazily('l', a.n, b.n, 0, std::min(grid_of(a.n), grid_of(b.n)),
                 [&] { return hull(at(t.lo), at(t.hi)) + product.off; });
-  nodes[out->n].less[0] = other;
+  nodes[out->n].other = other;
   return true;
 }
 inline Float exact_sum(Float a, Float b, double sign);
+inline Float exact_product(Float a, Float b);
+inline Float shifted(Float a, int k);
+// (g >> k) x + (((g & (2^k - 1)) x) >> k) is (g x) >> k: the first product is whole.
+inline bool product_by_low_bits(Float a, Float b, Float* out) {
+  const Node high = nodes[a.n], y = nodes[b.n];
+  if (high.made != '*' || y.made != '>' || nodes[y.left].made != '*') return false;
+  const Node low = nodes[y.left], g = nodes[high.left], rest = nodes[low.left];
+  if (g.made != '>' || rest.made != '&' || g.left != rest.left || g.shift != rest.shift || g.shift != y.shift ||
+      high.right != low.right || nodes[y.left].bias != 0 || nodes[g.left].bias != 0)
+    return false;
+  *out = shifted(exact_product(Float::at(g.left), Float::at(high.right)), g.shift);
+  return true;
+}
 inline Float counted_sum(Float a, Float b, double sign) {
   Float found(0.0f);
-  if (sign > 0 && (product_in_halves(a, b, &found) || interpolation(a, b, &found) || interpolation(b, a, &found)))
+  if (sign > 0 && (product_in_halves(a, b, &found) || product_by_low_bits(a, b, &found) ||
+                   interpolation(a, b, &found) || interpolation(b, a, &found)))
     return found;
   for (int swap = 0; swap < 2 && sign > 0; ++swap, std::swap(a, b)) {
     const Node x = nodes[a.n];
@@ -143,6 +163,7 @@ inline Float exactly(Float f) {
 // --- Steps of integers -----------------------------------------------------------------------------------------------
 
 inline Float exact_sum(Float a, Float b, double sign) {
+  if (a.n == b.n && sign > 0 && !nodes[a.n].lazy) return exact_product(a, Float(2.0f));  // which is even
   if (is_counted(a, b, '+')) return counted_sum(a, b, sign);
   Float f = made(each(a, b,
                       [&](const Form& x, const Form& y) {
@@ -154,11 +175,22 @@ inline Float exact_sum(Float a, Float b, double sign) {
   if (sign > 0) is_constant(b, &nodes[f.n].bias) || is_constant(a, &nodes[f.n].bias) || (nodes[f.n].bias = 0);
   return f;
 }
+// A factor, as the number that it stands for.
+inline Form meant(const Form& x) {
+  const double computed = x.range.lo;
+  if (!kFixed || !x.terms.empty()) return x;
+  const Interval exact = meaning(computed);
+  if (exact.lo == exact.hi) return x;
+  Form f = x;
+  f.mid = exact, f.range = hull(x.range, exact);
+  add_error(f, point(computed) - exact);
+  return f;
+}
 inline Float exact_product(Float a, Float b) {
   if (is_counted(a, b, '*')) return counted_product(a, b);
   return made(each(a, b,
                    [](const Form& x, const Form& y) {
-                     Form f = times(x, y);
+                     Form f = times(meant(x), meant(y));
                      f.tighten();
                      return f;
                    }),
@@ -171,13 +203,16 @@ inline Float shifted(Float a, int k) {
   const double scale = std::ldexp(1.0, -k);
   const int grid = grid_of(a.n);
   Float f(0.0f);
-  if (!kFixed) {  // by class of a word
+  const double half = kFixed && nodes[a.n].bias * scale == 0.5 ? 0.5 : 0;
+  if (!kFixed || is_of_places(a.n)) {  // by class of a word
     f = made(each(a,
                   [&](const Form& x) {
-                    Form g = times(x, constant(scale));
-                    const double least = std::floor(g.range.lo);
-                    if (x.grid < k) add_error(g, {std::ldexp(1.0, x.grid - k) - 1, 0});
-                    g.range.lo = std::max(g.range.lo, least);
+                    Form g = plus(times(x, constant(scale)), constant(half), -1);
+                    const Interval exact = g.range, sum = x.range * point(scale);
+                    if (kFixed && x.terms.empty() && exact.lo == exact.hi && exact.lo == std::floor(sum.lo))
+                      return constant(exact.lo);
+                    if (x.grid < k) add_error(g, {half + std::ldexp(1.0, x.grid - k) - 1, half});
+                    g.range = meet(g.range, hull(exact, {std::floor(sum.lo), std::floor(sum.hi)}));
                     g.grid = std::max(0, x.grid - k);
                     return g;
                   }),
@@ -187,7 +222,6 @@ inline Float shifted(Float a, int k) {
     f = exact_product(a, Float(static_cast<float>(scale)));
     nodes[f.n].made = '>', nodes[f.n].left = a.n, nodes[f.n].right = -1, nodes[f.n].shift = k;
   } else {
-    const double half = nodes[a.n].bias * scale == 0.5 ? 0.5 : 0;
     f = lazily('>', a.n, -1, k, std::max(0, grid - k), [&] {
       const Interval of = range_of(a.n) * point(scale);
       return Interval{std::floor(of.lo), std::floor(of.hi)};
@@ -204,13 +238,31 @@ inline Float quotient(Float a, Float b) {
   return lazily('/', a.n, b.n, 0, 0, [] { return Interval{}; });
 }
 inline bool is_of_one(Float a, Float b) {  // and nothing but steps of that
-  return (of_one(a.n) || is_known(a.n)) && (of_one(b.n) || is_known(b.n)) && (of_one(a.n) || of_one(b.n));
+  if (of_one(a.n) && of_one(b.n)) return nodes[a.n].leaf == nodes[b.n].leaf;
+  return (of_one(a.n) && is_known(b.n)) || (of_one(b.n) && is_known(a.n));
 }
 // A step that rounds saturates, which is no step in exact arithmetic: so the sum with half is handed on.
 inline Float least_of_one(Float a, Float b) {
   const Float f = lazily('m', a.n, b.n, 0, 0, [] { return Interval{}; });
   if (is_known(b.n)) nodes[f.n].bias = nodes[a.n].bias;
   return f;
+}
+// The less of a number of places and a constant. After a sum that rounds it is no step, and takes 1 at most.
+inline Float least_of_places(Float a, Float b) {
+  const Node& of = nodes[a.n];
+  const Form &x = of.forms[0], &y = nodes[b.n].forms[0];
+  const double most = y.range.hi;
+  if (x.range.hi <= most) return a;
+  if (of.made == '>' && nodes[of.left].bias * 2 == std::ldexp(1.0, of.shift)) {
+    if (x.range.hi > most + 1) throw TooLarge{"a number that saturates"};
+    Form f = x;
+    f.terms.push_back({symbol(kError, {-1, 0}), {1, 1}});
+    f.range.lo = std::min(f.range.lo, most);
+    return Float::of(f);
+  }
+  if (x.range.lo >= most) return b;
+  return Float::of(
+      either(x, y, {std::min(x.range.lo, most), most}, {std::min(x.mid.lo, most), std::min(x.mid.hi, most)}));
 }
 inline Float low_bits(Float a, int k) {
   return lazily('&', a.n, -1, k, std::min(grid_of(a.n), k), [&] { return Interval{0, std::ldexp(1.0, k) - 1}; });

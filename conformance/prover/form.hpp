@@ -32,6 +32,8 @@ struct Symbol {
   Kind kind;
   Interval range;
   int copy = -1;  // of the rounding of a product, in a sum
+  // An error that leaves a number in the range of its choice: so another choice, without the error, makes it, too.
+  bool stays = false;
 };
 inline Vector<Symbol> symbols;  // of the box
 

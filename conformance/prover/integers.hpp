@@ -124,8 +124,8 @@ struct Integer : Word {
   }
   static Float as_read(Float f) {
     if (nodes[f.n].lazy && of_one(f.n)) return f;  // its table reads it
-    const Interval range = range_of(f.n);
-    if (range.lo < (Signed ? -0x1p31 : 0) || range.hi >= (Signed ? 0x1p31 : 0x1p32))
+    const Interval most{Signed ? -0x1p31 : 0, Signed ? 0x1p31 - 1 : 0x1p32 - 1};
+    if (!is_in(range_of(f.n), most) && !(nodes[f.n].lazy && is_in(narrowed(f.n), most)))
       throw TooLarge{"an integer beyond 32 bits"};
     return f;
   }
@@ -355,12 +355,7 @@ struct Integer : Word {
   }
   friend Mask operator<(Integer a, Integer b) {
     if (a.is == kNumber && b.is == kNumber) return Mask::of(a.native() < b.native());
-    if (numbers(a, b)) {
-      const Float x = a.read(), y = b.read();
-      Mask m = is_of_one(x, y) ? Mask::unknown() : x < y;
-      m.less[0] = x.n, m.less[1] = y.n;
-      return m;
-    }
+    if (numbers(a, b)) return a.read() < b.read();
     if (Signed || b.is != kNumber) return unknown(a, b);
     return compared(a, b.value, false);
   }
@@ -389,13 +384,6 @@ struct Integer : Word {
   friend Mask operator==(Integer a, Integer b) { return equal(a, b, false); }
   friend Mask operator!=(Integer a, Integer b) { return equal(a, b, true); }
   friend Integer hn_i_select(Mask c, Integer a, Integer b) {
-    if (c.less[0] >= 0 && numbers(a, b) && is_of_one(a.number(), b.number())) {
-      const Float f = lazily('s', a.number().n, b.number().n, 0, 0, [] { return Interval{}; });
-      nodes[f.n].less[0] = c.less[0], nodes[f.n].less[1] = c.less[1];
-      only_leaf(f.n, {f.n, c.less[0], c.less[1]});
-      if (!of_one(f.n)) refuse("a choice by another integer");
-      return numeric(f);
-    }
     if (c.word == 0 && c.v[0] >= 0) return c.v[0] ? a : b;
     if (numbers(a, b) || (c.word != 0 && a.counts() && b.counts())) return numeric(select(c, a.number(), b.number()));
     if (c.rounds) throw TooLarge{"a word by a number that rounds"};
@@ -407,6 +395,7 @@ struct Integer : Word {
       return numeric(min(spread(a).number(), b.number()));
     if (!numbers(a, b)) return hn_i_select(b < a, b, a);
     const Float x = a.read(), y = b.read();
+    if (is_of_places(x.n) && is_known(y.n)) return numeric(least_of_places(x, y));
     return numeric(is_of_one(x, y) ? least_of_one(x, y) : min(x, y));
   }
   friend Integer max(Integer a, Integer b) {

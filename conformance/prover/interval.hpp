@@ -38,6 +38,7 @@ inline Interval operator*(Interval a, Interval b) {
   return {-lo, hi};
 }
 inline Interval hull(Interval a, Interval b) { return {std::min(a.lo, b.lo), std::max(a.hi, b.hi)}; }
+inline bool is_in(Interval a, Interval b) { return b.lo <= a.lo && a.hi <= b.hi; }
 inline Interval meet(Interval a, Interval b) { return {std::max(a.lo, b.lo), std::min(a.hi, b.hi)}; }
 
 }  // namespace hn::prover

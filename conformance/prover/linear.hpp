@@ -38,6 +38,7 @@ inline Linear times(const Linear& a, const Weight& w) {
   c.off = a.off * w.anywhere().range();
   return c;
 }
+constexpr size_t kMostErrors = 4;  // of a number: more of them become one
 inline const Linear& linear(int n);
 // For a number without a hash that has not rounded.
 inline const Weight& weight(int n) {
@@ -69,6 +70,7 @@ inline Linear new_linear(int n) {
           l.base.errors.push_back({t.symbol, affine(t.d)});
       }
     }
+    if (l.base.errors.size() > kMostErrors) l.base.errors = {{symbol(kError, f.error()), Affine(1)}};
     return l;
   }
   const bool sums = x.made == '+' || x.made == '-' || (x.made == '*' && (is_known(x.left) || is_known(x.right)));
@@ -105,9 +107,9 @@ inline Linear new_linear(int n) {
     case 'l': {
       const Node product = nodes[x.right];
       double scale = 1;
-      if (x.left != x.less[0]) is_constant(Float::at(nodes[x.left].right), &scale);
+      if (x.left != x.other) is_constant(Float::at(nodes[x.left].right), &scale);
       const Weight t = times(weight(product.right), constant_weight(std::ldexp(1.0, -product.shift)));
-      const Linear &from = linear(x.less[0]), &to = linear(nodes[product.left].left);
+      const Linear &from = linear(x.other), &to = linear(nodes[product.left].left);
       l = plus(times(from, plus(constant_weight(scale), t, -1)), times(to, t), 1);
       const Interval part = t.anywhere().range();
       const auto at = [&](double t) { return from.off * (point(scale) - point(t)) + to.off * point(t); };
@@ -129,100 +131,129 @@ inline const Linear& linear(int n) {
   return *linears[nodes[n].linear];
 }
 
-// The errors of a class of a word, by the symbols that numbers share; or its exact number.
+enum Of { kExactly, kOff, kComputed };  // the exact number, how far the computed one is off it, or the computed one
+constexpr int kExact = -1;              // in place of an error: 1
+inline std::vector<Derivative> terms_of(const Weight& w, Of of) {
+  std::vector<Derivative> found;
+  if (of != kOff) found.push_back({kExact, w.exact});
+  if (of != kExactly) found.insert(found.end(), w.errors.begin(), w.errors.end());
+  return found;
+}
+inline Interval range_of_error(int k, Of of) {
+  return k == kExact ? point(1) : of == kComputed && symbols[k].stays ? Interval{} : symbols[k].range;
+}
+// A sum of groups: one is without a hash, and the others are of a choice or of a word, with their alternatives.
 struct Alternative {
-  std::vector<Affine> by;
+  std::vector<Affine> by;  // derivatives, by the errors
   double rest = 0;
 };
-constexpr int kExact = -1;
-inline Interval ends_of(const Linear& l, bool exact) {
-  std::vector<int> shared;
-  const auto terms = [&](const Weight& w) { return exact ? std::vector<Derivative>{{kExact, w.exact}} : w.errors; };
-  const auto range = [](int k) { return k == kExact ? point(1) : symbols[k].range; };
-  const auto note = [&](const Weight& w) {
-    for (const auto& [k, d] : terms(w)) shared.push_back(k);
-  };
-  note(l.base);
-  for (const auto& [n, w] : l.of_node) note(w);
-  for (const auto& [n, w] : l.of_choice) note(w);
-  std::sort(shared.begin(), shared.end());
-  shared.erase(std::unique(shared.begin(), shared.end()), shared.end());
+struct Groups {
+  std::map<int, int> errors;  // by symbol: its group, or kSeveral
+  static constexpr int kBase = 0, kSeveral = -1;
+  std::vector<std::vector<Alternative>> of;
+  void note(const Weight& w, int group, Of of) {
+    for (const auto& [k, d] : terms_of(w, of)) {
+      int& known = errors.try_emplace(k, group).first->second;
+      if (known != group) known = kSeveral;
+    }
+  }
+  void add(Alternative& a, const Weight& w, const Affine& by, Of of) const {
+    a.by.resize(errors.size());
+    for (const auto& [k, d] : terms_of(w, of)) {
+      Affine& sum = a.by[size_t(std::distance(errors.begin(), errors.find(k)))];
+      sum = plus(sum, times(d, by), 1);
+    }
+  }
+};
+inline Affine number_of_hash(const Form& f) {
+  Affine at = affine(f.mid);
+  for (const Term& t : f.terms) {
+    if (symbols[t.symbol].kind == kError) refuse("a number of a hash that was rounded");
+    if (symbols[t.symbol].kind == kPlace)
+      add_place(at, t);
+    else
+      at.r += t.d.size() * symbols[t.symbol].range.size();
+  }
+  return at;
+}
+inline Groups groups_of(const Linear& l, Of of) {
+  Groups groups;
+  int last = Groups::kBase;
+  std::map<int, int> words;
+  groups.note(l.base, last, of);
+  for (const auto& [k, w] : l.of_choice) groups.note(w, ++last, of);
+  for (const auto& [n, w] : l.of_node) {
+    int& group = words[nodes[n].word];
+    group = group != 0 ? group : ++last;
+    groups.note(w, group, of);
+  }
+  groups.of.resize(last + 1);
+  groups.of[0].resize(1);
+  groups.add(groups.of[0][0], l.base, Affine(1), of);
+  int number = 0;
+  for (const auto& [k, w] : l.of_choice) {
+    auto& group = groups.of[++number];
+    group.resize(2);
+    groups.add(group[0], w, Affine(symbols[k].range.lo), of);
+    groups.add(group[1], w, Affine(symbols[k].range.hi), of);
+  }
+  for (const auto& [n, w] : l.of_node) {
+    auto& group = groups.of[words[nodes[n].word]];
+    group.resize(nodes[n].forms.size());
+    for (size_t i = 0; i < group.size(); ++i) groups.add(group[i], w, number_of_hash(nodes[n].forms[i]), of);
+  }
+  for (auto& group : groups.of) {
+    for (Alternative& a : group) {
+      size_t i = 0;  // the sums of ends_of round, too
+      for (const auto& [k, known] : groups.errors) {
+        const Affine& d = a.by[i++];
+        a.rest += (d.r + 0x1p-40 * d.size()) * range_of_error(k, of).size();
+      }
+    }
+  }
+  return groups;
+}
+// Errors that groups share are at either end of their ranges; each alternative has the worst of its own ones.
+inline Interval ends_of(const Linear& l, Of of) {
+  const Groups groups = groups_of(l, of);
+  std::vector<std::pair<size_t, Interval>> shared, own;  // numbers of errors, and their ranges
+  for (size_t i = 0; const auto& [k, group] : groups.errors)
+    (k != kExact && group == Groups::kSeveral ? shared : own).push_back({i++, range_of_error(k, of)});
   const size_t count = shared.size();
   if (count > 10) refuse("more than ten errors that numbers share");
-  const auto add = [&](Alternative& a, const Weight& w, const Affine& by) {
-    for (const auto& [k, d] : terms(w)) {
-      Affine& at = a.by[std::lower_bound(shared.begin(), shared.end(), k) - shared.begin()];
-      at = plus(at, times(d, by), 1);
-    }
-  };
-  std::vector<std::vector<Alternative>> groups;
-  const Alternative none{std::vector<Affine>(count), 0};
-  groups.push_back({none});
-  add(groups[0][0], l.base, Affine(1));
-  for (const auto& [k, w] : l.of_choice) {
-    groups.push_back({none, none});
-    add(groups.back()[0], w, Affine(symbols[k].range.lo));
-    add(groups.back()[1], w, Affine(symbols[k].range.hi));
-  }
-  std::map<int, std::vector<Alternative>> words;
-  for (const auto& [n, w] : l.of_node) {
-    const Vector<Form>& forms = nodes[n].forms;
-    std::vector<Alternative>& of_word = words[nodes[n].word];
-    of_word.resize(forms.size(), none);
-    for (size_t i = 0; i < forms.size(); ++i) {
-      Affine at = affine(forms[i].mid);
-      for (const Term& t : forms[i].terms) {
-        if (symbols[t.symbol].kind == kError) refuse("a number of a hash that was rounded");
-        if (symbols[t.symbol].kind == kPlace)
-          add_place(at, t);
-        else
-          at.r += t.d.size() * symbols[t.symbol].range.size();
-      }
-      add(of_word[i], w, at);
-    }
-  }
-  for (auto& [word, of_word] : words) groups.push_back(std::move(of_word));
   size_t total = 0;
-  for (auto& group : groups) {
-    for (Alternative& a : group) {
-      for (size_t k = 0; k < count; ++k)
-        a.rest += (a.by[k].r + 0x1p-40 * a.by[k].size()) * range(shared[k]).size();  // the sums below round, too
-    }
-    total += group.size();
-  }
-  std::vector<double> low(total), step(total * count);
+  for (const auto& group : groups.of) total += group.size();
+  std::vector<double> step(total * count), best(total), worst(total);
   double most = -INFINITY, least = INFINITY;
   for (int corner = 0; corner < corners; ++corner) {
     size_t at = 0;
-    for (const auto& group : groups) {
+    for (const auto& group : groups.of) {
       for (const Alternative& a : group) {
-        double sum = 0;
+        Interval sum{-a.rest, a.rest};
+        for (const auto& [i, e] : own) sum = sum + point(a.by[i].at[corner]) * e;
         for (size_t k = 0; k < count; ++k) {
-          const double d = a.by[k].at[corner];
-          const Interval e = range(shared[k]);
-          sum += d * e.lo;
+          const double d = a.by[shared[k].first].at[corner];
+          const Interval e = shared[k].second;
+          sum = sum + point(d * e.lo);
           step[k * total + at] = d * (e.hi - e.lo);
         }
-        low[at++] = sum;
+        best[at] = sum.hi, worst[at++] = sum.lo;
       }
     }
-    std::vector<double> value = low;
     for (unsigned i = 0, ends = 0; i < 1u << count; ++i) {
       if (i != 0) {  // one error goes to its other end
         const int k = std::countr_zero(i);
         const double sign = ends >> k & 1 ? -1 : 1;
         ends ^= 1u << k;
-        for (size_t j = 0; j < total; ++j) value[j] += sign * step[k * total + j];
+        for (size_t j = 0; j < total; ++j)
+          best[j] += sign * step[k * total + j], worst[j] += sign * step[k * total + j];
       }
       double up = 0, down = 0;
-      size_t j = 0;
-      for (const auto& group : groups) {
-        double best = -INFINITY, worst = INFINITY;
-        for (const Alternative& a : group) {
-          best = std::max(best, value[j] + a.rest), worst = std::min(worst, value[j] - a.rest);
-          ++j;
-        }
-        up += best, down += worst;
+      for (auto first = 0u; const auto& group : groups.of) {
+        const auto last = first + unsigned(group.size());
+        up += *std::max_element(&best[first], &best[0] + last),
+            down += *std::min_element(&worst[first], &worst[0] + last);
+        first = last;
       }
       most = std::max(most, up), least = std::min(least, down);
     }
@@ -230,15 +261,21 @@ inline Interval ends_of(const Linear& l, bool exact) {
   return {-std::max(-least, -least * kSafe), std::max(most, most * kSafe)};
 }
 
+inline bool wants_range = false;  // of the result, and not its error
+// The range of a lazy number, from its sum.
+inline Interval narrowed(int n) {
+  const Linear& l = linear(n);
+  return nodes[n].forms[0].range = meet(range_of(n), ends_of(l, kComputed) + l.off);
+}
 // For a step that does not know lazy numbers: one that can be anything in its range, and is off by its error.
 inline int settled(int n) {
   if (nodes[n].joined >= 0) return nodes[n].joined;
   const Linear& l = linear(n);
-  const Interval exact = ends_of(l, true), error = ends_of(l, false) + l.off;
+  const Interval exact = ends_of(l, kExactly), error = ends_of(l, kOff) + l.off;
   Form f;
   f.mid = point(middle(exact));
   const double half = reach(exact, f.mid.lo);
-  f.range = hull(meet(range_of(n), exact + error), exact);
+  f.range = hull(meet(wants_range ? narrowed(n) : range_of(n), exact + error), exact);
   f.grid = grid_of(n);
   f.terms.push_back({symbol(kChoice, {-half, half}), {1, 1}});
   f.terms.push_back({symbol(kError, error), {1, 1}});

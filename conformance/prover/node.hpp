@@ -14,8 +14,8 @@ struct Node {
   Vector<Form> forms;
   char made = 0;  // by an operator, of these nodes
   int left = -1, right = -1, shift = 0, step = -1;
-  int less[2] = {-1, -1};  // of 's': left if the first of these is less than the second, else right
-  int leaf = -1;           // the only integer that it is made of, if there is one; -2: there are several
+  int other = -1;  // of 'l': that at 0
+  int leaf = -1;   // the only integer that it is made of, if there is one; -2: there are several
   // For HN_FIXED (tables.hpp to linear.hpp).
   bool lazy = false;        // its form has only its range
   char type = 0;            // of an integer: signed 'i' or not 'u'

@@ -225,7 +225,7 @@ Proven prove(const Job& job) {
   may_split = false, wanted = {}, divisions = {}, bits_of_chosen = 0, given = job.given,
   longest = job.longest / job.unit;
   Proven proven;
-  place_bits = job.bits;
+  place_bits = job.bits, wants_range = job.measure != kLargestError;
   const double unit = std::ldexp(1.0, -place_bits);
   // In HN_FIXED both ends of a cell stand alone: there differences of ramps are largest.
   std::vector<Box> first(1);
@@ -275,7 +275,7 @@ Proven prove(const Job& job) {
     std::array<Box, 2> halves{box, box};
     const std::size_t axis = cut ? cut->axis : longest;
     double &lo = halves[1].lo[axis], &side = halves[1].side[axis];
-    const double last = cut ? cut->last : lo + first_half(lo, side);
+    const double last = !cut ? lo + first_half(lo, side) : kFixed ? std::floor(cut->last / unit) * unit : cut->last;
     const double next = kFixed ? last + unit : cut ? std::nextafterf(cut->last, INFINITY) : last;
     halves[0].side[axis] = last - lo;
     side = lo + side - next, lo = next;

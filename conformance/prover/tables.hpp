@@ -30,18 +30,19 @@ inline std::uint64_t shape(int n) {  // of numbers that are made of one integer:
     h = mixed(2, std::bit_cast<std::uint64_t>(x.forms[0].range.lo));
   } else {
     h = mixed(std::uint64_t(x.made), std::uint64_t(x.shift) + (x.made == '&' && are_digits(x) ? 64 : 0));
-    for (int m : {x.left, x.right, x.less[0], x.less[1]}) h = mixed(h, m < 0 ? 3 : shape(m));
+    for (int m : {x.left, x.right, x.other}) h = mixed(h, m < 0 ? 3 : shape(m));
   }
   return nodes[n].shape = h;
 }
 
 // Places are multiples of 2^-place_bits. If that is coarser than a fraction, the text must round it to that.
 inline int place_bits = 20;
-// The exact number that a constant stands for: the spline's is 2/3 in units of 2^-30, and half of what is cut off.
+// The exact number that a constant stands for: the spline's is 2/3 in units of 2^-30, and half of what is cut off; a
+// rotation by sixths of a turn has 4 (2 / sqrt(3) - 1) in units of 2^-15.
 inline Interval meaning(double constant) {
-  constexpr double kTwoThirds = 0x1p30 * 2 / 3;
-  return constant == 715829931 ? Interval{std::nextafter(kTwoThirds, 0), std::nextafter(kTwoThirds, 0x1p30)}
-                               : point(constant);
+  constexpr double kTwoThirds = 0x1p30 * 2 / 3, kOfSixths = 0x1p17 * 0.15470053837925152902;
+  const auto about = [](double x) { return Interval{std::nextafter(x, 0), std::nextafter(x, 0x1p30)}; };
+  return constant == 715829931 ? about(kTwoThirds) : constant == 20277 ? about(kOfSixths) : point(constant);
 }
 // Fractions are integers up to this. One that is known is still a number: shifts of it round.
 constexpr int kFraction = 1 << 20;
@@ -61,14 +62,14 @@ inline void fill(int n, double first, size_t count, std::map<int, Column>& known
   if (x.made == 'L') {
     for (size_t i = 0; i < count; ++i) c.whole[i] = first + i, c.real[i] = point(first + i);
   } else if (x.leaf == -1) {
+    if (x.forms[0].range.lo != x.forms[0].range.hi) refuse("a step of an integer and of others");
     std::fill(c.whole.begin(), c.whole.end(), x.forms[0].range.lo);
     std::fill(c.real.begin(), c.real.end(), meaning(x.forms[0].range.lo));
   } else {
-    for (int m : {x.left, x.right, x.less[0], x.less[1]}) {
+    for (int m : {x.left, x.right}) {
       if (m >= 0) fill(m, first, count, known);
     }
     const Column &a = known[x.left], &b = known[x.right >= 0 ? x.right : x.left];
-    const Column &p = known[x.made == 's' ? x.less[0] : x.left], &q = known[x.made == 's' ? x.less[1] : x.left];
     const double scale = std::ldexp(1.0, x.shift), bias = nodes[x.left].bias;
     const Interval per = point(1 / scale);
     const bool digits = x.made == '&' && are_digits(x);
@@ -99,11 +100,6 @@ inline void fill(int n, double first, size_t count, std::map<int, Column>& known
           w = u - std::floor(u / scale) * scale, c.real[i] = digits ? Interval{} : r;
           if (!digits && (u != w || r.lo < 0 || r.hi >= scale)) refuse("a mask of bits that count");
           break;
-        case 's': {
-          const bool left = p.whole[i] < q.whole[i];
-          w = left ? u : v, c.real[i] = left ? r : s;
-          break;
-        }
         default:
           refuse("a number that is made of one");
       }

@@ -12,6 +12,10 @@ namespace hn::prover {
 
 #include "names.hpp"
 
+#if HN_ARITHMETIC == HN_FIXED
+#include "stated.hpp"
+#endif
+
 // The constructors of scalars are keywords of C++.
 #define float Float
 #define int Int

@@ -86,7 +86,6 @@ inline std::uint64_t step_key(char op, int a, int b) {
 
 struct Mask {
   int step = -1;           // that made it, if a word decides
-  int less[2] = {-1, -1};  // nodes that are compared
   int zero = -1;           // a node that is compared with 0
   bool rounds = false;     // rounding may change it
   std::uint64_t open = 0;  // a step that makes no path until a branch needs it; it is exact

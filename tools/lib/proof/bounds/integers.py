@@ -1,22 +1,15 @@
-"""Bounds the effect of fixed arithmetic (HN_FIXED, docs/reference/contract.md, sections 8 to 11) does to a noise of
-lattice points.
+"""Integers of HN_FIXED (docs/reference/contract.md, sections 8 to 11): the fade t and its slope of each of the 2^20 + 1
+fractions F, and how much a product with each of them rounds. The text proves the errors of values (text.py); the errors of
+derivatives of Perlin noise in 4D, and with a phase in 3D, are proven here, over boxes of fractions. Two things move them:
 
-Numbers of a single fraction are computed here for each of the 2^20 + 1 fractions F, in the integers of the
-contract: the fade t of F, its slope, and how much a product with each of them rounds. The rest is proven over boxes of
-fractions. Two things move the value of every interpolated noise:
-
-    FADE     t is off by e(F). The corners' values n_o being given, this moves the noise by sum_o (w_o(t) - w_o(s)) n_o,
-             and by at most sum_o |w_o(t) - w_o(s)| h(d_o), h the largest that n_o can be at the offset d_o. Along e_j
-             that is convex (a maximum of linear functions), so it is largest where each e_j is at an end of its range
-             in the box. It is far less than the sum over the axes of the largest |dn/dt_j| |e_j|: in the middle of a
-             square those two are 1 |e_j| each, and never together.
+    FADE     t is off by e(F), and the slope of a fade by e'(F). A derivative is sum_o g_o.v_o with the v_o of SLOPE in
+             suprema.py, so it moves by at most sum_o h(change of v_o), h the largest that a ramp can be. This is convex
+             along each e_j and along e' (a maximum of linear functions), so it is largest where each is at an end of its
+             range in the box. It is far less than the sum over the axes of the largest |d/dt_j| |e_j|.
     LERP     a + d t / 2^18 is rounded down, by less than 511/512 (t >> 9) + (t & 511) (from d & 511 and d & (2^18 - 1)
              in turn; where t < 0 the first is rounding up, by -511/512 (t >> 9)). The next interpolation takes the
              errors of a and b with the weights 1 - t and t, whose magnitudes make 1 plus what t leaves [0, 1] by,
              twice; so a level adds at most its own rounding.
-
-In a derivative the slope of a fade is off, too, by e'(F). It is sum_o g_o.v_o with the v_o of SLOPE in suprema.py, so
-FADE moves it by at most sum_o h(change of v_o), which is convex along each e_j and along e'.
 
 In a box FADE is smooth up to the choice of the corners' values, and bounded as in suprema.py by its values at the
 vertices and its second derivatives. The change of the weights is a sum over the non-empty sets of axes whose factor is
@@ -32,7 +25,7 @@ import math
 import numpy as np
 
 from proof.bounds.boxes import SAFE, Boxes, corners, fade, fade_derivative, grid, in_chunks, largest_derivative
-from proof.bounds.gradients import OCTAHEDRAL, SINE, Gradient
+from proof.bounds.gradients import Gradient
 
 ONE = 2**20  # I of the contract: the unit of fractions
 FADE_ONE = 2**18  # the unit of t and of slopes
@@ -113,11 +106,6 @@ def overshoot():
     return max(0, -int(fades().min()), int(fades().max()) - FADE_ONE) / FADE_ONE
 
 
-def fade_keeps_to_its_side():
-    """t <= 1/2 before the middle of the cell, where any t will do, and t >= 1/2 behind it."""
-    return fades()[:ONE // 2].max() <= FADE_ONE // 2 <= fades()[ONE // 2 + 1:].min()
-
-
 def part_roundings(factors):
     """How far a product of the contract, part(d, t), rounds, in units of d: down, or up where t < 0."""
     return 511 / 512 * np.abs(factors >> 9) + (factors & 511)
@@ -129,16 +117,9 @@ def lerp_roundings():
     return part_roundings(fades())
 
 
-@functools.cache
-def mirrored_lerp_roundings():
-    """The larger one at f and at 1 - f."""
-    return np.maximum(lerp_roundings(), lerp_roundings()[::-1])
-
-
 # --- Boxes ------------------------------------------------------------------------------------------------------------
 
 # The levels of boxes: of all of them, and of those that are nearly the worst.
-COARSE, FINE = {1: 12, 2: 8, 3: 6, 4: 5}, {1: 14, 2: 12, 3: 8, 4: 7}
 SLOPE_COARSE, SLOPE_FINE = {1: 12, 2: 8, 3: 5, 4: 4}, {1: 14, 2: 9, 3: 7, 4: 5}
 NEARLY = 0.92
 
@@ -175,27 +156,6 @@ def _but(product, *axes):
 def _largest(boxes: Boxes) -> list[np.ndarray | None]:
     """Bounds of the derivatives of s in each box, by their order, from 1 to 3."""
     return [None, *(largest_derivative(order, boxes.lo, boxes.hi) for order in (1, 2, 3))]
-
-
-def fade_effect(boxes: Boxes, gradient: Gradient) -> np.ndarray:
-    """For each box, a bound of FADE."""
-    errors, dims, effect = ends(fade_errors, boxes), boxes.dims, 0.0
-    for point in boxes.vertices():
-        s = fade(point)
-        h = {corner: gradient.support(point - np.array(corner)[:, None]) for corner in corners(dims)}
-        exact = {corner: weight(corner, s) for corner in corners(dims)}
-        for pick in corners(dims):
-            t = [s[axis] + errors[end][axis] for axis, end in enumerate(pick)]
-            change = sum(np.abs(weight(corner, t) - exact[corner]) * h[corner] for corner in corners(dims))
-            effect = np.maximum(effect, change)
-    grown, slope, curve = 1 + 2 * _magnitudes(boxes), *_largest(boxes)[1:3]
-    curvature = 0.0
-    for axis in range(dims):
-        others = _but(grown, axis) - 1
-        curvature = (curvature + 2 * curve[axis] * others * gradient.reach(dims)
-                     + 4 * slope[axis] * others * gradient.component(dims))
-    # DOUBLE * 2^n corners: the rounding of the exact fade may add that.
-    return effect + curvature / 8 * boxes.side**2 + DOUBLE * 2**dims * dims
 
 
 def slope_fade_effect(boxes: Boxes, gradient: Gradient) -> np.ndarray:
@@ -237,46 +197,19 @@ def _slope_fade_curvature(boxes: Boxes, gradient: Gradient) -> np.ndarray:
     return total
 
 
-def rounding_effect(boxes: Boxes, of_corner: float = 0) -> np.ndarray:
-    """For each box, a bound of LERP in units of the corners' values, which are themselves rounded by `of_corner`."""
-    lerps = ends(mirrored_lerp_roundings, boxes)[1].sum(axis=0)
-    return (lerps + of_corner) * (1 + 2 * overshoot()) ** boxes.dims
-
-
-def largest_effect(of_boxes, dims: int, exchange: int = 0, coarse=None, fine=None) -> float:
-    """The largest value over the boxes. Boxes with nearly the largest are halved, for a tighter bound."""
-    coarse, fine = coarse or COARSE, fine or FINE
-    boxes, settled = grid(dims, coarse[dims]).sorted_from(min(exchange, dims - 1)), 0.0
-    while boxes.level < fine[dims]:
-        of_box, = in_chunks(lambda some: (of_boxes(some),), boxes)
-        nearly = of_box > NEARLY * of_box.max()
-        settled = max(settled, float(of_box[~nearly].max(initial=0.0)))
-        boxes = boxes.only(nearly).halved().sorted_from(min(exchange, dims - 1))
-    return max(settled, float(in_chunks(lambda some: (of_boxes(some),), boxes)[0].max())) * SAFE
-
-
-@functools.cache
-def largest_fade_effect(dims: int, gradient: Gradient) -> float:
-    return largest_effect(functools.partial(fade_effect, gradient=gradient), dims)
-
-
 @functools.cache
 def largest_slope_fade_effect(dims: int, gradient: Gradient) -> float:
-    effect = functools.partial(slope_fade_effect, gradient=gradient)
-    return largest_effect(effect, dims, 1, SLOPE_COARSE, SLOPE_FINE)
+    """The largest over the boxes. Boxes with nearly the largest are halved, for a tighter bound."""
+    boxes, settled = grid(dims, SLOPE_COARSE[dims]).sorted_from(min(1, dims - 1)), 0.0
 
-
-@functools.cache
-def largest_joint_effect(dims: int, gradient: Gradient, one: int, of_corner: float = 0) -> float:
-    """The effect of FADE and LERP together; `one` is the unit of the corners' values."""
-    def both(boxes):
-        return fade_effect(boxes, gradient) + rounding_effect(boxes, of_corner) / one
-    return largest_effect(both, dims)
-
-
-def largest_rounding(dims: int, of_corner: float = 0) -> float:
-    """The effect of LERP alone."""
-    return (dims * float(lerp_roundings().max()) + of_corner) * (1 + 2 * overshoot()) ** dims
+    def effect(some: Boxes) -> tuple[np.ndarray]:
+        return slope_fade_effect(some, gradient),
+    while boxes.level < SLOPE_FINE[dims]:
+        of_box, = in_chunks(effect, boxes)
+        nearly = of_box > NEARLY * of_box.max()
+        settled = max(settled, float(of_box[~nearly].max(initial=0.0)))
+        boxes = boxes.only(nearly).halved().sorted_from(min(1, dims - 1))
+    return max(settled, float(in_chunks(effect, boxes)[0].max())) * SAFE
 
 
 # --- Derivatives ------------------------------------------------------------------------------------------------------
@@ -325,12 +258,12 @@ def slope_intermediates(rise: float, gradient: float, dims: int, difference: flo
 
 # --- Scales of ramps --------------------------------------------------------------------------------------------------
 
-RAMP_ONE = {OCTAHEDRAL: {1: 2**29, 2: 2**29, 3: 2**29, 4: 2**28}, SINE: {2: 2**28, 3: 2**28}}  # the units of ramps
+RAMP_ONE = {1: 2**29, 2: 2**29, 3: 2**29, 4: 2**28}  # the units of ramps
 
 
 def fixed_scale(scale: float, dims: int) -> int:
     """S of the contract; the ramps in 4D have units twice as large."""
-    return round(scale * 1024) * (2**29 // RAMP_ONE[OCTAHEDRAL][dims])
+    return round(scale * 1024) * (2**29 // RAMP_ONE[dims])
 
 
 def scaling_error(scale: int, unit: float) -> float:

@@ -44,7 +44,7 @@ from proof.bounds.weights import HALF_NEAR, NEAR_ONE
 
 
 def ramp_one(dims: int) -> int:
-    return RAMP_ONE[OCTAHEDRAL][dims]
+    return RAMP_ONE[dims]
 
 
 # --- A box of places --------------------------------------------------------------------------------------------------

@@ -16,11 +16,12 @@ from base.tree import CONFORMANCE, GLSL, ROOT
 from base.twin import compile_program
 from catalog.tables.functions import Column
 from proof.bounds import rounded, sine
-from proof.bounds.rounded import Body, with_literals, write_literal_text
+from proof.bounds.rounded import FIXED, Body, with_literals, with_true_numbers, write_literal_text
 
 ENGINE = CONFORMANCE / "prover"
 OPTIONS = ("-O1", "-w", "-frounding-math")  # optimized more, it is compiled longer and runs no faster
-MACROS = ("always_inline=unused", f"PROVER_SINE={sine.polynomial_error()!r}")
+MACROS = ("always_inline=unused", f"PROVER_SINE={sine.polynomial_error()!r}",
+          f"PROVER_FIXED_SINE={sine.fixed_sine_error()!r}")
 FOLDER = ROOT / "build" / "prover"
 
 
@@ -86,7 +87,7 @@ class Prover:
         source = "".join(f"FUNCTION({body.code})\n" for body in self.bodies.values())
 
         def make(folder: Path) -> None:
-            write_literal_text(folder)
+            write_literal_text(folder, with_stated_steps if FIXED in macros else with_true_numbers)
             (folder / "bodies.inc").write_text(with_literals(source), encoding="utf-8")
             (folder / "own.inc").write_text(text, encoding="utf-8")
             compile_program("the text over numbers that prove", ENGINE / "prove.cpp", folder / "new", *OPTIONS, *options,
@@ -111,6 +112,19 @@ class Prover:
         names = "measure", "most", "tolerance", "target", "bits", "given", "longest", "unit", "seconds"
         options = [f"{name}={getattr(job, name)}" for name in names]
         return " ".join(map(str, (number, *arguments, f"outputs={outputs}", *options))) + "\n"
+
+
+# Steps of HN_FIXED: stated.hpp has others in their place.
+STEPS = {f"{result} hn_i_{name}({arguments}": f"{result} hn_i_computed_{name}({arguments}" for result, name, arguments in (
+    ("hn_int", "whole_wave", ""), ("hn_i_num2", "rotation", "hn_float phase)"), ("hn_int", "floor", "hn_int x)"),
+    ("hn_int", "truncate", "hn_int x)"), ("hn_int", "fract", "hn_int x)"), ("hn_uint", "square", "hn_int"))}
+
+
+def with_stated_steps(text: str) -> str:
+    text = with_true_numbers(text)
+    for old, new in STEPS.items():
+        text = text.replace(old, new)
+    return text
 
 
 def is_within(proven: Proven, documented: float) -> bool:

@@ -35,7 +35,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from proof.bounds import sine
-from proof.bounds.gradients import OCTAHEDRAL, Gradient
+from proof.bounds.gradients import Gradient
 from proof.bounds.integers import FADE_ONE, RAMP_ONE, fixed_scale, part_intermediate, scaled_intermediate
 from proof.bounds.noises import Proof, ProvenBounds, derived
 
@@ -79,6 +79,8 @@ def rotated(still: ProvenBounds, dims: int, largest: float, lipschitz: float, un
             ratio: float = 1.0) -> ProvenBounds:
     """Bounds of a noise, or of its derivatives. In integers n has this unit, times the scale, which is so much of that
     without a phase, and no more than it: SCALE is no more, either."""
+    if not still.fixed_parts:  # the text proves that error
+        return derived(still.promise, largest, lipschitz)
     parts = {name: IN_SUM[dims] * ratio * value for name, value in still.fixed_parts.items()}
     parts |= {"cut": still.fixed_parts["cut"] / still.lipschitz * lipschitz, "scaling": still.fixed_parts["scaling"]}
     beside = ratio * sum(value for name, value in still.fixed_parts.items() if name not in ("cut", "scaling"))
@@ -112,12 +114,12 @@ class Rotating:
 
     def unit(self, dims: int, slope: bool) -> float:
         """The unit of scaled ramps, or of the parts of a derivative."""
-        return self.scale(dims) / RAMP_ONE[OCTAHEDRAL][dims] * (4 * self.steps(dims) if slope else 1)
+        return self.scale(dims) / RAMP_ONE[dims] * (4 * self.steps(dims) if slope else 1)
 
     def words(self, dims: int, slope: bool) -> dict[str, float]:
-        return rotated_words("derivative" if slope else "value", dims,
-                             self.bounds(dims, slope).fixed_largest / self.unit(dims, slope),
-                             fixed_scale(self.scale(dims), dims))
+        largest = self.bounds(dims, slope).fixed_largest
+        return {} if largest is None else rotated_words("derivative" if slope else "value", dims,
+                                                        largest / self.unit(dims, slope), fixed_scale(self.scale(dims), dims))
 
     def proofs(self, cases: tuple[tuple[int, Gradient | None], ...], words: Words, slope_words: Words
                ) -> tuple[Proof, Proof]:

@@ -1,7 +1,8 @@
 """Proofs for hn_simplex and its derivatives, hn_simplex_smooth, and both of the former with a phase, from
 docs/reference/contract.md, sections 13 and 14. kernels.py has the range and the slopes, kernel_fixed.py the errors in
 integers, and rotations.py what a phase changes; here they are put together. With derivatives the value is computed in the
-same steps, so it has the same bounds."""
+same steps, so it has the same bounds. On the plane the text proves the errors of HN_FIXED, too, but those of
+hn_simplex_smooth."""
 
 from __future__ import annotations
 
@@ -18,12 +19,14 @@ ACCURACY = "docs/measured/accuracy.md"
 
 def derived_value(kernel: Kernel) -> ProvenBounds:
     exact, lipschitz = kernel.scale / 1024 * kernels.range_of(kernel, OCTAHEDRAL), lipschitz_of(kernel, OCTAHEDRAL)
-    return derived(1.0, exact, lipschitz, parts=kernel_fixed.error_parts(kernel, lipschitz))
+    parts = None if kernel is SIMPLEX[2] else kernel_fixed.error_parts(kernel, lipschitz)
+    return derived(1.0, exact, lipschitz, parts=parts)
 
 
 def derived_slope(kernel: Kernel) -> ProvenBounds:
     lipschitz = slope_lipschitz_of(kernel, OCTAHEDRAL)
-    return derived(0.0, slope_of(kernel, OCTAHEDRAL), lipschitz, parts=kernel_fixed.slope_error_parts(kernel, lipschitz))
+    parts = None if kernel is SIMPLEX[2] else kernel_fixed.slope_error_parts(kernel, lipschitz)
+    return derived(0.0, slope_of(kernel, OCTAHEDRAL), lipschitz, parts=parts)
 
 
 # Per cell, and scaled.
@@ -49,11 +52,11 @@ def derive_d(dims: int, _: Gradient | None) -> ProvenBounds:
 
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
-    return kernel_fixed.largest_intermediates(SIMPLEX[dims])
+    return {} if dims == 2 else kernel_fixed.largest_intermediates(SIMPLEX[dims])
 
 
 def largest_slope_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
-    return largest_intermediates(dims, None) | kernel_fixed.largest_slope_intermediates(SIMPLEX[dims])
+    return {} if dims == 2 else largest_intermediates(dims, None) | kernel_fixed.largest_slope_intermediates(SIMPLEX[dims])
 
 
 def below(proof: Proof) -> str:
@@ -67,7 +70,8 @@ PHASE, PHASE_D = Rotating(
     lambda dims: [of(ROTATING[dims], ROTATED) for of in (slope_of, slope_lipschitz_of)],
     lambda dims: ROTATING[dims].scale / 1024, lambda dims: SIMPLEX[dims].scale / 1024,
     lambda dims: SIMPLEX[dims].steps).proofs(
-        ROTATING_CASES, lambda dims, _: kernel_fixed.largest_intermediates(ROTATING[dims]), largest_slope_intermediates)
+        ROTATING_CASES, lambda dims, _: {} if dims == 2 else kernel_fixed.largest_intermediates(ROTATING[dims]),
+        largest_slope_intermediates)
 PROOFS = {
     "simplex": Proof(
         CASES, derive, largest_intermediates,
