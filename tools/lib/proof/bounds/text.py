@@ -78,7 +78,7 @@ PROVEN = (
     Line("perlin_phase perlin_d_phase", (3,), fixed=True, arguments={"phase": "box:0:1"}, kinds=(VALUE,), long=True),
     Line("perlin perlin_d", (4,), fixed=True, most=60_000, kinds=(VALUE,), long=True),
     Line("simplex simplex_d curl", (2,), fixed=True),
-    Line("simplex_phase simplex_d_phase", (2,), fixed=True, arguments={"phase": "box:0:1"}, long=True),
+    Line("simplex_phase simplex_d_phase curl_phase", (2,), fixed=True, arguments={"phase": "box:0:1"}, long=True),
     Line("value value_d", (1, 2), fixed=True, limits=True),
     Line("value value_d", (3, 4), fixed=True, most=50_000, limits=True, long=True),
     Line("perlin_vector perlin_vector_d", (2, 3), fixed=True, long=True),
