@@ -10,7 +10,7 @@
 //               slope, by a place that is off by 1 along each axis; or error_by_length, of a component of a direction,
 //               times the length of the vector
 //   longest     the k-th smallest length, and the length of such a vector, are known to be this at most
-//   unit        what a length of the text is, in the result and in `longest`
+//   unit        the size of a length of the text, in the result and in `longest`
 //   most        boxes
 //   tolerance   relative: how far the bound may be from the largest that was seen
 //   target      a bound that is small enough

@@ -175,8 +175,9 @@ inline Form length_of(const Node::Powers& powers, int word, size_t i) {
 
 // A component of a DIRECTION is one of a vector over its length, or over a least length. Let the vector be off by e, as
 // a norm. If it is longer than that, it turns by an angle with a sine of e over the length at most; below a right angle
-// a chord is at most sqrt(2) times the sine. So the error times the length is sqrt(2) e at most, and what the length
-// and the quotient round by, relative to the length. If the vector is shorter, the component is off by 2 at most.
+// a chord is at most sqrt(2) times the sine. So the error times the length is sqrt(2) e at most, and the part that the
+// length and the quotient round by, relative to the length. If the vector is shorter, the component is off by 2 at
+// most.
 constexpr double kLeastLength = 0x1p-47;
 inline const Node::Powers* vector_of(Float a, Float b) {
   if (nodes[b.n].made != 'Q') return nullptr;

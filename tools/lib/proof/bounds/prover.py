@@ -67,7 +67,7 @@ class Job:
     given: int = 0  # or 1: decisions come out as in exact arithmetic
     measure: str = "error"  # or "most", "least", "exact_most", "exact_least", "slope", "error_by_length"
     longest: float = math.inf  # of distances that are the k-th smallest, and of a vector if a result is its direction
-    unit: float = 1.0  # of the text's lengths, in those of `longest` and of the result
+    unit: float = 1.0  # of the lengths of the text, in units of `longest` and of the result
     seconds: float = math.inf  # then the search ends with the bound that it has
 
 
