@@ -276,3 +276,9 @@ class Steps(unittest.TestCase):
             with mock.patch.object(jacobians, "SLOPE_LIMIT", limit):
                 tolerance = jacobians.largest_tolerance(Sum("fbm_d", 1.0, octaves, 2.0, 0.5), noise, slope, True)
                 self.assertEqual(tolerance < 2.0, bounded)
+
+    def test_errors_of_waves_that_the_text_does_not_prove(self):
+        smaller = replace(read_gullies(), value=1e-6)
+        with mock.patch.object(gullies, "read_gullies", return_value=smaller):
+            (message,) = gullies.wrong_errors()
+        self.assertRegex(message, r"^GULLIES_BOUNDS .* noise2d\.phasor_cell_period proves 5\.\d+e-06, and not 1e-06$")
