@@ -33,7 +33,7 @@ struct hn_flows3 {
 //
 //   o        the octaves
 //   s        the flows, from hn_flows(o)
-//   v        the velocity at o.place. HN_FIXED cuts off what is beyond [-128, 128]
+//   v        the velocity at o.place. Integers cut it off beyond [-128, 128]
 //   example  hn_flows3 s = hn_flows(o);
 //   returns  hn_flows: flows to begin with; hn_mean: the velocity along each axis, as hn_curl_fbm
 //   error    docs/measured/accuracy.md

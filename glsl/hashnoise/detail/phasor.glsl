@@ -27,7 +27,7 @@
 //   hn_i_of_fall(n, steps)     the part of a derivative that comes from the weights, from a sum of those that was
 //                              scaled; with so many steps in a cell. In HN_FIXED in units of 2^-24
 //   hn_i_turning(n, k)         2 pi k n, in these units
-//   hn_i_own_turning(n, k)     with the wave of a point: a share of a sum that hn_i_of_turning(n, scale) takes to these
+//   hn_i_own_turning(n, k)     with the wave of a point: a share of a sum that hn_i_of_turning(n, s) takes to these
 //                              units, scaled
 //   hn_i_wave_slope(d)         the float of a derivative
 
@@ -63,7 +63,7 @@ HN_FN hn_float hn_i_falling(hn_float n, hn_float x) { return hn_i_times(n, -x); 
 HN_FN hn_float hn_i_of_fall(hn_float n, hn_int steps) { return hn_i_times(n, hn_i_float(steps)); }
 HN_FN hn_float hn_i_turning(hn_float n, hn_float k) { return hn_i_times(hn_i_times(k, 6.2831853f), hn_i_flushed(n)); }
 HN_FN hn_float hn_i_own_turning(hn_float n, hn_float k) { return hn_i_times(n, k); }
-HN_FN hn_float hn_i_of_turning(hn_float n, hn_int scale) { return hn_i_times(hn_i_scaled(n, scale), 6.2831853f); }
+HN_FN hn_float hn_i_of_turning(hn_float n, hn_int s) { return hn_i_times(hn_i_scaled(n, s), 6.2831853f); }
 HN_FN hn_float hn_i_wave_slope(hn_float d) { return hn_i_derivative(d); }
 
 #else
@@ -116,7 +116,7 @@ HN_FN hn_int hn_i_turning(hn_int n, hn_int k) {
 
 // In units of 2^-23, since the sum of all may be 136 before it is scaled: n is a multiple of 2^-29 here, not of 2^-21.
 HN_FN hn_int hn_i_own_turning(hn_int n, hn_int k) { return hn_i_part(n >> 1, hn_i_part(k * 512, 205887) >> 9); }
-HN_FN hn_int hn_i_of_turning(hn_int n, hn_int scale) { return ((n + 256) >> 9) * scale; }
+HN_FN hn_int hn_i_of_turning(hn_int n, hn_int s) { return ((n + 256) >> 9) * s; }
 HN_FN hn_float hn_i_wave_slope(hn_int d) { return hn_i_float((d + 128) >> 8) * (1.0f / 65536.0f); }
 
 #endif
@@ -155,9 +155,9 @@ HN_FN hn_vec2 hn_i_wave_slopes(hn_i_num2 n, hn_i_num2 fall, hn_i_num k) {
 }
 
 // With waves of points: turning is the sum of what they turn along it.
-HN_FN hn_vec2 hn_i_own_wave_slopes(hn_i_num2 fall, hn_i_num2 turning, hn_int scale) {
-  return vec2(hn_i_wave_slope(hn_i_minus(fall.x, hn_i_of_turning(turning.y, scale))),
-              hn_i_wave_slope(hn_i_plus(fall.y, hn_i_of_turning(turning.x, scale))));
+HN_FN hn_vec2 hn_i_own_wave_slopes(hn_i_num2 fall, hn_i_num2 turning, hn_int s) {
+  return vec2(hn_i_wave_slope(hn_i_minus(fall.x, hn_i_of_turning(turning.y, s))),
+              hn_i_wave_slope(hn_i_plus(fall.y, hn_i_of_turning(turning.x, s))));
 }
 
 #endif

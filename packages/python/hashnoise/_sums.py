@@ -165,6 +165,7 @@ source   docs/reference/contract.md, section 7; Bridson, Hourihan, Nordenstam, "
          2007
 
 >>> hashnoise.curl_fbm(0.5, 0.25, seed=7, arithmetic="fixed")
+array([-0.14785004,  1.1209087 ], dtype=float32)
 """)
 
 perlin_worley = _fractal("perlin_worley", 3, 3, octaves=6, lacunarity=2.0, gain=0.5, doc="""\

@@ -27,7 +27,7 @@ CLEAR = 2.0**-10  # how much farther the second point is than the first, where t
 # Which part of a bound random points reach, in floats and in integers, where it is less than usual: a noise that jumps
 # has errors at few places, a border one of points that nearly touch, and errors of large numbers seldom add up.
 USUAL = (1 / 40, 1 / 15)
-PART = {"random": (0, 0), "cell_border": (1 / 40_000, 1 / 20_000)}
+PART = {"random": (0, 0), "cell_border": (1 / 40_000, 1 / 20_000), "curl_phase": (1 / 60, 1 / 20)}
 
 
 # --- Functions and their arguments ------------------------------------------------------------------------------------
@@ -224,7 +224,7 @@ class Boxes(unittest.TestCase):
         found = [(self.ratio(case, provers[case.line.macros], rng), case.job) for case in of_all
                  for _ in range(20 if THOROUGH else 1)]
         self.assertEqual([], [each for each in found if not each[0] <= 1])
-        self.assertGreater(max(ratio for ratio, _ in found), 0.9)
+        self.assertGreater(max(ratio for ratio, _ in found), 0.9 if THOROUGH else 0.8)
 
 
 def of_lattice(dims, gradient, slope, place):

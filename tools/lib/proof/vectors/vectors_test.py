@@ -95,7 +95,8 @@ class Checker(unittest.TestCase):
             rows = group["rows"]
             wrong = number % len(rows)
             bound = max(rows[wrong].get("bound", [0]))
-            step = 1.01 * bound or (2.0**-24 if group["arithmetic"] == "fixed" else 1)
+            are_words = max(map(abs, rows[wrong]["out"])) >= 2**24
+            step = 1.01 * bound or (2.0**-24 if group["arithmetic"] == "fixed" and not are_words else 1)
             with self.subTest(file["function"], setting=group["name"]):
                 self.assertEqual(list(faults(folder(), file["function"], Replayed(rows), group["name"])), [])
                 for change in (lambda x: x + step, lambda x: math.nan, lambda x: math.inf)[:1 if number % 70 else 3]:

@@ -44,7 +44,7 @@ def translated(text: str, **settings: str) -> str:
 
 def types_of(overload: tuple[str, ...]) -> tuple[str, ...]:
     """The types as the translator calls them."""
-    return tuple(re.sub(r"^(?=(?:place|octaves|slopes|shifts)\d)", "hn_", type_.removeprefix("out ")) for type_ in overload)
+    return tuple(re.sub(r"^(?=(?:place|octaves|slopes|shifts|flows)\d)", "hn_", type_.removeprefix("out ")) for type_ in overload)
 
 
 def name_by_row(function: Function, types: tuple[str, ...]) -> str:
@@ -74,7 +74,8 @@ def name_by_row(function: Function, types: tuple[str, ...]) -> str:
     words = re.fullmatch(r"word|vec(\d)", name)
     if words:
         return f"hn_hash{words[1] or 1}"
-    return f"hn_{name}{place}"
+    phase = "_phase" * name.endswith("_phase")
+    return f"hn_{name.removesuffix(phase)}{place}{phase}"
 
 
 class Names(unittest.TestCase):
