@@ -351,8 +351,8 @@ class Expressions:
         return [self._scalar(one) if SIZES[other.type] > 1 else one for one, other in ((left, right), (right, left))]
 
     def _scalar(self, node: Node) -> Node:
-        """A number in place of a vector of it."""
-        number = splatted(node) if self.language.splats else None
+        """A number in place of a vector of it, unless that has a name: a name is for what reads it."""
+        number = splatted(node) if self.language.splats and node not in self.called else None
         return node if number is None else number
 
 
