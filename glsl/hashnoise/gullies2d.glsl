@@ -48,7 +48,7 @@ HN_FN hn_vec3 hn_i_gullies(hn_octaves2 octaves, hn_vec2 slope, hn_float depth) {
   hn_i_num x = before.x;  // apart, for the reason that hn_slopes2 has (fbm_d2d.glsl)
   hn_i_num y = before.y;
   bool more = true;  // apart: of a call in the condition DXC makes SPIR-V that is not valid
-  while (more) {
+  do {
     hn_i_rank r = hn_i_root(hn_i_squared(x, y));
     hn_vec2 wave = vec2(-hn_i_gully_wave(y, r), hn_i_gully_wave(x, r));
     hn_i_num part = hn_i_weight_times(hn_i_steepness(r), hn_i_resolved_part(o.sum.footprint));
@@ -60,7 +60,7 @@ HN_FN hn_vec3 hn_i_gullies(hn_octaves2 octaves, hn_vec2 slope, hn_float depth) {
     steepening = hn_i_wide_times(steepening, growth);
     o.sum.footprint = hn_i_next_footprint(o.sum.footprint, o.lacunarity);
     more = hn_next(o);
-  }
+  } while (more);
   bool none = hn_i_to_bool(o.sum.octaves < 1);
   hn_i_num height = hn_i_select(none, HN_I_NO_WEIGHT, hn_i_coarse(hn_i_wide_times(hn_i_finite(o.sum.value), deep)));
   return vec3(hn_i_value(height), hn_i_added_slope(hn_i_select(none, before.x, x), before.x),

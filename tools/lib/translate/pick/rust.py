@@ -145,6 +145,7 @@ fn abs(x: f32) -> f32 {
         super().__init__(precise)
         self.whole: set[str] = set()  # structs without floats
         self.chains = False           # whether the function that is written compares the same twice
+        self.decides = False          # whether a variable ends a loop, for which its first value does not count
 
     def field_name(self, name: str) -> str:
         return self.variable(name)
@@ -232,6 +233,7 @@ fn abs(x: f32) -> f32 {
         return [line.removeprefix("return ").removesuffix(";") for line in super().returned(results, pieces)]
 
     def do(self, body: list[str], condition: Piece, negated: str) -> list[str]:
+        self.decides |= condition.text.isidentifier()
         return ["loop {", *body, f"    if {negated} {{", "        break;", "    }", "}"]
 
     def loop(self, type_: str, name: str, start: str, condition: Piece, step: str, is_read: bool) -> str:
@@ -246,7 +248,8 @@ fn abs(x: f32) -> f32 {
         given = f" -> {types[0]}" if len(types) == 1 else f" -> ({', '.join(types)})" if types else ""
         allowed = "#[allow(clippy::too_many_arguments)]\n" * (len(parameters) > MOST_ARGUMENTS)
         allowed += "#[allow(clippy::comparison_chain)]\n" * self.chains  # which would be longer as a `match`
-        self.chains = False
+        allowed += "#[allow(unused_assignments)]\n" * self.decides
+        self.chains = self.decides = False
         return f"{allowed}{'pub ' if is_public else ''}fn {name}({taken}){given} {{"
 
     def struct_comment(self, name: str) -> str:
