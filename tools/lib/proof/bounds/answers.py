@@ -86,20 +86,27 @@ namespace own {{
 """
 
 
+def written(value: Bounds, slope: Bounds | None = None) -> str:
+    """The summary of a noise, in C++."""
+    dims, *numbers = summary(value, slope, False)
+    return f"Noise({dims}, {{{', '.join(map(repr, numbers[:3]))}}}, {{{', '.join(map(repr, numbers[3:]))}}})"
+
+
 def other_summaries() -> str:
     """Summaries of all noises of the library that sums may be over, with the bounds of bounds.inc."""
     lines, of_sums = [], []
     slopes = {(of.noise, of.dimensions): of for of in read(macro="SLOPE_BOUNDS")}
     for noise, dims in ((noise, dims) for noise in catalog.model.read().noises for dims in range(noise.first, noise.last + 1)):
         try:
-            value = bounds_of("curl_phase" if noise.name == "curl" else noise.name, dims, "octahedral")  # the larger ones
+            value = bounds_of(noise.name, dims, "octahedral")
         except LookupError:
             continue  # a vector has the bounds of its components
         base = noise.name.removesuffix("_vector").removesuffix("_d")
-        _, *numbers = summary(value, slopes.get((f"{base}_d", dims)), False)
-        bounds = f"Noise({dims}, {{{', '.join(map(repr, numbers[:3]))}}}, {{{', '.join(map(repr, numbers[3:]))}}})"
+        bounds = written(value, slopes.get((f"{base}_d", dims)))
         if noise.name in ("perlin", "perlin_d", "value_vector", "curl") or (noise.name, dims) == ("cellular_d", 3):
             of_sums.append(f"  of.{noise.name}[{dims}] = {bounds};\n")
+            if noise.name == "curl":  # the library's sum has it with a phase, too
+                of_sums.append(f"  of.curl_phase[{dims}] = {written(bounds_of('curl_phase', dims, 'none'))};\n")
         elif noise.shape in SUMMARIES and not math.isinf(value.lipschitz) and (noise.shape, dims) not in (("slopes", 1), ("slopes", 4)):
             type_, made = (text.format(dims=dims, more=dims + 1, slopes=", ".join(["n.slope()"] * dims),
                                        values=", ".join(["n.value()"] * dims)) for text in SUMMARIES[noise.shape])

@@ -222,9 +222,9 @@ class Boxes(unittest.TestCase):
         of_all = list(proofs.cases(line for line in proofs.PROVEN if THOROUGH or not line.long))
         provers, rng = proofs.provers_of(of_all), np.random.default_rng(90)
         found = [(self.ratio(case, provers[case.line.macros], rng), case.job) for case in of_all
-                 for _ in range(20 if THOROUGH else 1)]
+                 for _ in range(20 if THOROUGH else 2)]
         self.assertEqual([], [each for each in found if not each[0] <= 1])
-        self.assertGreater(max(ratio for ratio, _ in found), 0.9 if THOROUGH else 0.8)
+        self.assertGreater(max(ratio for ratio, _ in found), 0.9)
 
 
 def of_lattice(dims, gradient, slope, place):

@@ -14,8 +14,9 @@ SOURCES = ROOT / "playground"
 FIRST = "main.js"  # the module that imports the others
 IMPORT = re.compile(r'^import \{[^}]*\} from "\./(\w+\.js)";\n', re.MULTILINE)
 EXPORT = re.compile(r"^export (?=(?:async )?(?:const|class|function)\b)", re.MULTILINE)
-# Comments and indents, which browsers do not need. Behind code a comment has no quotes, so that it is in no text.
+# Comments, indents and blanks behind signs, which browsers do not need. Behind code a comment has no quotes, so that it is in no text.
 BLANK = re.compile(r"^(?: *//.*\n|\n| +)|(?<=[;,{(\[]) +// [^\"'`\n]*$", re.MULTILINE)
+OF_STYLES = re.compile(r"/\*.*?\*/\n?|^(?:\n| +)|(?<=[:;,{]) (?=\S)", re.MULTILINE | re.DOTALL)
 NAME = re.compile(r"^(?:async )?(?:const|let|class|function\*?) (\w+)", re.MULTILINE)
 
 
@@ -60,9 +61,9 @@ def hash_of(code: str) -> str:
 def page(tell: Callable[[str], None] = lambda _: None) -> str:
     """Calls `tell` with a sentence before each step that takes long."""
     code = f"\n{script().strip()}\n"
-    style = (SOURCES / "style.css").read_text(encoding="utf-8").strip()
+    style = OF_STYLES.sub("", (SOURCES / "style.css").read_text(encoding="utf-8")).strip()
     looks = base64.b64encode((SOURCES / "looks.webp").read_bytes()).decode("ascii")
     parts = {"style": style, "looks": looks, "script": code, "hash": hash_of(code), "version": version(),
              "pieces": picks.kept_text(tell)}
     return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]],
-                  (SOURCES / "index.html").read_text(encoding="utf-8"))
+                  re.sub(r"^ +", "", (SOURCES / "index.html").read_text(encoding="utf-8"), flags=re.MULTILINE))
