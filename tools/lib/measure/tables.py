@@ -98,7 +98,7 @@ def quotes() -> list[str]:
     return [f"as much as FastNoiseLite's ({one[0]:.2f} times in 2D, {one[1]:.2f} in 3D), and six octaves a quarter "
             f"({six[0]:.2f} and {six[1]:.2f})",
             f"take {min(others):.0f} to {max(others):.0f} times as long",
-            f"measured with {' and '.join(dict.fromkeys(of))}", of_compilers.quote(of_compilers.record())]
+            f"measured with {' and '.join(dict.fromkeys(of))}"]
 
 
 def package_costs(language: str) -> list[dict[str, str]]:

@@ -64,14 +64,15 @@ def page_table(rows: Rows) -> str:
 
     noises = [subject.noise for subject in SUBJECTS if not subject.noise.startswith("fBm 3D")]
     return table(("", *noises), [[compiler.title, *(shown(name, noise) for noise in noises)]
-                                 for name, compiler in COMPILERS.items()])
+                                 for name, compiler in COMPILERS.items()]) + _sums(rows)
 
 
-def quote(rows: Rows) -> str:
-    """The README's numbers."""
+def _sums(rows: Rows) -> str:
+    """A sentence on fBm in space."""
     whole, pick, theirs = (float(next(row["ms"] for row in rows if row["way"] == way and row["compiler"] == "radv" and
                                       row["noise"].startswith("fBm 3D"))) for way in ("whole", "pick", "F"))
-    return f"takes {whole:.0f} ms, as one function {pick:.0f} ms, and of FastNoiseLite's file {theirs / 1e3:.1f} s"
+    return (f"\nA first compile for AMD of six octaves in 3D takes {whole:.0f} ms, as one function {pick:.0f} ms, and of "
+            f"FastNoiseLite's file {theirs / 1e3:.1f} s.\n")
 
 
 def _number(milliseconds: str) -> str:

@@ -309,7 +309,9 @@ int main() {{ float x = 37, y = -5; std::printf("%.9g", {call}); return x == y; 
         files, *build = SERVERS[language]
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
-            expected = self.height_in_cpp(re.search(r"the same height by `(.*?)`", PAGE)[1])
+            call_in_glsl, stated = re.search(r"the same height by `(.*?)`; at `x` = 37 and `y` = -5 it is (-[\d.]+)\. ", PAGE).groups()
+            expected = self.height_in_cpp(call_in_glsl)
+            self.assertEqual(struct.pack("<f", float(stated)), expected)
             ran(folder, ROOT / pick.split()[0], *pick.split()[1:], *options.split())
             written_to(folder, {file: text_.replace("CALL", call) for file, text_ in files.items()})
             *_, shown = [ran(folder, *line.split()) for line in build]
