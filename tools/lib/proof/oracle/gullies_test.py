@@ -1,19 +1,17 @@
-"""Tests of gullies.py: by hand, beside floats, and beside a program in C."""
+"""Tests of gullies.py: by hand, and beside a program in C."""
 
 from __future__ import annotations
 
 import itertools
-import math
 import unittest
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
+from proof.golden.generator import INT_MAX, INT_MIN, to_f32
 from proof.oracle import gullies, sums
 from proof.oracle.gradients import Real
-from proof.oracle.hashes import MASK, SEED_STEP
-from proof.oracle.noises.phasor_test import naive
+from proof.oracle.hashes import MASK
 from proof.oracle.sums import Options
 from proof.oracle.testing import KNOBS
 
@@ -26,46 +24,6 @@ def exact(p: Sequence[Real], options: Options, seed: int = 7, periods: Sequence[
 
 def fixed(p: Sequence[Real], options: Options, seed: int = 7, periods: Sequence[int] = ()) -> tuple[Fraction, ...]:
     return gullies.fixed(KNOBS, sums.fixed_at_position(p), options, seed, periods)
-
-
-def in_floats(p: Sequence[Real], options: Options, seed: int, periods: Sequence[int]) -> tuple[float, ...]:
-    """From the contract, with the naive sum of waves and differences of it for their derivatives."""
-    whole = math.floor(min(max(options.lacunarity, 0), 255))
-    q, tile = list(map(float, p)), list(periods) or [0, 0]
-    start = [min(max(float(x), -8.0), 8.0) for x in (options.ex, options.ey)]
-    height, e, step = 0.0, start, 1e-5
-    for i in range(options.octaves):
-        x, y = (component / (math.hypot(*e) + 0.125) for component in e)
-        cell = list(map(math.floor, q))
-
-        def at(dx: float, dy: float) -> float:
-            return naive(cell, [q[0] - cell[0] + dx, q[1] - cell[1] + dy], (-1.5 * y, 1.5 * x), 0, seed, tile)[0]
-
-        a = options.gain**i * math.hypot(x, y)
-        a *= min(max(1.5 - 2 * options.footprint * max(whole, 1)**i, 0), 1)
-        height += a * at(0, 0)
-        slopes = ((at(step, 0) - at(-step, 0)) / (2 * step), (at(0, step) - at(0, -step)) / (2 * step))
-        e = [min(max(c + options.depth * whole**i * a * g, -8.0), 8.0) for c, g in zip(e, slopes)]
-        q = [c * whole + shift for c, shift in zip(q, (11 / 32, 19 / 32))]
-        tile, seed = [period * whole for period in tile], (seed + SEED_STEP) & MASK
-    return options.depth * height, e[0] - start[0], e[1] - start[1]
-
-
-Place = tuple[list[Fraction], Options, int, tuple[int, ...]]
-
-
-def places(name: str, count: int = 16) -> Iterator[Place]:
-    """Positions and slopes that fixed arithmetic does not cut."""
-    numbers = generator_of(f"gullies {name}")
-    for index in range(count):
-        p = [Fraction(numbers.integer(-2**23, 2**23), 2**20) for _ in range(2)]
-        most = (2**13, 2**16, 2**20, 2**6)[index % 4]
-        ex, ey = (Fraction(numbers.integer(-most, most), 2**16) for _ in range(2))
-        octaves, lacunarity, gain = numbers.pick(((1, 2.0, 0.5), (2, 2.5, 0.5), (3, 2.0, 0.25), (2, 0.5, 1.0)))
-        depth = numbers.pick((0.0625, 0.125, 0.03125))
-        options = Options(octaves, lacunarity, gain, depth=depth, ex=ex, ey=ey,
-                          footprint=numbers.pick((0, 0, Fraction(3, 16), Fraction(5, 8))))
-        yield p, options, numbers.word(), ((), (), (3, 0), (7, 1000003))[numbers.integer(0, 3)]
 
 
 # From a program in C, with its words of 32 bits, which was written from the contract: the cell, the fraction in units
@@ -93,11 +51,6 @@ VECTORS = (
 
 class Gullies(unittest.TestCase):
     """A wave in another direction, an octave of another share or seed, or a step that is cut in another place."""
-
-    def test_floats(self) -> None:
-        for p, options, *others in places("floats"):
-            for a, b in zip(exact(p, options, *others), in_floats(p, options, *others), strict=True):
-                self.assertAlmostEqual(float(a), b, 5)
 
     def test_beside_a_program(self) -> None:
         for cell, r, periods, (octaves, lacunarity, gain, depth, ex, ey, footprint), seed, expected in VECTORS:

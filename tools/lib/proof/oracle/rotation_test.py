@@ -1,4 +1,4 @@
-"""Tests of rotation.py: by hand, by whole turns, sixths and quarters. (noises_test.py has noises that rotate.)"""
+"""Tests of rotation.py: by hand, by whole turns, sixths and quarters. (vectors_test.py has noises that rotate.)"""
 
 from __future__ import annotations
 

@@ -1,9 +1,7 @@
-"""Tests of scatter.py: beside a program in C, and beside the distances of all pairs of points."""
+"""Tests of scatter.py, beside a program in C."""
 
 from __future__ import annotations
 
-import itertools
-import math
 import unittest
 
 from proof.golden.generator import INT_MAX, INT_MIN, to_f32
@@ -42,17 +40,3 @@ class Scattered(unittest.TestCase):
         # The nearest rival is 21320 units away: a candidate at the radius stands.
         for radius, stands in ((21320, True), (21321, False)):
             self.assertEqual(scatter.stands(Lattice(Knobs("lattice")), (12, 6), radius / UNIT), stands)
-
-    def test_they_stand_where_nothing_larger_is_near(self) -> None:
-        # In a tile, so that every cell has all neighbours.
-        for sizes, radius in (((9, 7), 1.0), ((4, 5, 3), 1.0), ((9, 7), 0.3)):
-            lattice, cells = Lattice(Knobs("lattice"), 3, sizes), list(itertools.product(*map(range, sizes)))
-            points = {cell: [c * UNIT + x for c, x in zip(cell, scatter.candidate(lattice, cell).place)]
-                      for cell in cells}
-            fallen = set()
-            for a, b in itertools.combinations(cells, 2):
-                ways = [abs(x - y) for x, y in zip(points[a], points[b])]
-                if math.hypot(*(min(d, n * UNIT - d) for d, n in zip(ways, sizes))) < math.floor(radius * UNIT):
-                    fallen.add(min(a, b, key=lattice.hash))
-            standing = {cell for cell in cells if scatter.stands(lattice, cell, radius)}
-            self.assertEqual(standing, set(cells) - fallen)

@@ -30,7 +30,7 @@ SETTINGS = (sums.Options(5, to_f32(1.9), to_f32(0.7), to_f32(2.3)), sums.Options
 WEIGHTED, DETAILS, FOOTPRINTS = tuple(map(to_f32, (0.8, 0.3))), (33.5, to_f32(6.7)), tuple(map(to_f32, (0.07, 0.001)))
 
 # By dimensions, and whether there are periods: each noise's numbers at the point, then for the cell and the fraction.
-# (hashes_test.py has words of other hashes, and noises_test.py tests that a noise has them.)
+# (hashes_test.py has words of other hashes.)
 VECTORS: dict[tuple[int, bool], dict[str, tuple[int, ...]]] = {
     (1, False): {"perlin": (-350244, 173864), "value": (934856, 358490), "value_cubic": (729236, 183014),
         "perlin_d": (-350244, -125484, 173864, 267844), "value_d": (934856, 141626, 358490, -139721)},

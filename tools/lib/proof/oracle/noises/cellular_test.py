@@ -1,23 +1,20 @@
-"""Tests of cellular.py and cell_border.py by hand, and of points that move by a naive search."""
+"""Tests of cellular.py and cell_border.py, and of points that move, by hand."""
 
 from __future__ import annotations
 
 import itertools
-import math
 import unittest
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from unittest import mock
 
-from proof.golden.generator import generator_of, to_f32
+from proof.golden.generator import to_f32
 from proof.golden.simplex_rows import PHASES
 from proof.oracle import feature_points, moving_points, noises
-from proof.oracle.feature_points import BlockTooSmall, direction2, direction3
-from proof.oracle.integers import UNIT, cosine_and_sine
-from proof.oracle.lattice import Choice, Lattice
-from proof.oracle.nearest import NEAREST, OFFSET
+from proof.oracle.feature_points import BlockTooSmall
+from proof.oracle.lattice import Choice
+from proof.oracle.nearest import NEAREST
 from proof.oracle.noises import Noise, cellular
-from proof.oracle.rotation import angle
 from proof.oracle.testing import FORMS, KNOBS
 
 SLOPES, SMOOTH, BORDER, MOVING = map(noises.find, ("cellular_d", "cellular_smooth", "cell_border", "cellular_phase"))
@@ -59,77 +56,8 @@ def at(noise: Noise, phase: float, jitter: float = 1.0) -> Noise:
     return noise.chosen(Choice(jitter)).rotated(phase)
 
 
-def samples(name: str, n: int, count: int = 24) -> Iterator[tuple[list[Fraction], int, float, float]]:
-    """Positions that fixed arithmetic does not cut, seeds, phases and jitters."""
-    numbers = generator_of(f"{name}{n}")
-    edges = [*PHASES, *LARGEST]
-    for index in range(count):
-        phase = edges[index // 2 % len(edges)] if index % 2 else numbers.uniform(-2, 2)
-        jitter = (1.0, numbers.integer(0, UNIT) / UNIT, 1.0, 0.0)[index % 4]
-        p = [Fraction(numbers.integer(-2**24, 2**24), UNIT) for _ in range(n)]
-        if index % 3 == 0:  # on a wall
-            p[index % n] = Fraction(round(p[index % n]))
-        yield p, numbers.word(), phase, jitter
-
-
-def t(e: int, b: int) -> int:
-    """The contract's rotated(e, b)."""
-    return ((e >> 8) * b >> 8) + ((e & 255) * b >> 16)
-
-
-def sines(phase: float) -> tuple[int, int, int, int, int]:
-    """C, S, CC, SS and SC."""
-    c, s = cosine_and_sine(angle(phase))
-    return c, s, (c >> 1) * c + 2**14 >> 15, (s >> 1) * s + 2**14 >> 15, (s >> 1) * c + 2**14 >> 15
-
-
-def fixed_offset(f: Sequence[int], o: Sequence[int], word: int, phase: float, jitter: float) -> list[int]:
-    """D, from the text of the contract, without a loop over the axes."""
-    c, s, cc, ss, sc = sines(phase)
-    whole = int(Fraction(jitter) * 2**20)
-    if len(f) == 2:
-        j = whole * 7 >> 3
-        ux, uy = (int(512 * x) for x in direction2(word))
-        ex, ey = f[0] - 2**19, f[1] - 2**19
-        return [t(ex, c) + t(ey, s) - 16 * o[0] * c - 16 * o[1] * s - (ux * j >> 10),
-                t(ex, -s) + t(ey, c) + 16 * o[0] * s - 16 * o[1] * c - (uy * j >> 10)]
-    j = whole * 25 >> 5
-    ux, uy, uz = (int(512 * x) for x in direction3(word))
-    ex, ey, ez = (x - 2**19 for x in f)
-    return [t(ex, c) + t(ey, s) - 16 * (o[0] * c + o[1] * s) - (ux * j >> 10),
-            t(ex, -sc) + t(ey, cc) + t(ez, s) - 16 * (o[1] * cc + o[2] * s - o[0] * sc) - (uy * j >> 10),
-            t(ex, ss) + t(ey, -sc) + t(ez, c) - 16 * (o[0] * ss - o[1] * sc + o[2] * c) - (uz * j >> 10)]
-
-
-def forwards(d: Sequence[int], phase: float) -> tuple[int, ...]:
-    """The right offset, in units of -2^-20."""
-    c, s, cc, ss, sc = sines(phase)
-    if len(d) == 2:
-        x, y = d
-        return t(x, c) + t(y, -s), t(x, s) + t(y, c)
-    x, y, z = d
-    return t(x, c) + t(y, -sc) + t(z, ss), t(x, s) + t(y, cc) + t(z, -sc), t(y, s) + t(z, c)
-
-
 class Moving(unittest.TestCase):
-    """A step of fixed arithmetic that is cut or rounded in another place. (No program in C has points that move.)"""
-
-    def test_all_of_fixed_arithmetic(self) -> None:
-        for n in (2, 3):
-            for p, seed, phase, jitter in samples("fixed", n, 48 if n == 2 else 16):
-                cell = [math.floor(x) for x in p]
-                f = [int((x - c) * UNIT) for x, c in zip(p, cell)]
-                found = []
-                for o in itertools.product(range(-2, 3), repeat=n):
-                    name = tuple(c + a for c, a in zip(cell, o))
-                    d = fixed_offset(f, o, Lattice(KNOBS, seed).word(name), phase, jitter)
-                    found.append((sum(x * x for x in d) >> 12, max(map(abs, o)) > 1, name[::-1], d))
-                (first, _, name, d), (second, *_), *_ = sorted(found)
-                self.assertEqual(at(MOVING, phase, jitter).fixed(KNOBS, p, seed),
-                                 tuple(Fraction(math.isqrt(rank << 8), 2**18) for rank in (first, second)))
-                self.assertEqual(at(NEAREST, phase, jitter).fixed(KNOBS, p, seed), name[::-1])
-                self.assertEqual(at(OFFSET, phase, jitter).fixed(KNOBS, p, seed),
-                                 tuple(Fraction(-a, UNIT) for a in forwards(d, phase)))
+    """A step of fixed arithmetic that is cut or rounded in another place."""
 
     def test_rotations_by_hand(self) -> None:
         # 46341 is the root of 1/2; 23170 * 46341 is 32767.1 times 2^15, and with 1/2 32767.6. Of 3/8 the cosine is

@@ -1,12 +1,10 @@
-"""Tests of curl.py: where the second noise is in space, and its phase. (vectors_test.py and noises_test.py have the
-values.)"""
+"""Tests of curl.py: where the second noise is in space, and its phase. (vectors_test.py has values.)"""
 
 from __future__ import annotations
 
 import unittest
 from fractions import Fraction
 
-from proof.oracle import noises
 from proof.oracle.gradients import Knobs
 from proof.oracle.lattice import Lattice
 from proof.oracle.noises import curl
@@ -36,20 +34,3 @@ class Phases(unittest.TestCase):
         self.assertEqual(curl.fixed_second(lattice).phase, Fraction(3, 4))
         self.assertEqual(curl.fixed_second(curl.fixed_second(lattice)).phase, Fraction(1, 2))
         self.assertIsNone(curl.second(Lattice(Knobs("lattice"))).phase)
-
-    def test_half_a_turn_later_it_is_the_negative(self) -> None:
-        phase = Fraction(5, 32)
-        for p in ((Fraction(5, 16), Fraction(-11, 8)), (Fraction(5, 16), Fraction(-11, 8), Fraction(7, 4))):
-            for of in ("exact", "fixed"):
-                now, then = (getattr(noises.find("curl_phase").rotated(phase + later), of)(Knobs("lattice"), p, 3)
-                             for later in (0, Fraction(1, 2)))
-                for a, b in zip(now, then, strict=True):
-                    self.assertAlmostEqual(float(a), -float(b), delta=1e-12 if of == "exact" else 1e-4)
-                    self.assertNotEqual(a, 0)
-
-    def test_the_plane_has_the_derivatives_with_the_phase(self) -> None:
-        p, phase = (Fraction(5, 16), Fraction(-11, 8)), Fraction(5, 32)
-        for of in ("exact", "fixed"):
-            (_, dx, dy), found = (getattr(noises.find(name).rotated(phase), of)(Knobs("lattice"), p, 3)
-                                  for name in ("simplex_d_phase", "curl_phase"))
-            self.assertEqual(found, (dy, -dx))

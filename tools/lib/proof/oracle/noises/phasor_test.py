@@ -1,15 +1,13 @@
-"""Tests of phasor.py and phasor_d.py: beside floats, and beside a program in C."""
+"""Tests of phasor.py and phasor_d.py: beside a program in C, and by hand."""
 
 from __future__ import annotations
 
 import itertools
-import math
 import unittest
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 
-from proof.golden.generator import INT_MAX, INT_MIN, Generator, generator_of, to_f32
-from proof.golden.simplex_rows import PHASES, fractions
+from proof.golden.generator import INT_MAX, INT_MIN, to_f32
 from proof.oracle import hashes, noises
 from proof.oracle.gradients import Real
 from proof.oracle.integers import UNIT
@@ -19,13 +17,7 @@ from proof.oracle.noises.phasor import KERNELS
 from proof.oracle.testing import KNOBS
 
 PHASOR, SLOPES = map(noises.find, ("phasor", "phasor_d"))
-TILES = {2: ((), (1, 1), (2, 3), (7, 0), (INT_MAX, -4)),
-         3: ((), (1, 1, 1), (2, 1, 3), (0, 7, -1), (5, INT_MAX, 2))}
-ENDS = (INT_MIN, -3, -1, 0, 4, INT_MAX)
 
-# How far fixed arithmetic may be off where it cuts neither the place nor the wave, and in a derivative: its value is off
-# by 2^-13, and in a cell there are up to 16 turns of it. The worst of 3600 was 2^-13.34, and of 480 2^-6.86.
-ERROR, SLOPE_ERROR = 2**-13, 2**-6.5
 # How far W and E, which is a quarter of the slope on the plane, may be off, in units of 2^-18.
 WEIGHT_ERROR, FALL_ERROR = Fraction(37, 4), Fraction(63, 4)
 
@@ -35,75 +27,6 @@ def at(cell: Sequence[int], f: Sequence[Real], wave: Sequence[Real], phase: Real
        ) -> tuple[Fraction, ...]:
     noise = of.rotated(phase).chosen(Choice(wave=tuple(wave), bandwidth=bandwidth))
     return (noise.fixed_cell if fixed else noise.exact_cell)(KNOBS, cell, f, seed, periods)
-
-
-def naive_direction(word: int, n: int) -> tuple[float, ...]:
-    """u, as exact as floats are; the library has 16 bits of it."""
-    turns, height = ((word >> 8) * factor % 2**32 for factor in (0xEB1831, 0x84A5E5))
-    z = 0.0 if n == 2 else (2 * (height >> 16) - 65535) / 65536
-    angle, radius = 2 * math.pi * turns / 2**32, math.sqrt(1 - z * z)
-    return (radius * math.cos(angle), radius * math.sin(angle), z)[:n]
-
-
-def naive(cell: Sequence[int], f: Sequence[Real], wave: Sequence[Real], phase: Real = 0, seed: int = 7,
-          periods: Sequence[int] = (), bandwidth: Real | None = None) -> tuple[float, float]:
-    """The sum over all points around a cell, in floats."""
-    n, value, quadrature = len(cell), 0.0, 0.0
-    turns = math.fmod(phase, 1)
-    # The numbers of the points beside those of the cell's first corner, whether they are centres, and where they are.
-    if n == 2:
-        around = [((i, j), False, (i / 2 + j % 2 / 4, j / 2)) for i in range(-5, 7) for j in range(-4, 6)]
-    else:
-        around = [(c, centre, [x + centre / 2 for x in c])
-                  for c in itertools.product(range(-2, 4), repeat=3) for centre in (False, True)]
-    steps = 2 if n == 2 else 1
-    for numbers, centre, place in around:
-        d = [x - y for x, y in zip(f, place)]
-        t = 819 / 1024 - 4 * sum(x * x for x in d) if n == 2 else 1 - 2 * sum(x * x for x in d)
-        if t <= 0:
-            continue
-        point = [steps * c + i for c, i in zip(cell, numbers)]
-        point = [i % (steps * period) if period > 0 else i for i, period in zip(point, periods or (0,) * n)]
-        word = hashes.point_word("lattice", point, seed, centre)
-        own = [max(-16.0, min(16.0, k)) for k in wave]
-        if bandwidth:
-            b = max(0.0, min(16.0, bandwidth))
-            own = [max(-16.0, min(16.0, k + b * u)) for k, u in zip(own, naive_direction(word, n))]
-        a = word / 2**32 + turns + sum(k * x for k, x in zip(own, d))
-        weight = t**3 * (1 + 15 * (1 - t)**2)
-        value += weight * math.cos(2 * math.pi * a)
-        quadrature += weight * math.sin(2 * math.pi * a)
-    scale = (762 if n == 2 else 674) / 1024
-    return scale * value, scale * quadrature
-
-
-def some_wave(n: int, numbers: Generator) -> tuple[float, ...]:
-    """One that fixed arithmetic does not cut: none, along an axis or a diagonal, or any; some are too long."""
-    kind, k = numbers.integer(0, 3), numbers.pick((1.0, -0.5, 16.0, -16.0, 17.0, -3e38))
-    if kind < 2:
-        axis = numbers.integer(0, n - 1)
-        return tuple(k * kind if i == axis else 0.0 for i in range(n))
-    if kind == 2:
-        return tuple(numbers.pick((k, -k)) for _ in range(n))
-    return tuple(numbers.integer(-2**20, 2**20) / 2**16 for _ in range(n))
-
-
-Place = tuple[list[int], Sequence[float], tuple[float, ...], float, int, Sequence[int], float | None]
-BANDWIDTHS = (None, 0.0, 2.0**-16, 0.5, 3.25, 16.0, 17.0, -1.0)  # which fixed arithmetic does not cut
-
-
-def places(name: str, count: int = 24) -> Iterator[Place]:
-    """The arguments of `at`: on the planes at which other points count, beside them and near the ends of kernels."""
-    numbers = generator_of(f"phasor {name}")
-    for n in (2, 3):
-        for index, f in enumerate(fractions(n, count, numbers)):
-            cell = [numbers.pick((numbers.integer(-4, 3), numbers.pick(ENDS))) for _ in range(n)]
-            phase = numbers.pick((numbers.pick(PHASES), numbers.uniform(-2, 2)))
-            yield cell, f, some_wave(n, numbers), phase, numbers.word(), TILES[n][index % 5], numbers.pick(BANDWIDTHS)
-
-
-def apart(a: Sequence[Real], b: Sequence[Real]) -> float:
-    return math.hypot(*(float(x - y) for x, y in zip(a, b, strict=True)))
 
 
 # From a program in C, with its words of 32 bits, which was written from the contract: the cell, the fraction in units
@@ -139,41 +62,12 @@ VECTORS = (
 class Phasor(unittest.TestCase):
     """A wave of another point, phase, direction or weight, or a step that is cut in another place."""
 
-    def test_floats(self) -> None:
-        for place in places("floats"):
-            # A direction of the library has 16 bits, and is off by up to 2^-14.9 of the bandwidth.
-            self.assertLess(apart(at(*place), naive(*place)), 1e-2 if place[-1] else 1e-12, place)
-
-    def test_fixed_is_near(self) -> None:
-        """Of places and waves that are not cut."""
-        for place in places("fixed"):
-            value, fixed = (at(*place, fixed=is_fixed, of=SLOPES) for is_fixed in (False, True))
-            self.assertLess(apart(value[:2], fixed[:2]), ERROR, place)
-            self.assertLess(max(abs(a - b) for a, b in zip(value[2:], fixed[2:])), SLOPE_ERROR, place)
-            self.assertEqual(fixed[:2], at(*place, fixed=True))
-
     def test_beside_a_program(self) -> None:
         for cell, fraction, periods, wave, phase, seed, without, bandwidth, with_bandwidth in VECTORS:
             f, wave = [Fraction(x, UNIT) for x in fraction], tuple(map(to_f32, wave))
             for b, expected in ((None, without), (to_f32(bandwidth), with_bandwidth)):
                 found = at(cell, f, wave, to_f32(phase), seed, periods, b, True, SLOPES)
                 self.assertEqual(tuple(x * unit for x, unit in zip(found, SLOPES.units)), expected)
-
-    def test_no_bandwidth(self) -> None:
-        """A bandwidth of 0 changes no value, and no derivative that is exact."""
-        for *place, _ in places("no bandwidth", 6):
-            for of, fixed in ((SLOPES, False), (PHASOR, True)):
-                self.assertEqual(*(at(*place, bandwidth, fixed, of) for bandwidth in (None, 0)))
-
-    def test_directions(self) -> None:
-        """They are about 1 long, and on all sides."""
-        words = [hashes.mix(i) for i in range(2000)]
-        for n in (2, 3):
-            units = [phasor.direction(word, n) for word in words]
-            for word, u in zip(words, units):
-                self.assertLess(apart(u, [2**16 * x for x in naive_direction(word, n)]), 5, (n, word))
-            for axis in range(n):
-                self.assertLess(abs(sum(u[axis] for u in units)) / len(units), 2**16 / 20)
 
     def test_waves_of_fixed_arithmetic(self) -> None:
         for of in (phasor.fixed_wave, lambda wave: [k * 2**16 for k in phasor.clamped(wave)]):

@@ -1,4 +1,4 @@
-"""Tests of value_cubic.py: its weights by hand. (vectors_test.py and noises_test.py have the values.)"""
+"""Tests of value_cubic.py: its weights by hand. (vectors_test.py has values.)"""
 
 from __future__ import annotations
 
