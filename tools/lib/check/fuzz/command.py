@@ -2,7 +2,7 @@
 
     tools/test fuzz [--seconds N | --runs N] [--build DIR] [--out DIR] [TARGET...]
 
-A target is a file of conformance/testing/fuzz: expectations, golden, journal, options, results, shaders; without one
+A target is a file of conformance/testing/fuzz: expectations, golden, journal, results, shaders; without one
 all are run, one after the other, for N seconds each (600), or for N inputs. Each begins with
 conformance/testing/fuzz/corpus/TARGET, which stays as it is. New inputs are kept in DIR/TARGET/corpus (--out,
 build-fuzz/findings), and where the next run goes on; with --runs, for which every run is to be the same, it is not.
