@@ -18,7 +18,7 @@ from proof.bounds.rounded import EXACT, Body, Text, with_true_numbers
 from proof.bounds.text import Line
 from proof.golden.files import Values
 from proof.golden.generator import generator_of
-from proof.golden.rows import rows_of
+from proof.golden.rows import redrawn
 
 # Changes of the text, and the function that each makes wrong. No function of a group notices two of them.
 MUTANTS = (
@@ -80,12 +80,12 @@ class Texts(unittest.TestCase):
 
     @in_thorough_runs
     def test_other_places(self):
-        """Drawn by another generator, with the oracle's values."""
+        """With other seeds, and the oracle's values."""
         golden = [of for of in identity.golden_files() if of.setting == DEFAULT_HASH]
-        text, settings = Text([of.function.id for of in golden]), read_configurations()
-        setting = next(one for one in settings if one.name == DEFAULT_HASH)
+        text = Text([of.function.id for of in golden])
+        setting = next(one for one in read_configurations() if one.name == DEFAULT_HASH)
         for of in golden:
-            rows, _ = rows_of(of.function, False, settings, generator_of(f"{of.function.id} identity"))
+            rows = redrawn(of.function, generator_of(f"{of.function.id} identity"))
             values = Values(of.function, setting)
             drawn = replace(of, columns={name: np.array(words) for name, words in zip(of.columns, zip(*rows))}, values=[
                 np.array(column, float if one.type == "f64" else np.int64) for one, column in zip(

@@ -7,8 +7,8 @@ where the function depends on no knob. A value that is not exact in a float32 is
 with fixed arithmetic it is the float itself. A digest is the 64-bit FNV-1a of the results as 4 little-endian bytes
 each, over all points from `origin`, the last coordinate running fastest.
 
-The inputs come from rows.py; their generator is seeded with the function's name alone, so that every setting sees
-the same inputs. Fixed arithmetic has some more behind them.
+The inputs are those that the committed files have, the same for every setting. Fixed arithmetic has some more behind
+them. A new function takes those of the file with the same columns (rows.py).
 
 With --sample the oracle computes N rows of each file, with every setting, and N / 2 of those that only fixed arithmetic
 has; the heads and the inputs of all rows are compared as ever. Which rows they are follows from the text of the oracle

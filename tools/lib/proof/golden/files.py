@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 from catalog.tables.configurations import Configuration
 from catalog.tables.functions import Column, Function
+from proof.golden import rows
 from proof.golden.generator import Row, fnv1a64, generator_of, to_f32
-from proof.golden.rows import rows_of, with_infinities
 from proof.oracle.functions import evaluator, knobs_of
 from proof.oracle.gradients import Real
 
@@ -88,7 +88,7 @@ class Values:
 
 @dataclass(frozen=True)
 class GoldenFile:
-    """The file of a function. `settings` are all configurations: some inputs are made for them."""
+    """The file of a function. `settings` are all configurations."""
     function: Function
     settings: Sequence[Configuration]
 
@@ -102,13 +102,8 @@ class GoldenFile:
                 if setting.has_golden_values and setting.covers(self.function)]
 
     def rows(self) -> tuple[list[Row], list[Row]]:
-        """The rows that every setting has, and those that only fixed arithmetic has, from a generator that is seeded
-        with the function's name alone."""
-        return with_infinities(self.function, *self.finite_rows())
-
-    def finite_rows(self) -> tuple[list[Row], list[Row]]:
-        fixed = any(values.configuration.fixed for values in self.values)
-        return rows_of(self.function, fixed, self.settings, generator_of(self.function.id))
+        """The rows that every setting has, and those that only fixed arithmetic has."""
+        return rows.kept(self.function, any(values.configuration.fixed for values in self.values))
 
     def text(self, found: str = "", sample: Sample | None = None) -> str:
         """The file. With a sample only some values are computed; the others are as the text `found` has them. (The

@@ -51,10 +51,6 @@ class Generator:
     def uniform(self, low: float, high: float) -> float:
         return to_f32(low + (high - low) * (self.next() >> 11) / 2**53)
 
-    def anywhere(self, n: int) -> tuple[float, ...]:
-        """A point of n dimensions whose coordinates are of any size."""
-        return tuple(to_f32(self.uniform(-1, 1) * 2.0**self.integer(-24, 34)) for _ in range(n))
-
     def seed(self) -> int:
         """A noise seed: one of the edge cases, or any word."""
         return self.pick((*SEEDS, self.word()))
@@ -63,12 +59,3 @@ class Generator:
 def generator_of(name: str) -> Generator:
     """One of its own for each function, and for each test."""
     return Generator(fnv1a64(name.encode("ascii")))
-
-
-# Subnormal and other tiny numbers, the step of a fraction, whole numbers and their neighbours, where a float has no
-# fraction, where int ends, and the largest.
-FIXED_COORDINATES = tuple(to_f32(x) for x in (
-    -0.0, 2.0**-149, -2.0**-149, 1e-40, -1e-40, -2.0**-126, 2.0**-33, -2.0**-33, -2.0**-32, 2.0**-21, -2.0**-21,
-    2.0**-20, -2.0**-20, -3 * 2.0**-21, 1 - 2.0**-24, -1 + 2.0**-24, 1 + 2.0**-23, -1 - 2.0**-23, -1.0, 7 - 2.0**-21,
-    48 - 2.0**-18, -48 - 2.0**-18, 2.0**19 + 0.5, 2.0**23 - 0.5, -2.0**23 + 0.5, 2.0**23, -2.0**23 - 1, 2147483520.0,
-    2.0**31, -2.0**31, -2147483904.0, 3e38, -3.4e38))

@@ -15,28 +15,25 @@ from dataclasses import replace
 from fractions import Fraction
 from unittest import mock
 
-from base.golden_values import Golden, ids
+from base.golden_values import Golden, head_of, ids
 from base.testing import Case
 from base.thorough import THOROUGH, in_thorough_runs
 from catalog.model import AXES, CatalogError
 from catalog.tables.configurations import read_configurations
-from catalog.tables.functions import SPREADS, Column, read_functions
-from proof.golden import cellular_rows, gullies_rows
+from catalog.tables.functions import Column, read_functions
 from proof.golden import command as golden
+from proof.golden import rows
 from proof.golden.files import Digest, GoldenFile, Sample, Values, golden_files, line
 from proof.golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of
-from proof.golden.rows import CLAMPED
-from proof.oracle import feature_points, gradients, hashes, jacobians
+from proof.oracle import gradients, hashes, jacobians
 from proof.oracle.functions import knobs_of
 from proof.oracle.integers import signed
-from proof.oracle.lattice import Lattice
-from proof.oracle.noises import cell_border
+from proof.oracle.testing import METRICS
 from proof.vectors.files import meaning
 
 FUNCTIONS = {function.id: function for function in read_functions()}
 SUMS = [function for function in FUNCTIONS.values()
-        if function.form == "sum" and function.bound != gullies_rows.BOUND]
-CELLULAR = [function for function in FUNCTIONS.values() if function.family in cellular_rows.FAMILIES]
+        if function.form == "sum" and function.bound != "gullies"]
 SETTINGS = read_configurations()
 FILES = {file.function.id: file for file in golden_files(list(FUNCTIONS.values()), SETTINGS)}
 
@@ -51,7 +48,7 @@ EDGES = {
     "c*": ENDS, "f*": {0.0, 2.0**-149, 0.5, 1 - 2.0**-24, 1.0}, "p*": {*ENDS, 1, 2, 3, 5, 2**30},
     "k*": {0.0, 1.0, 16.0, -16.0, -17.0, 2.0**-17}, "e*": {0.0, 1.0, -1.0, 8.0},
     "bandwidth": {0.0, 0.5, 1.0, 16.0, 17.0, -1.0}, "phase": {0.0, 0.25, -0.25, 0.5, 1.0, 2.0**-30, 1000.125}, "jitter": BEYOND,
-    "metric": {0, *cellular_rows.METRICS, INT_MAX}, "seed": {0, 1, 2**32 - 1}, "radius": BEYOND | {0.5, 2.0**-16},
+    "metric": {0, *METRICS, INT_MAX}, "seed": {0, 1, 2**32 - 1}, "radius": BEYOND | {0.5, 2.0**-16},
     "octaves": {-1, 0, 1, 2, 6, 32, 33, INT_MAX}, "detail": {0.0, 1.0, 1 + 2.0**-23, 2.0},
     "footprint": {0.0, 0.25, 2.0, -1.0},
     "lacunarity": {0.0, 0.5, 1.0, 2.0, 255.0, 300.0}, "gain": {0.0, 0.25}, "strength": BEYOND | {2.0**-18, -1.0},
@@ -77,7 +74,7 @@ def rows_with(id: str, setting: str = "") -> list[tuple]:
 @functools.cache
 def rows_of(id: str) -> tuple[list[tuple], list[tuple]]:
     """Which take a while to make."""
-    return FILES[id].finite_rows()
+    return tuple([row for row in some if all(map(math.isfinite, row))] for some in FILES[id].rows())
 
 
 @functools.cache
@@ -124,16 +121,6 @@ class GoldenContents(unittest.TestCase):
                     read = Golden(id, values.name)  # with bits of floats
                     for (_, kind), results in zip(read.head.results, zip(*read.expected)):
                         self.assertTrue(kind == "i32" or 0x80000000 not in results, id)
-
-    def test_infinities_have_rows_where_they_have_values(self) -> None:
-        for id, file in FILES.items():
-            function, inputs = file.function, Golden(id, file.values[-1].name, finite=False).inputs
-            for column, values in zip(function.inputs, zip(*inputs)):
-                has = column.name in {*CLAMPED, "radius"} and function.form not in SPREADS and (
-                    column.name, function.bound) != ("footprint", gullies_rows.BOUND)
-                if column.type == "f32":
-                    found = {word for word in values if word & 0x7F800000 == 0x7F800000}
-                    self.assertEqual(found, {0xFF800000, 0x7F800000} if has else set(), (id, column.name))
 
     def test_only_fixed_arithmetic_has_further_inputs(self) -> None:
         for id, file in FILES.items():
@@ -186,27 +173,6 @@ class GoldenContents(unittest.TestCase):
             file = GoldenFile(replace(FUNCTIONS[id], **change), lattice)
             with self.assertRaisesRegex(CatalogError, message):
                 file.text()
-
-    def test_some_borders_are_those_of_cells_two_steps_on(self) -> None:
-        lattice = Lattice(knobs_of(next(setting for setting in SETTINGS if setting.name == "lattice")), 0)
-        steps = set()
-        for cell, f in cellular_rows.FAR_BORDERS:
-            field = feature_points.Field.fixed(lattice, cell, [int(x * 2**20) for x in f], feature_points.EUCLIDEAN)
-            (nearest,), axes = field.nearest(1), range(len(cell))
-            others = [(beside, field.point(beside)) for beside in itertools.product(range(-3, 4), repeat=len(cell))]
-            beside = min((cell_border.fixed_between(nearest, point), beside) for beside, point in others
-                         if point.cell != nearest.cell)[1]
-            steps |= {(len(cell), axis, beside[axis] > 0) for axis in axes if abs(beside[axis]) == 2}
-            self.assertEqual(max(map(abs, beside)), 2, cell)
-        self.assertEqual(steps, {(n, axis, after) for n in (2, 3) for axis in range(n) for after in (False, True)})
-        for function in CELLULAR:
-            if function.bound == "cell_border" and not function.sets:
-                self.assertGreater(len(cellular_rows.far_borders(function)), 1)
-
-    def test_a_place_that_no_seed_makes_clear(self) -> None:
-        function = FUNCTIONS["noise2d.cellular_d"]
-        with mock.patch.object(cellular_rows, "CLEAR", 2), self.assertRaisesRegex(ValueError, "is not clear"):
-            list(cellular_rows.cleared([(0.5, 0.5, 0)], function, generator_of("clear")))
 
     def test_a_tie_matters_to_every_sine_gradient(self) -> None:
         def away(n: int) -> int:
@@ -261,6 +227,41 @@ class GoldenContents(unittest.TestCase):
                     values = [line(function.outputs, fixed.evaluate(row)) for row in rows]
                 right = Golden(function.id).values[tried]
                 self.assertEqual(values, [" ".join(f"{word:016x}" for word in words) for words in right])
+
+
+class GoldenRows(Case):
+    """Inputs that a file loses, and those that a new one gets."""
+
+    def test_no_row_is_lost(self) -> None:
+        rows_here = sum(head_of(golden.GOLDEN / file.name).rows for file in FILES.values())
+        self.assertGreaterEqual(rows_here, 125_239, "those of version 1.1; an older row stays where it is")
+
+    def test_a_new_function_takes_the_rows_of_the_one_most_like_it(self) -> None:
+        for id, columns, like in (("noise2d.perlim", "noise2d.perlin", "noise2d.perlin_d"),
+                                  ("noise3d.simplest", "noise3d.value", "noise3d.simplex_d")):
+            new = replace(FUNCTIONS[columns], id=id)
+            self.assertEqual(rows.most_alike(new, golden.GOLDEN).stem, like)
+            self.assertEqual(rows.kept(new, fixed=True), rows.kept(FUNCTIONS[like], fixed=True))
+        self.assertEqual(rows.kept(FUNCTIONS["noise2d.perlin"], fixed=False)[1], [])
+
+    def test_rows_by_hand_count(self) -> None:
+        function = FUNCTIONS["noise1d.perlin"]
+        file = self.folder / "noise1d.perlin.golden"
+        for text in ("c0000000 00000007\n3f000000 ffffffff = -\n",
+                     "hashnoise golden 2\ncolumns x:f32 seed:u32 = old:f64\nrows 9\n3f000000 ffffffff = - = 3fe0000000000000\n"
+                     "c0000000 00000007\ndigest lattice origin=1\n"):
+            file.write_text(text)
+            self.assertEqual(rows.kept(function, True, self.folder), ([(-2.0, 7)], [(0.5, 2**32 - 1)]))
+        file.write_text(text.replace("x:f32", "x:i32"))
+        (self.folder / "b.golden").write_text((golden.GOLDEN / "hash.word.golden").read_text())
+        with self.assertRaisesRegex(CatalogError, "noise1d.perlin: no golden file has the columns x:f32 seed:u32: write"):
+            rows.kept(function, True, self.folder)
+
+    def test_other_seeds_are_the_only_change(self) -> None:
+        function = FUNCTIONS["noise2d.perlin"]
+        drawn, every = rows.redrawn(function, generator_of("seeds")), rows.kept(function, False)[0]
+        self.assertEqual([row[:2] for row in drawn], [row[:2] for row in every])
+        self.assertGreater(len({row[2] for row in drawn}), 0.9 * len(every))
 
 
 class GoldenReader(Case):

@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from fractions import Fraction
 from unittest import mock
 
-from proof.golden.cellular_rows import METRICS
 from proof.golden.generator import INT_MAX, INT_MIN
 from proof.oracle import feature_points, nearest, noises
 from proof.oracle.feature_points import (
@@ -23,6 +22,7 @@ from proof.oracle.feature_points import (
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import UNIT
 from proof.oracle.lattice import EUCLIDEAN, Choice
+from proof.oracle.testing import METRICS
 
 LATTICE = Knobs("lattice")
 EIGHTH = Fraction(1, 8)

@@ -7,10 +7,9 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from proof.golden.generator import generator_of
-from proof.golden.simplex_rows import PHASES
 from proof.oracle import gradients, hashes, noises, rotation
 from proof.oracle.gradients import SINE_ERROR, Knobs, sine_of_turns
-from proof.oracle.testing import FORMS, KNOBS
+from proof.oracle.testing import FORMS, KNOBS, PHASES
 
 # By hand: in space the gradient of a word, and the edge that it is after a sixth of a turn.
 PAIRS = {0x00000000: ((1, 1, 0), (0, 1, 1)), 0x00100000: ((1, 1, 0), (0, 1, -1)),

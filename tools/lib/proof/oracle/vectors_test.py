@@ -9,7 +9,6 @@ from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
 
-from proof.golden.cellular_rows import METRICS
 from proof.golden.generator import INT_MAX, INT_MIN, to_f32
 from proof.oracle import noises, sums
 from proof.oracle.gradients import Knobs
@@ -19,6 +18,7 @@ from proof.oracle.lattice import Choice
 from proof.oracle.nearest import NEAREST, OFFSET
 from proof.oracle.noises import Noise
 from proof.oracle.self_check import self_check
+from proof.oracle.testing import METRICS
 
 POINT, SEED = tuple(map(to_f32, (-12.34375, 5.7, 0.8125, -3.3))), 0xDEADBEEF
 CELL, FRACTION, CELL_SEED = (INT_MAX, INT_MIN, -7, 46), tuple(map(to_f32, (0.1875, 1.0, 0.640625, 0.9))), 5

@@ -9,13 +9,12 @@ from fractions import Fraction
 from unittest import mock
 
 from proof.golden.generator import to_f32
-from proof.golden.simplex_rows import PHASES
 from proof.oracle import feature_points, moving_points, noises
 from proof.oracle.feature_points import BlockTooSmall
 from proof.oracle.lattice import Choice
 from proof.oracle.nearest import NEAREST
 from proof.oracle.noises import Noise, cellular
-from proof.oracle.testing import FORMS, KNOBS
+from proof.oracle.testing import FORMS, KNOBS, PHASES
 
 SLOPES, SMOOTH, BORDER, MOVING = map(noises.find, ("cellular_d", "cellular_smooth", "cell_border", "cellular_phase"))
 GRID = Choice(0.0)  # points are in the middle of cells
