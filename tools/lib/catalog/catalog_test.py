@@ -1,6 +1,5 @@
 """The catalog is right, its products are committed, and a wrong entry is reported with its place."""
 
-import ast
 import contextlib
 import dataclasses
 import io
@@ -12,9 +11,8 @@ from pathlib import Path
 from unittest import mock
 
 from base.tree import ROOT, site
-from catalog import command, copies, grid, parameters, sections, shaders, suite
+from catalog import command, copies, parameters, sections, shaders, suite
 from catalog.model import CATALOG, CatalogError, read
-from catalog.tables import functions
 
 
 class Made(unittest.TestCase):
@@ -59,42 +57,6 @@ class Made(unittest.TestCase):
         with self.assertRaisesRegex(LookupError, "CITATION.cff must have version: "):
             copies.made("CITATION.cff", "title: hashnoise\n")
 
-    def test_every_part_knows_of_every_entry(self):
-        made = {path.name: text for path, text in command.files().items()}
-        catalog = read()
-        for function in (*catalog.noises, *catalog.sums):
-            with self.subTest(function=function.name):
-                self.assertIn(f", {function.name}, {function.first}, {function.last}, ", made["catalog.inc"])
-                if "__init__.pyi" in made:  # the package can be deleted
-                    module = made["_sums.py" if function in catalog.sums else "_noises.py"]
-                    self.assertRegex(made["__init__.pyi"], rf"(?m)^def {function.name}\(")
-                    self.assertRegex(module, rf"(?m)^{function.name} = _")
-                self.assertIn(f'.call = "hn_{function.name}(p', suite.files()["library/functions.inc"])
-                self.assertIn(f"HN_ONLY_TYPES_OF_GLSL(hn_{function.name})\n", made["functions_of_glsl.h"])
-                if getattr(function, "step", "") not in ("", "eroded"):
-                    self.assertRegex(made["fbm2d.glsl"], rf"(?m)^HN_FN hn_float hn_i_{function.name}\(hn_octaves2 o")
-
-    def test_rows_of_the_suite(self):
-        warp = next(sum_ for sum_ in read().sums if sum_.name == "warp")
-        body = ("hn_vec2 p = vec2(float_of(a.x), float_of(a.y)); hn_vec2 n = hn_warp(p, int(a.z), float_of(a.w), float_of(b.x), "
-                "float_of(b.y), SEED(b.z)); return uvec4(bits_of(n.x), bits_of(n.y), 0u, 0u);")
-        row = next(functions.of_sum(warp))
-        self.assertEqual((row.id, row.includes, row.columns, row.bench, row.body), (
-            "warp.warp2", "warp2d.glsl",
-            "x:f32 y:f32 octaves:i32 lacunarity:f32 gain:f32 amplitude:f32 seed:u32 = sx:f64 sy:f64",
-            "hn_warp(p, 6, 2.0, 0.5, 1.0, 0u)", body))
-        typed = suite.of_functions(read(), [row])
-        self.assertIn('.family = extended_octave_sum, .bound = "warp"', typed)
-        self.assertIn('.inputs = {{"x", f32}, {"y", f32}, {"octaves", i32}, {"lacunarity", f32}', typed)
-        self.assertIn(f'COLUMN("seed", u32)), {body})\n', suite.of_bodies([row]))
-
-    def test_ids_of_what_a_derivative_belongs_to(self):
-        of = {row.id: row.plain for row in functions.read_functions()}
-        for id_, plain in (("noise2d.perlin_d_cell", "noise2d.perlin_cell"), ("noise4d.value_d_value", "noise4d.value"),
-                           ("noise4d.perlin_d_cell_value", "noise4d.perlin_cell"), ("fbm_d.eroded2_cell", "fbm.fbm2_cell"),
-                           ("noise2d.perlin_d_phase", "noise2d.perlin_phase"), ("noise2d.perlin", ""), ("fbm.fbm2", "")):
-            self.assertEqual(of[id_], plain)
-
     def test_files_of_the_suite_are_written_once(self):
         with tempfile.TemporaryDirectory() as name:
             suite.write(Path(name))
@@ -103,35 +65,12 @@ class Made(unittest.TestCase):
             with mock.patch.object(Path, "write_text", side_effect=AssertionError):
                 suite.write(Path(name))
 
-    def test_the_glsl_of_a_sum(self):
-        ping_pong = next(sum_ for sum_ in read().sums if sum_.name == "ping_pong")
-        self.assertEqual(shaders.loop(ping_pong), """\
-HN_FN hn_float hn_i_ping_pong(hn_octaves2 o, hn_float strength) {
-  do hn_add_ping_pong(o, hn_perlin(o.place, o.seed), strength);
-  while (hn_next(o));
-  return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
-}
-""")
-        self.assertLessEqual(max(map(len, (shaders.comment(ping_pong) + shaders.forms(ping_pong)).splitlines())), 120)
-
     def test_a_step_that_the_library_does_not_have(self):
         for step in ("cubes", "detail"):
             message = (rf"^catalog/sums\.toml: fbm: step is '{step}', and has to be one of billow, .*hybrid, .*weighted, "
                        r"or a new hn_i_add_.* in glsl/hashnoise/detail/octave\.glsl$")
             with self.assertRaisesRegex(CatalogError, message):
                 shaders.check_steps([dataclasses.replace(read().sums[0], step=step)])
-
-    def test_made_code_is_code(self):
-        for path, text in command.files().items():
-            if path.suffix in (".py", ".pyi"):
-                with self.subTest(path=path.name):
-                    ast.parse(text)
-                    self.assertLessEqual(max(map(len, text.splitlines())), 120)
-
-    def test_entries_in_the_order_of_the_file(self):
-        text = grid.files(read())[grid.PATH]
-        named = re.findall(r"^HN_CATALOG_NOISE\(\w+, (\w+),", text, re.MULTILINE)
-        self.assertEqual(named, re.findall(r"^\[(\w+)\]$", (CATALOG / "noises.toml").read_text(), re.MULTILINE))
 
     def test_a_page_without_its_marks(self):
         with self.assertRaisesRegex(LookupError, r"README\.md has 0 lines with 'tools/make catalog: nothing'"):

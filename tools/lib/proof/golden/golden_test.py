@@ -23,9 +23,9 @@ from catalog.tables.configurations import read_configurations
 from catalog.tables.functions import Column, read_functions
 from proof.golden import command as golden
 from proof.golden import rows
-from proof.golden.files import Digest, GoldenFile, Sample, Values, golden_files, line
-from proof.golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of
-from proof.oracle import gradients, hashes, jacobians
+from proof.golden.files import GoldenFile, Sample, Values, golden_files, line
+from proof.golden.generator import INT_MAX, INT_MIN, generator_of
+from proof.oracle import gradients, jacobians
 from proof.oracle.functions import knobs_of
 from proof.oracle.integers import signed
 from proof.oracle.testing import METRICS
@@ -85,33 +85,6 @@ def rows_in(id: str, values: Values) -> int:
 
 
 class GoldenContents(unittest.TestCase):
-    def test_format(self) -> None:
-        lines = self.file("noise1d.value")
-        self.assertEqual(lines[:7], [
-            "hashnoise golden 2", "function noise1d.value", "calls hn_value", "bits 1.0.0",
-            "columns x:f32 seed:u32 = value:f64", "settings pcg:fast lattice:fast lattice+fixed:fixed",
-            f"rows {len(lines) - 8}"
-        ])
-        self.assertRegex(lines[7], "^c0000000 00000000( = [0-9a-f]{16}){3}$")
-        self.assertRegex(lines[-2], "^[0-9a-f]{8} [0-9a-f]{8} = - = - = [0-9a-f]{16}$")
-        self.assertEqual(lines[-1], "")
-
-    def file(self, function: str) -> list[str]:
-        """The lines of a golden file."""
-        return FILES[function].text().split("\n")
-
-    def test_format_of_other_files(self) -> None:
-        exact = self.file("gradient.lattice2")
-        self.assertEqual(exact[4:6], ["columns x:i32 y:i32 seed:u32 = gx:f32 gy:f32", "settings fnv1:exact "
-                                      "partial_fnv1:exact jenkins:exact partial_jenkins:exact murmur:exact pcg:exact "
-                                      "xxhash32:exact lattice:exact custom:exact"])
-        sine = self.file("gradient.sine3")
-        self.assertEqual(sine[4], "columns x:i32 y:i32 z:i32 seed:u32 = gx:f64 gy:f64 gz:f64")
-        self.assertRegex(sine[5], "^settings fnv1.sine:fast .* lattice.sine:fast lattice.sine.fixed:fixed$")
-        self.assertEqual(self.file("hash.unorm")[5], "settings any:exact")
-        digests = self.file("hash.lattice2")[-10:]
-        self.assertEqual([line.split()[1] for line in digests[:-1]],
-                         [setting.split(":")[0] for setting in exact[5].split()[1:]])
 
     def test_values_of_fixed_arithmetic_are_floats(self) -> None:
         """The committed files equal the oracle's: golden.regenerated_is_committed."""
@@ -121,12 +94,6 @@ class GoldenContents(unittest.TestCase):
                     read = Golden(id, values.name)  # with bits of floats
                     for (_, kind), results in zip(read.head.results, zip(*read.expected)):
                         self.assertTrue(kind == "i32" or 0x80000000 not in results, id)
-
-    def test_only_fixed_arithmetic_has_further_inputs(self) -> None:
-        for id, file in FILES.items():
-            fixed = next((values for values in file.values if values.configuration.fixed), None)
-            further = fixed is not None and rows_in(id, fixed) > rows_in(id, file.values[0])
-            self.assertEqual(further, fixed is not None and not file.function.form.startswith(("point", "place")), id)
 
     def test_rows_have_every_edge(self) -> None:
         """Of every function, also of one that is new. (That rows stay as they are golden.regenerated_is_committed
@@ -140,18 +107,6 @@ class GoldenContents(unittest.TestCase):
                 numbers = {meaning(column.type, word) for word in of_column}
                 with self.subTest(id, column=column.name):
                     self.assertLessEqual(EDGES[kind], numbers)
-
-    def test_there_are_values_for_what_the_tables_say(self) -> None:
-        there = {f"{id}.{values.name}" for id, file in FILES.items() for values in file.values}
-        for name in ("hash.word.fnv1", "hash.unorm.any", "gradient.lattice2.lattice", "gradient.sine3.fnv1+sine",
-                     "noise3d.perlin_cell_period.lattice+fixed", "fbm.clouds2.lattice+sine+fixed",
-                     "position.cell4.any", "noise2d.simplex_cell_period.pcg", "fbm_d.eroded3.lattice+fixed",
-                     "warp.warp_progressive2_cell_period.lattice"):
-            self.assertIn(name, there)
-        for name in ("hash.unorm.lattice", "hash.word.lattice+fixed", "gradient.lattice2.lattice+sine",
-                     "noise2d.perlin.lattice+precise", "fbm.fbm2.fnv1+sine", "fbm.fbm1.lattice+sine",
-                     "fbm_d.fbm_d2.lattice+sine", "fbm.fbm2.fnv1", "noise2d.simplex_cell.pcg"):
-            self.assertNotIn(name, there)
 
     def test_a_setting_that_is_left_out_takes_its_values_with_it(self) -> None:
         fixed, = (setting for setting in SETTINGS if setting.name == "lattice+fixed")
@@ -208,13 +163,6 @@ class GoldenContents(unittest.TestCase):
             line(Column.listed("a:f32"), (0.1,))
         with self.assertRaises(ValueError):
             line(Column.listed("a:u32 b:u32"), (1,))
-
-    def test_digest_runs_over_the_last_coordinate_first(self) -> None:
-        file = values_with("hash.lattice2", "lattice")
-        with mock.patch.object(hashes, "lattice", lambda _, point, seed: 100 * point[0] + 10 * point[1] + seed):
-            found = file.digest(Digest((1, 2), (2, 3), 4))
-        values = b"".join(value.to_bytes(4, "little") for value in (124, 134, 144, 224, 234, 244))
-        self.assertEqual(found, f"{fnv1a64(values):016x}")
 
     def test_nothing_wraps_where_jacobians_keep_their_range(self) -> None:
         """The contract's domain is one in which fixed arithmetic loses no bits but those of cells. By default every
@@ -377,11 +325,6 @@ class GoldenCheck(Case):
             self.assertEqual(wrong, {i for i in chosen if i < every + of_fixed or file.function.family == "hash"})
             self.assertTrue(any(i >= every for i in wrong))
             self.assertLessEqual(len(wrong), lines)
-
-    def test_another_oracle_asks_other_rows(self) -> None:
-        self.assertRegex(golden.salt(), "^[0-9a-f]{64}$")
-        self.assertNotEqual(Sample(8, "a").of("noise2d.perlin", 192, 195, 18),
-                            Sample(8, "b").of("noise2d.perlin", 192, 195, 18))
 
     def test_writing_removes_stale_files_only(self) -> None:
         (self.directory / "hash.old.golden").write_text("")

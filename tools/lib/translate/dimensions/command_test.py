@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import shutil
 
 from base.testing import Case, called
@@ -65,27 +64,11 @@ class Umbrella(Case):
         self.assertEqual(self.run_main(), (0, []))
         self.assertEqual(self.includes("hashnoise.glsl"), [*NOISES, "a_sum.glsl", *BUILT])
 
-    def test_the_sums_are_built_on_noise(self):
-        self.assertEqual(self.includes("fbm.glsl"), ["fbm1d.glsl", "fbm2d.glsl", "fbm3d.glsl", "fbm4d.glsl"])
-        for dimension in ("2", "3"):
-            self.assertNotIn(f"fbm{dimension}d.glsl", self.includes(f"noise{dimension}d.glsl"))
-
     def test_the_whole_library_has_what_no_other_file_includes(self):
         (self.glsl / "zone.glsl").write_text('#include "fbm.glsl"\n')
         self.assertEqual(self.run_main("--check"), (1, ["detail/undef_guards.h", "hashnoise.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
         self.assertEqual(self.includes("hashnoise.glsl"), [*NOISES, *(file for file in BUILT if file != "fbm.glsl"), "zone.glsl"])
-
-    def test_sums_of_other_dimensions_are_made_of_those_on_the_plane(self):
-        path = self.glsl / "fbm2d.glsl"
-        path.write_text(path.read_text().replace("on the plane", "on the plane here"))
-        self.assertEqual(self.run_main("--check"), (1, ["fbm1d.glsl", "fbm3d.glsl", "fbm4d.glsl"]))
-        self.assertEqual(self.run_main(), (0, []))
-        for n, type_ in ((1, "float"), (3, "vec3"), (4, "vec4")):
-            text = (self.glsl / f"fbm{n}d.glsl").read_text()
-            self.assertIn(f"HN_FN hn_float hn_fbm(hn_{type_} p, hn_int octaves,", text)
-            self.assertIn(f"hn_octaves{n} o", text)
-            self.assertNotRegex(text, r"\b\w*2d?\b.*\n.*#include|hn_vec2|hn_place2|hn_octaves2")
 
     def test_octaves_are_the_same_in_every_dimension_but_for_their_positions(self):
         path = self.glsl / "octaves2d.glsl"
@@ -105,27 +88,6 @@ class Umbrella(Case):
         self.assertEqual(self.run_main("--check"), (1, ["position.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
         self.assertEqual(path.read_text(), text)
-
-    def test_a_new_dimension_has_a_file_and_an_old_one_none(self):
-        for file in self.glsl.glob("*?d.glsl"):
-            if "// From here " in file.read_text() or "Made from" in file.read_text():
-                file.unlink()
-        self.assertEqual(self.run_main(), (0, []))
-        for file in sorted(self.glsl.glob("*3d.glsl")):
-            if file.name != "noise3d.glsl":
-                text = file.read_text().replace('3d.glsl"', '4d.glsl"')
-                (self.glsl / file.name.replace("3d", "4d")).write_text(text)
-                file.unlink()
-        in_space = [file for file in BUILT if (self.glsl / file).exists()
-                    and any(re.fullmatch(r"\w+3d\.glsl", included) for included in self.includes(file))]
-        self.assertIn("curl.glsl", in_space)
-        self.assertEqual(self.run_main("--check"), (1, sorted([
-            "detail/undef_guards.h", "hashnoise.glsl",
-            "noise3d.glsl", "noise4d.glsl", *in_space])))
-        self.assertEqual(self.run_main(), (0, []))
-        self.assertIn('#include "perlin4d.glsl"\n', (self.glsl / "noise4d.glsl").read_text())
-        self.assertEqual(self.includes("curl.glsl"), ["curl2d.glsl", "curl4d.glsl"])
-        self.assertFalse((self.glsl / "noise3d.glsl").exists())
 
     def test_a_change_by_hand_is_told(self):
         for file in ("detail/undef_guards.h", "fbm.glsl", "noise2d.glsl", "noise3d.glsl", "hashnoise.glsl"):
