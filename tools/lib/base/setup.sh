@@ -79,24 +79,14 @@ refuse_unknown_options() {
 # --- Steps ------------------------------------------------------------------------------------------------------------
 
 # Prints how far a step is that has run for so many seconds, by its output: [12/140] of ninja, or what apt-get writes
-# with APT::Status-Fd. The estimate begins with two seconds of a core for each step of ninja, and with `expected`
-# seconds for packages. It follows what is seen: after 30 seconds both count alike.
+# with APT::Status-Fd.
 #   progress TITLE SECONDS
 progress() {
-  awk -v title="$1" -v gone="$2" -v all="${expected-}" -v cores="$(nproc 2>/dev/null || echo 1)" '
-    match($0, /^\[[0-9]+\/[0-9]+\]/) {
-      at = substr($0, 1, RLENGTH)
-      split(at, n, /[^0-9]/)
-      part = n[2] / n[3]
-      all = 2 * n[3] / cores
-    }
-    /^dlstatus:/ { split($0, n, ":"); part = n[3] / 200; at = int(n[3]) " % downloaded" }
-    /^pmstatus:/ { split($0, n, ":"); part = 0.5 + n[3] / 200; at = int(n[3]) " % installed" }
-    function clock(seconds) { return sprintf("%d:%02d", seconds / 60, seconds % 60) }
-    END {
-      of = all == "" ? "" : " of about " clock(gone + (1 - part) * all * (gone + 30) / (part * all + 30))
-      print title (at ? " " at : "") ", " clock(gone) of
-    }'
+  awk -v title="$1" -v gone="$2" '
+    match($0, /^\[[0-9]+\/[0-9]+\]/) { at = substr($0, 1, RLENGTH) }
+    /^dlstatus:/ { split($0, n, ":"); at = int(n[3]) " % downloaded" }
+    /^pmstatus:/ { split($0, n, ":"); at = int(n[3]) " % installed" }
+    END { printf "%s%s, %d:%02d\n", title, at ? " " at : "", gone / 60, gone % 60 }'
 }
 
 # A line every ten seconds, from what the log has behind so many bytes.
@@ -185,7 +175,7 @@ install_missing() {
   local -a apt_get=(sh -c 'exec apt-get "$@" 3>&1' sh -q -o APT::Status-Fd=3 -o Dpkg::Use-Pty=0)
   logged "Asking for the newest packages" "apt-get could not read the list of packages" \
     "${sudo[@]}" "${apt_get[@]}" update
-  to_its_end=1 expected=${#wanted[@]} logged "Installing ${#wanted[@]} packages and what they need" \
+  to_its_end=1 logged "Installing ${#wanted[@]} packages and what they need" \
     "apt-get could not install these packages: ${wanted[*]}" \
     "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive "${apt_get[@]}" install -y --no-install-recommends "${wanted[@]}"
 }

@@ -1,9 +1,7 @@
-"""Runs ctest, for tools/test, which has the options: shows what is running and how long it takes, and at the end what
+"""Runs ctest, for tools/test, which has the options: shows what is running and since when, and at the end what
 was skipped.
 
     python3 -B -m check.tests.command BUILD [--thorough [--resume]] [options of ctest]
-
-The estimate is made of the times that ctest keeps of earlier runs, and follows what is seen.
 """
 
 from __future__ import annotations
@@ -18,7 +16,7 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from pathlib import Path
 
 from base import ending
@@ -28,34 +26,16 @@ from check.tests import skipped
 SILENCE = float(os.environ.get("HN_PROGRESS_SECONDS", 10))
 # Browsers, drivers and processes that are killed are waited for, so there are twice as many tests as cores.
 AT_A_TIME = 2 * (os.cpu_count() or 1)
-TRUSTED = 30  # seconds of a run after which what is seen counts as much as what was known before
 CHOICES = ("-R", "--tests-regex", "-E", "--exclude-regex", "-L", "--label-regex", "-LE", "--label-exclude")
 START = re.compile(r" +Start +\d+: (.+)$")
 END = re.compile(r" *\d+/\d+ +Test +#\d+: (.+?) \.{3,}(?: +(Passed) +[\d.]+ sec)?")
 
 
-def listed(build: Path, options: Iterable[str]) -> list[dict]:
+def listed(build: Path, options: Iterable[str]) -> set[str]:
     command = ["ctest", "--test-dir", str(build), "--show-only=json-v1", *options]
     text = subprocess.run(command, capture_output=True, text=True, check=False).stdout
-    return json.loads(text)["tests"] if text.startswith("{") else []  # ctest itself prints what is wrong
-
-
-def seconds_of(test: Mapping, known: Mapping[str, float]) -> float:
-    """By ctest, or of a test that it has not run yet: one of GoogleTest's is short."""
-    short = any(part.startswith("--gtest_filter=") for part in test.get("command", ()))
-    return known.get(test["name"], 0.1 if short else 10)
-
-
-def times(build: Path) -> dict[str, float]:
-    path = build / "Testing" / "Temporary" / "CTestCostData.txt"
-    lines = path.read_text(encoding="utf-8").partition("\n---\n")[0].splitlines() if path.exists() else []
-    return {row[0]: float(row[2]) for line in lines if len(row := line.rsplit(" ", 2)) == 3}
-
-
-def estimate(gone: float, done: float, left: float) -> float:
-    """How long a run takes that has done tests of so many seconds, and has so many left."""
-    done, left = done / AT_A_TIME, left / AT_A_TIME
-    return gone + left * (gone + TRUSTED) / (done + TRUSTED)
+    # Else ctest itself prints what is wrong.
+    return {test["name"] for test in json.loads(text)["tests"]} if text.startswith("{") else set()
 
 
 def clock(seconds: float) -> str:
@@ -70,27 +50,25 @@ def next_line(lines: queue.Queue[str | None]) -> str | None:
         return ""
 
 
-def run(command: list[str], weights: Mapping[str, float], passed: Path | None) -> int:
+def run(command: list[str], passed: Path | None) -> int:
     """Copies what ctest prints, adds lines of progress, and appends the names of tests that passed to a file."""
     lines: queue.Queue[str | None] = queue.Queue()
     started = printed = time.monotonic()
-    left, running = dict(weights), {}
+    running: dict[str, None] = {}  # in this order
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, errors="replace") as process:
         threading.Thread(target=lambda: [lines.put(line) for line in itertools.chain(process.stdout, [None])]).start()
         while (line := next_line(lines)) is not None:
             print(line, end="", flush=True)
             if match := START.match(line):
-                running[match[1]] = True
+                running[match[1]] = None
             elif match := END.match(line):
                 running.pop(match[1], None)
-                left.pop(match[1], None)
                 if passed and match[2]:
                     with passed.open("a", encoding="utf-8") as file:
                         file.write(f"{match[1]}\n")
             if (now := time.monotonic()) - printed >= SILENCE:
-                printed, to_do = now, sum(left.values())
-                whole = estimate(now - started, sum(weights.values()) - to_do, to_do)
-                print(f"    ({clock(now - started)} of about {clock(whole)}: {', '.join(running)})", flush=True)
+                printed = now
+                print(f"    ({clock(now - started)}: {', '.join(running)})", flush=True)
     return process.returncode
 
 
@@ -136,10 +114,9 @@ def main(arguments: list[str]) -> int:
         chosen += ["-C", "Thorough"]
         passed = build / "thorough-passed"  # a digest of the tree, and the tests that have passed on it, a line each
         before = passed_before(passed, resume)
-    known = times(build)
-    weights = {test["name"]: seconds_of(test, known) for test in listed(build, chosen)}
-    if left_out := before & weights.keys():
-        if not (weights := {name: seconds for name, seconds in weights.items() if name not in before}):
+    tests = listed(build, chosen)
+    if left_out := before & tests:
+        if tests <= before:
             print(f"All {len(left_out)} tests have passed on this tree.")
             return 0
         rest = build / "thorough-rest"
@@ -149,13 +126,13 @@ def main(arguments: list[str]) -> int:
     results.unlink(missing_ok=True)
     status = run(["ctest", "--test-dir", str(build), "--no-tests=error", "--output-on-failure",
                   "--parallel", str(AT_A_TIME), "--output-junit", str(results),
-                  "--test-output-size-passed", "10000000", *chosen], weights, passed)
+                  "--test-output-size-passed", "10000000", *chosen], passed)
     if results.exists():
         skipped.show(results)
     if left_out:
         print(f"{len(left_out)} tests had passed on this tree before, and were left out.")
     elif not thorough:
-        print(f"{len(listed(build, [*options, '-C', 'Thorough'])) - len(weights)} more tests run with --thorough only.")
+        print(f"{len(listed(build, [*options, '-C', 'Thorough'])) - len(tests)} more tests run with --thorough only.")
     return status
 
 

@@ -106,32 +106,15 @@ add_test(google "printf" "/a/b.cpp:20: Skipped\\nno device is here\\n[  SKIPPED 
         status, text, ran = self.call("--thorough", "--resume")
         self.assertEqual((status, ran), (0, ["long", "sometimes"]), text)
 
-    def test_a_line_shows_what_runs_and_how_long_it_takes(self) -> None:
+    def test_a_line_shows_what_runs_and_since_when(self) -> None:
         self.write('add_test(slow "sleep" "1")\n')
         with mock.patch.object(command, "SILENCE", 0.3):
             status, text, _ = self.call()
         self.assertEqual(status, 0, text)
-        self.assertRegex(text, r"(?m)^ +\(0:00 of about \d:\d\d: slow\)$")
+        self.assertRegex(text, r"(?m)^ +\(0:00: slow\)$")
 
 
-class Estimate(Case):
-    def test_it_follows_what_is_seen(self) -> None:
-        """A run that takes 600 seconds in place of 200: it is within a sixth of the truth from the middle on."""
-        with mock.patch.object(command, "AT_A_TIME", 4):
-            self.assertEqual(command.estimate(0, 0, 800), 200)
-            for part, least, most in ((0.1, 250, 600), (0.5, 500, 700), (0.9, 580, 620), (1, 600, 600)):
-                with self.subTest(part):
-                    self.assertTrue(least <= command.estimate(600 * part, 800 * part, 800 * (1 - part)) <= most)
-
-    def test_times_of_earlier_runs_count(self) -> None:
-        path = self.folder / "Testing/Temporary/CTestCostData.txt"
-        path.parent.mkdir(parents=True)
-        path.write_text("quick 3 0.25\na name/0  # with blanks 1 7.5\n---\nsometimes\n")
-        known = command.times(self.folder)
-        self.assertEqual(known, {"quick": 0.25, "a name/0  # with blanks": 7.5})
-        tests = [{"name": "quick"}, {"name": "new"}, {"name": "unit", "command": ["a-test", "--gtest_filter=A.*"]}]
-        self.assertEqual([command.seconds_of(test, known) for test in tests], [0.25, 10, 0.1])
-
+class Digest(Case):
     def test_a_change_of_the_tree_is_another_digest(self) -> None:
         path = self.folder / "source.cpp"
         with mock.patch.multiple(command, ROOT=self.folder, files=lambda: ["source.cpp"]):

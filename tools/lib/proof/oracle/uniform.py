@@ -1,7 +1,7 @@
 """Section 21 of docs/reference/contract.md: uniform values, and the spreads by which they are computed, exact, and in
 fixed arithmetic.
 
-Only the reach of a sum is irrational: it is off by less than ROOT_ERROR times itself, far too little to change the
+Only the reach of a sum is irrational: it is off by less than 2^-199 times itself, far too little to change the
 double nearest to it.
 """
 
@@ -29,7 +29,6 @@ BELL = (103, 381, 736)
 WAY = (592, 1958, 452)
 VARIANCE = (65, 33, 17, 7)  # V
 ROOT_BITS = 200
-ROOT_ERROR = Fraction(1, 2**(ROOT_BITS - 1))
 
 # By the numbers of the noises, from 1 on, and times TABLE_UNIT.
 TABLE_UNIT = 4096
