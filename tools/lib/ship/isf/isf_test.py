@@ -74,10 +74,6 @@ def values_of(text: str, **others: str) -> dict[str, str]:
 
 
 class Text(unittest.TestCase):
-    def test_inputs_have_the_names_that_presets_save(self) -> None:
-        names = [one["NAME"] for one in described(files.shader("ink"))["INPUTS"]]
-        self.assertEqual(names, ["size", "speed", "contrast", "seed", "octaves", "gain", "bend", "low", "high"])
-
     def test_the_size_is_called_as_the_page_explains_it(self) -> None:
         page = (files.PACKAGE / "README.md").read_text(encoding="utf-8")
         self.assertIn(f"`size` ({files.INPUTS['size']['LABEL'].lower()} of the picture)", page)

@@ -22,18 +22,6 @@ from ship.packing_support import made
 
 
 class Text(unittest.TestCase):
-    def test_a_node_has_a_name_and_inputs(self) -> None:
-        for form, name, inputs in (
-                ("hn_perlin2", "hn_perlin2d", ["amplitude", "pivot", "texcoord", "seed"]),
-                ("hn_fbm3", "hn_fbm3d", ["amplitude", "position", "octaves", "lacunarity", "diminish", "seed"]),
-                ("hn_cellular2_jitter", "hn_cellular2d", ["texcoord", "jitter", "metric", "seed"]),
-                ("hn_phasor2_bandwidth", "hn_phasor2d", ["texcoord", "wave", "bandwidth", "phase", "seed"]),
-                ("hn_warp3", "hn_warp3d", ["position", "octaves", "lacunarity", "diminish", "amplitude", "seed"]),
-                ("hn_perlin2_place", "hn_perlin2d_tile", ["amplitude", "pivot", "texcoord", "period", "seed"])):
-            with self.subTest(form):
-                self.assertEqual(files.node(form), name)
-                self.assertEqual([one.name for one in files.inputs(form)], inputs)
-
     def test_a_definition_is_that_of_its_node(self) -> None:
         made = xml.fromstring(files.document(files.declared("hn_cellular2_jitter"))).find("nodedef")
         self.assertEqual((made.get("name"), made.get("node")), ("ND_hn_cellular2d_vector2", "hn_cellular2d"))

@@ -53,19 +53,6 @@ float4 UnityObjectToClipPos(float4 p) { return mul(unity_ObjectToWorld, p); }
 
 
 class Text(unittest.TestCase):
-    def test_a_node_has_a_name_and_ports(self) -> None:
-        for form, name, ports in (("hn_perlin2", "Perlin2", [("float2", "Position"), ("float", "Seed")]),
-                                  ("hn_cell_border3_jitter", "CellBorder3",
-                                   [("float3", "Position"), ("float", "Jitter"), ("float", "Seed")]),
-                                  ("hn_cellular2_jitter", "Cellular2",
-                                   [("float2", "Position"), ("float", "Jitter"), ("float", "Metric"),
-                                    ("float", "Seed")]),
-                                  ("hn_perlin2_place", "PerlinTile2",
-                                   [("float2", "Position"), ("float2", "Period"), ("float", "Seed")])):
-            with self.subTest(form):
-                self.assertEqual(files.camel(form), name)
-                self.assertEqual(files.ports(form), ports)
-
     def test_it_calls_the_function(self) -> None:
         self.assertIn("void HashNoisePerlinTile2_float(float2 Position, float2 Period, float Seed, out float Out) {\n"
                       "  Out = hn_perlin(hn_tile(Position, (int2)Period), (uint)(int)Seed);\n}\n",

@@ -63,18 +63,6 @@ namespace UnrealBuildTool {
 
 
 class Text(unittest.TestCase):
-    def test_a_node_calls_the_function(self) -> None:
-        for form, code, output in (
-                ("hn_fbm3", "return hn_fbm(Position, (int)Octaves, Lacunarity, Gain, (uint)(int)Seed);",
-                 "CMOT Float 1"),
-                ("hn_phasor2_bandwidth", "return hn_phasor(Position, Wave, Bandwidth, Phase, (uint)(int)Seed);",
-                 "CMOT Float 2"),
-                ("hn_cellular2_jitter", "return hn_cellular(Position, Jitter, (int)Metric, (uint)(int)Seed);",
-                 "CMOT Float 2"),
-                ("hn_perlin2_place", "return hn_perlin(hn_tile(Position, (int2)Period), (uint)(int)Seed);",
-                 "CMOT Float 1")):
-            self.assertEqual((files.code(form), files.output(form)), (code, output))
-
     def test_it_names_the_engine_that_fab_asks_for(self) -> None:
         with mock.patch.object(files, "shader", return_value=""):
             described = [json.loads(files.package.__wrapped__(engine)[files.DESCRIPTION]) for engine in (None, "5.6")]

@@ -13,7 +13,6 @@ from pathlib import Path
 
 from base.thorough import THOROUGH, some
 from base.tree import GLSL, TOOLS, glsl_files
-from catalog.tables.functions import BANDWIDTH, Function, read_functions
 from catalog.tables.glsl import declarations
 from translate.names import NOT_OVERLOADED
 from translate.parsing.tokens import Unknown
@@ -47,50 +46,16 @@ def types_of(overload: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(re.sub(r"^(?=(?:place|octaves|slopes|shifts|flows)\d)", "hn_", type_.removeprefix("out ")) for type_ in overload)
 
 
-def name_by_row(function: Function, types: tuple[str, ...]) -> str:
-    """The name that a function has in WGSL by the id of its row: without what repeats the file, or the kind that
-    the place is."""
-    of_parts = function.component is not None or function.name.endswith("_quadrature")
-    if of_parts or function.form == "candidate" or function.bound == "hex_tiling":  # several rows of one function
-        return (f"{function.calls}{function.axes}{'_place' * types[0].startswith('hn_place')}"
-                + BANDWIDTH * function.bound.endswith(BANDWIDTH))
-    name = re.sub(r"_(?:cell|period)(?=_|$)", "", function.name)
-    place = "_place" if function.has_place else ""
-    name = name.replace("_full", "_jitter")
-    if function.sets == "offset":
-        name = name.replace("_offset", "_nearest")
-    if function.bound.endswith("_d") and function.axes == 4:
-        name = name.removesuffix("_value")
-    if re.fullmatch(r"noise\dd", function.file):
-        # The dimensions stand behind the noise. hn_cellular_phase is one by its name.
-        noise = function.bound if function.bound == "cellular_phase" else re.sub("_(phase|bandwidth)$", "", function.bound)
-        return f"hn_{noise}{function.file[5]}{place}{name.removeprefix(noise)}"
-    if function.file == "gradient":
-        return f"hn_gradient_lattice{function.axes}"
-    if function.calls.startswith("hn_hash_"):
-        return f"hn_hash_{name}"
-    if function.file == "uniform":
-        return function.calls
-    words = re.fullmatch(r"word|vec(\d)", name)
-    if words:
-        return f"hn_hash{words[1] or 1}"
-    phase = "_phase" * name.endswith("_phase")
-    return f"hn_{name.removesuffix(phase)}{place}{phase}"
-
-
 class Names(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.modules = {arithmetic: module_of("hashnoise.glsl", arithmetic) for arithmetic in ARITHMETICS}
 
-    def test_rows_say_them(self):
-        for arithmetic, module in self.modules.items():
-            names = module.names()
-            for function in read_functions():
-                for overload in function.overloads:
-                    types = types_of(overload)
-                    with self.subTest(arithmetic=arithmetic, row=function.id, types=types):
-                        self.assertEqual(names[function.calls, types], name_by_row(function, types))
+    def test_they_are_the_same_with_each_arithmetic(self):
+        """The committed table of the interface has those with HN_FIXED."""
+        fast, fixed = ({key: name for key, name in module.names().items() if not key[0].startswith("hn_i_")}
+                       for module in self.modules.values())
+        self.assertEqual(fast, fixed)
 
     def test_every_public_function_has_one(self):
         for arithmetic, module in self.modules.items():
@@ -102,19 +67,10 @@ class Names(unittest.TestCase):
                     self.assertIn(f"\nfn {names[declaration.name, types]}(", texts)
 
     def test_those_of_places(self):
-        names = self.modules["HN_FAST"].names()
-        for types, name in ((("vec2",), "hn_place_of2"), (("ivec2", "vec2"), "hn_place_in_cell2"),
-                            (("int", "int", "int"), "hn_place_of_units1")):
-            self.assertEqual(names["hn_place", types], name)
-        self.assertEqual(names["hn_tile", ("vec3", "ivec3")], "hn_tile3")
-        self.assertEqual(names["hn_tile", ("hn_place3", "ivec3")], "hn_tile3_place")
-        self.assertEqual(names["hn_position", ("hn_place4",)], "hn_position4")
-        self.assertEqual(names["hn_perlin", ("hn_place2", "float", "uint")], "hn_perlin2_place_phase")
-        internal = {of: name for (of, types), name in names.items()
+        internal = {of: name for (of, types), name in self.modules["HN_FAST"].names().items()
                     if of.startswith("hn_i_") and types == ("hn_place2",)}
         self.assertEqual([*internal.values()], [f"{of}_place2" for of in internal])
         self.assertTrue(internal)
-        self.assertIn("\nstruct hn_place2 {\n", self.modules["HN_FAST"].text())
 
     def test_parameters_that_keep_a_name_are_those_of_a_function(self):
         """Else a parameter has another name now, and its function gets dimensions that it does not have."""
