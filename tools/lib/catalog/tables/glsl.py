@@ -44,7 +44,7 @@ class Declaration:
     name: str
     types: tuple[str, ...]  # of its arguments, as in GLSL: vec2, uint
     comment: Comment | None
-    dimensions_of_sum: int | None = None  # of a sum of octaves
+    dimensions_of_sums: int | None = None  # in a file of sums
     arguments: tuple[str, ...] = ()  # their names
 
     def __str__(self) -> str:
@@ -74,21 +74,13 @@ def _comment_above(lines: list[str], line: int) -> Comment | None:
     return Comment(first, tuple(text.removeprefix("//") for text in lines[first - 1:line - 1]))
 
 
-def _dimensions_of_sum(text: str, types: tuple[str, ...]) -> int | None:
-    """The dimensions of a function in a file of sums, unless it is a step, which takes octaves."""
-    found = OF_SUMS.search(text)
-    return int(found[1]) if found and not any("octaves" in type_ for type_ in types) else None
-
-
-def _functions(text: str) -> list[tuple[int, str, tuple[str, ...], int | None, tuple[str, ...]]]:
-    """Where each public function is defined, its name, the types of its arguments, the dimensions of a sum, and the
-    names of its arguments."""
+def _functions(text: str) -> list[tuple[int, str, tuple[str, ...], tuple[str, ...]]]:
+    """Where each public function is defined, its name, and the types and the names of its arguments."""
     found = []
     for match in FUNCTION.finditer(text):
         arguments = match[2].split(",")
-        types = tuple(map(_type, arguments))
         names = tuple(argument.split()[-1] for argument in arguments)
-        found.append((match.start(), match[1], types, _dimensions_of_sum(text, types), names))
+        found.append((match.start(), match[1], tuple(map(_type, arguments)), names))
     return found
 
 
@@ -96,8 +88,9 @@ def declarations(library: Path = LIBRARY) -> list[Declaration]:
     found = []
     for path in glsl_files(library).values():
         text = path.read_text(encoding="utf-8")
-        lines, last = text.split("\n"), None
-        for start, name, types, dimensions, arguments in _functions(text):
+        lines, last, of_sums = text.split("\n"), None, OF_SUMS.search(text)
+        dimensions = int(of_sums[1]) if of_sums else None
+        for start, name, types, arguments in _functions(text):
             line = text.count("\n", 0, start) + 1
             comment = _comment_above(lines, line)
             if comment is None and last is not None and (last.name == name or lines[line - 2].strip()):

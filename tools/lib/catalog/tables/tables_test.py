@@ -65,55 +65,10 @@ class Tables(unittest.TestCase):
 
 
 class Library(Case):
-    def test_finds_overloads_and_their_comments(self) -> None:
-        (self.folder / "a.glsl").write_text("""
-// A noise.
-//   seed     any
-HN_FN hn_float hn_one(hn_place2 place,
-                      hn_uint seed) {
-}
-HN_FN hn_float hn_one(hn_vec2 p) { return hn_i_none(hn_one(hn_place(p), 0u)); }
-
-HN_FN hn_float hn_two(hn_vec3 p) { return 0.0f; }
-HN_FN hn_float hn_i_three(hn_vec3 p) { return 0.0f; }
-HN_FN hn_float hn_four(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return 0.0f; }
-""")
-        first, second, third, fourth = glsl.declarations(self.folder)
-        self.assertEqual([str(f) for f in (first, second, third)],
-                         ["hn_one(place2, uint)", "hn_one(vec2)", "hn_two(vec3)"])
-        self.assertEqual((first.line, second.line, third.line), (4, 7, 9))
-        self.assertEqual(str(fourth), "hn_four(vec4, out vec4)")
-        self.assertEqual(first.comment, glsl.Comment(2, (" A noise.", "   seed     any")))
-        self.assertEqual(first.comment.headings, {"seed"})
-        self.assertIs(second.comment, first.comment)  # an overload without one of its own
-        self.assertIsNone(third.comment)
-
-    def test_overloads_that_dimensions_made_have_the_comment_of_the_plane(self) -> None:
-        (self.folder / "a.glsl").write_text("""
-//   seed     any
-HN_FN hn_float hn_one(hn_vec2 p) { return 0.0f; }
-// Generated for 3 and 4 dimensions from the lines above.
-HN_FN hn_float hn_one(hn_vec3 p) { return 0.0f; }
-HN_FN hn_float hn_one(hn_vec4 p) { return 0.0f; }
-
-// Another.
-HN_FN hn_float hn_two(hn_vec4 p) { return 0.0f; }
-""")
-        plane, three, four, two = glsl.declarations(self.folder)
-        self.assertEqual(plane.comment, glsl.Comment(2, ("   seed     any",)))
-        self.assertIs(three.comment, plane.comment)
-        self.assertIs(four.comment, plane.comment)
-        self.assertEqual(two.comment, glsl.Comment(8, (" Another.",)))
-
-    def test_tells_sums_of_octaves_from_their_steps(self) -> None:
-        (self.folder / "a.glsl").write_text("""
-#include "octaves3d.glsl"
-HN_FN hn_float hn_one(hn_vec3 p) { return 0.0f; }
-HN_FN bool hn_two(HN_I_INOUT(hn_octaves3) o) { return false; }
-""")
-        found = glsl.declarations(self.folder)
-        self.assertEqual([str(f) for f in found], ["hn_one(vec3)", "hn_two(out octaves3)"])
-        self.assertEqual([f.dimensions_of_sum for f in found], [3, None])
+    def test_a_comment_may_stand_above_a_directive(self) -> None:
+        """The rest of what is read the tests of complete and of the interface compare with the library."""
+        comment, = {one.comment for one in glsl.declarations() if one.name == "hn_hash"}
+        self.assertIn("The selected hash as published", comment.lines[1])
 
     def test_a_second_look_finds_what_is_written_in_another_way(self) -> None:
         (self.folder / "a.glsl").write_text("""

@@ -70,7 +70,7 @@ def functions_without_a_row(tree: Tree) -> Iterator[str]:
     # On the line and in 4D a sum is made of the text on the plane, and every form of it has a row. So there it is
     # enough that one form has a row.
     sums = {(declared.path, declared.name) for declared in tree.declarations
-            if (declared.name, declared.types) in rows and declared.dimensions_of_sum in (1, 4)}
+            if (declared.name, declared.types) in rows and declared.dimensions_of_sums in (1, 4)}
     for declared in tree.declarations:
         if (declared.path, declared.name) in sums or STEPS.fullmatch(declared.name):
             continue
