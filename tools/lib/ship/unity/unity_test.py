@@ -53,17 +53,6 @@ float4 UnityObjectToClipPos(float4 p) { return mul(unity_ObjectToWorld, p); }
 
 
 class Text(unittest.TestCase):
-    def test_it_calls_the_function(self) -> None:
-        self.assertIn("void HashNoisePerlinTile2_float(float2 Position, float2 Period, float Seed, out float Out) {\n"
-                      "  Out = hn_perlin(hn_tile(Position, (int2)Period), (uint)(int)Seed);\n}\n",
-                      files.node("hn_perlin2_place", "fast"))
-        self.assertIn("  Out = hn_cellular(Position, Jitter, (int)Metric, (uint)(int)Seed);\n}\n"
-                      "void HashNoiseCellular2_half(half2 Position, half Jitter, half Metric, half Seed, "
-                      "out half2 Out) {\n", files.node("hn_cellular2_jitter", "fast"))
-        fixed = files.node("hn_cellular2_jitter", "fixed")
-        self.assertEqual(fixed.count("void HashNoiseFixedCellular2_float("), 1)
-        self.assertNotIn("half", fixed)
-
     def test_what_unity_imports_is_each_file_and_folder_but_samples(self) -> None:
         self.assertEqual(files.seen(["a/b.cs", "package.json", "Samples~/c/d.cs"]), ["a", "a/b.cs", "package.json"])
         self.assertRegex(files.meta("a", False), r"\AfileFormatVersion: 2\nguid: [0-9a-f]{32}\n\Z")
