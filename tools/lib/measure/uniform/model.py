@@ -121,23 +121,6 @@ class Sampler:
             self.libraries[is_sine] = ctypes.CDLL(str(made))
         return self.libraries[is_sine]
 
-    def spread_of(self, number: int) -> np.ndarray:
-        self.library().spread_of(number, _at(found := np.empty(4, np.float32)))
-        return found
-
-    def spread_of_sum(self, spread: Sequence[float], octaves: float, gain: float) -> np.ndarray:
-        found = np.array(spread, np.float32)
-        self.library().spread_of_sum(_at(found), ctypes.c_float(octaves), ctypes.c_float(gain), _at(found))
-        return found
-
-    def map(self, values: np.ndarray, spreads: np.ndarray) -> np.ndarray:
-        """hn_uniform, and the value and the slope by hn_uniform_d, of each value; spreads are rows."""
-        values = np.ascontiguousarray(values, np.float32)
-        spreads = np.ascontiguousarray(np.broadcast_to(spreads, (len(values), 4)), np.float32)
-        found = np.empty((len(values), 3), np.float32)
-        self.library().map(ctypes.c_size_t(len(values)), _at(values), _at(spreads), _at(found))
-        return found
-
     def densities(self, points: int) -> dict[int, np.ndarray]:
         """Of each noise, by number: symmetrical, since the noises are."""
         found = {}

@@ -3,7 +3,6 @@
 // of that. HN_SUBJECTS may name another such file.
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <hashnoise/hashnoise.hpp>
 
@@ -81,12 +80,6 @@ void count_uniform(int number, Noise noise, float octaves, float gain, vec4 spre
 }
 
 vec4 read(const float* numbers) { return vec4(numbers[0], numbers[1], numbers[2], numbers[3]); }
-void write(vec4 spread, float* numbers) {
-  numbers[0] = spread.x;
-  numbers[1] = spread.y;
-  numbers[2] = spread.z;
-  numbers[3] = spread.w;
-}
 
 #if HN_GRADIENT == HN_GRADIENT_SINE
 #define SUBJECT(...)
@@ -120,22 +113,6 @@ void uniforms(int wanted, float octaves, float gain, const float* spread, long p
   if (wanted == number) count_uniform<axes>(number, NOISE(function), octaves, gain, read(spread), points, bins);
 #include HN_SUBJECTS
 #undef USE
-}
-
-void spread_of(int number, float* spread) { write(hn_distribution(number), spread); }
-
-void spread_of_sum(const float* spread, float octaves, float gain, float* of_sum) {
-  write(hn_distribution_fbm(read(spread), octaves, gain), of_sum);
-}
-
-// hn_uniform, and the value and the slope by hn_uniform_d, of each value with its spread.
-void map(std::size_t count, const float* values, const float* spreads, float* found) {
-  for (std::size_t i = 0; i < count; ++i, spreads += 4, found += 3) {
-    const vec2 u = hn_uniform_d(values[i], read(spreads));
-    found[0] = hn_uniform(values[i], read(spreads));
-    found[1] = u.x;
-    found[2] = u.y;
-  }
 }
 
 }  // extern "C"

@@ -1,4 +1,5 @@
-"""Tests of tools/measure uniform: the constants, the library's text against the model, and that wrong constants show."""
+"""Tests of tools/measure uniform: the constants, and that wrong ones show. proof.bounds.uniform proves how near the
+library is to the model, and golden files hold it to that."""
 
 from __future__ import annotations
 
@@ -18,13 +19,10 @@ SUBJECT = next(subject for subject in model.SUBJECTS if subject.number == NUMBER
 # are off by less than the bound allows, but not by much: of MANY_POINTS it is off by 0.0006.
 POINTS, MANY_POINTS = 1 << 18, 1 << 21
 SUMS = ((1.0, 0.5), (5.0, 0.5))
-# Errors of the comments in uniform.glsl: of a value, and of a slope times the reach.
-ERRORS = {"FAST": (2e-6, 1e-5), "FIXED": (8e-5, 5e-4)}
-ARITHMETICS = {"FAST": 1, "FIXED": 3}
 
 
 class UniformTest(unittest.TestCase):
-    samplers: dict[str, model.Sampler]
+    sampler: model.Sampler
     folder: Path
 
     @classmethod
@@ -33,11 +31,7 @@ class UniformTest(unittest.TestCase):
         cls.addClassCleanup(temporary.cleanup)
         cls.folder = Path(temporary.name)
         (cls.folder / "one.inc").write_text(f"SUBJECT({NUMBER}, {SUBJECT.name}, {SUBJECT.axes}, {SUBJECT.function})\n")
-        cls.samplers = {}
-        for name, number in ARITHMETICS.items():
-            (cls.folder / name).mkdir()
-            cls.samplers[name] = model.Sampler(
-                cls.folder / name, macros=[f"HN_ARITHMETIC={number}", f'HN_SUBJECTS="{cls.folder / "one.inc"}"'])
+        cls.sampler = model.Sampler(cls.folder, macros=[f'HN_SUBJECTS="{cls.folder / "one.inc"}"'])
         cls.text = model.library_text()
         cls.spreads = model.spreads_of(cls.text)
         cls.bell = model.Bell.of(cls.text)
@@ -47,8 +41,6 @@ class UniformTest(unittest.TestCase):
         table = command.contract_table(command.in_units(self.text))
         self.assertEqual(page, with_section("docs/reference/contract.md", page, "tools/measure uniform: contract", table))
         self.assertEqual(self.text, command.with_spreads(self.text, command.in_units(self.text)))
-        for sampler in self.samplers.values():
-            self.assertEqual(sampler.spread_of(NUMBER).tolist(), [*self.spreads[SUBJECT.name]])
         for name, numbers in (("B", self.bell.end), ("H", self.bell.way)):
             parts = ", ".join(str(round(number * model.PARTS)) for number in numbers)
             self.assertIn(f"`{name}` is `({parts}) / {model.PARTS}`", page)
@@ -69,50 +61,9 @@ class UniformTest(unittest.TestCase):
                     turns = [root.real for root in curve.deriv().roots() if abs(root.imag) < 1e-9 and 0 < root.real < 1]
                     self.assertGreaterEqual(min(curve(np.array([0.0, 1.0, *turns]))), 0.0, (name, power))
 
-    def test_the_library_computes_the_model(self) -> None:
-        random = np.random.default_rng(1)
-        shapes = np.sort(random.random((3000, 3)), axis=1)
-        spreads = np.concatenate([random.uniform(0.1, 2.9, (3000, 1)), shapes], axis=1)
-        values = random.uniform(-1.1, 1.1, 3000) * spreads[:, 0]
-        values, spreads = values.astype(np.float32), spreads.astype(np.float32)
-        exact = spreads.astype(float)
-        far = model.uniform(np.abs(values).astype(float), exact[:, 0], exact[:, 1:])
-        expected = np.where(values < 0, 1.0 - far, far)
-        step = 1e-5
-        sizes = np.abs(values).astype(float)
-        ends = [model.uniform(np.maximum(sizes + side * step, 0.0), exact[:, 0], exact[:, 1:]) for side in (-0.5, 0.5)]
-        slopes = (ends[1] - ends[0]) / step
-        inside = sizes > step
-        for name, (error, slope_error) in ERRORS.items():
-            found = self.samplers[name].map(values, spreads)
-            self.assertEqual(found[:, 0].tolist(), found[:, 1].tolist(), name)
-            self.assertLess(np.abs(found[:, 1] - expected).max(), error, name)
-            off = np.abs(found[:, 2] - slopes) * exact[:, 0]
-            self.assertLess(off[inside].max(), slope_error + 2e-4, name)  # a difference over a step is off by that
-
-    def test_the_library_computes_spreads_of_sums(self) -> None:
-        for octaves, gain in ((1.0, 0.5), (2.0, 1.0), (3.5, 0.5), (8.0, 0.8)):
-            for spread in self.spreads.values():
-                shape = np.array(spread[1:])
-                rhos = [np.array([model.rho(octaves, gain, power)]) for power in (4, 8)]
-                shape_of_sum = model.shape_of_sum(shape, self.bell, *rhos)
-                of_octaves = model.weights(octaves, gain)
-                ratio = (of_octaves**2).sum() * model.variance(shape) / model.variance(shape_of_sum)
-                expected = [spread[0] * np.sqrt(ratio) / of_octaves.sum(), *shape_of_sum]
-                for name, error in (("FAST", 2e-6), ("FIXED", 1e-3)):
-                    found = self.samplers[name].spread_of_sum(spread, octaves, gain)
-                    self.assertLess(np.abs(found - expected).max(), error, (name, octaves, gain, spread))
-
-    def test_with_fixed_arithmetic_it_never_falls(self) -> None:
-        random = np.random.default_rng(2)
-        values = np.sort(np.round(random.normal(0.0, 0.3, 20000) * 2**21) / 2**21)
-        for spread in (self.spreads["PERLIN1"], self.spreads["VALUE1"], (0.07, 0.9, 0.1, 0.3), (2.9, 0.0, 0.0, 0.0)):
-            found = self.samplers["FIXED"].map(values, np.array(spread))
-            self.assertTrue(np.all(np.diff(found[:, 1]) >= 0.0), spread)
-
     def test_wrong_constants_are_reported(self) -> None:
         def problems(spread: tuple[float, ...], points: int = POINTS) -> list[str]:
-            errors = self.samplers["FAST"].errors(points, {SUBJECT.name: spread}, SUMS, [SUBJECT])
+            errors = self.sampler.errors(points, {SUBJECT.name: spread}, SUMS, [SUBJECT])
             return command.too_large([command.Row(*key, points, error) for key, error in errors.items()])
 
         right = self.spreads[SUBJECT.name]
