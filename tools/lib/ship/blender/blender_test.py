@@ -35,23 +35,6 @@ OFFSET = (100.25, -70.5, 3.75)  # of positions, from the numbers of pixels
 
 
 class Text(unittest.TestCase):
-    def test_a_shader_has_the_name_of_its_function(self) -> None:
-        self.assertEqual([files.shader(form) for form in ("hn_fbm2", "hn_cellular3_jitter", "hn_cell_border2_jitter")],
-                         ["fbm2", "cellular3", "cell_border2"])
-        self.assertEqual(len({files.shader(form) for form in files.FORMS}), len(files.FORMS))
-
-    def test_groups_of_cells_take_a_jitter_before_what_else_they_take(self) -> None:
-        pick = files.picker()
-        for form, inputs in (("hn_cellular2_jitter", "float jitter = 1.0, int metric = 1, int seed = 0"),
-                             ("hn_cell_border2_jitter", "float jitter = 1.0, int seed = 0"),
-                             ("hn_cell_border3_jitter", "float jitter = 1.0, int seed = 0")):
-            with self.subTest(form):
-                self.assertIn(form, files.FORMS)
-                shader = pick((form,), files.Choice("osl", "fixed")).partition("\nshader ")[2]
-                shader = re.sub(r"(?s)\s+\[\[.*?\]\]|(?<=,)\n   ", "", shader)
-                self.assertIn(f"\n    point p = P, {inputs}, output ", shader)
-        self.assertFalse({form for form in files.FORMS if form.startswith("hn_cell") and not form.endswith("_jitter")})
-
     def test_it_says_what_it_is(self) -> None:
         with mock.patch.object(files, "texts", return_value={"hn_fbm2": "shader"}):
             package = files.package.__wrapped__()
