@@ -59,7 +59,8 @@ SYNTAXES: dict[str, type[Syntax]] = {
     language: getattr(importlib.import_module(f"translate.pick.{module}"), name) for language, module, name in (
         ("rust", "rust", "Rust"), ("csharp", "csharp", "CSharp"), ("c", "c", "C"),
         ("typescript", "javascript", "TypeScript"), ("javascript", "javascript", "JavaScript"),
-        ("java", "java", "Java"), ("go", "go", "Go"), ("python", "python", "Python"), ("osl", "osl", "Osl"))
+        ("java", "java", "Java"), ("go", "go", "Go"), ("python", "python", "Python"), ("gdscript", "gdscript", "GDScript"),
+        ("osl", "osl", "Osl"))
     if Path(__file__).with_name(f"{module}.py").is_file()}
 # One text is for all of these.
 ALIASES = {"glsl-es": "glsl", "cuda": "c", "hip": "c", "opencl": "c"}

@@ -26,6 +26,7 @@ from translate.parsing.syntax import Function
 from translate.pick import command
 from translate.pick.comparison import OTHER_KNOBS, compile_words
 from translate.pick.evaluate import Module
+from translate.pick.gdscript_runner import GDScriptRunner
 from translate.pick.osl_runner import OslRunner
 from translate.pick.program import Program, chosen, read
 from translate.pick.runners import (
@@ -49,7 +50,7 @@ POINTS = 200
 SPECIAL = ("hn_next2", "hn_fbm2", "hn_cellular2_nearest", "hn_cell_border2_nearest", "hn_tile2", "hn_fbm_d2",
            "hn_shuffle")
 
-ALL_RUNNERS = {**RUNNERS, "osl": OslRunner, "opencl": OpenClRunner, **ARRAYS}
+ALL_RUNNERS = {**RUNNERS, "osl": OslRunner, "opencl": OpenClRunner, "gdscript": GDScriptRunner, **ARRAYS}
 # Changes of the one text in C that some compiler refuses.
 REFUSED = (("static __host__ __device__ inline", "static inline"), ("#if defined(__OPENCL_VERSION__) ||", "#if 0 &&"),
            ("uint32_t seed)", "uint32_t or)"), ("{\n  hn_vec2 made = {x, y};\n  return made;", "{\n  return (hn_vec2){x, y};"))
@@ -176,13 +177,18 @@ class Language(unittest.TestCase):
         return known if THOROUGH else [one for one in some if one in known]
 
     def text(self, arithmetic: str, of: Module, *names: str, syntax: type[Syntax] | None = None) -> str:
-        syntax = syntax or self.runner.syntax
-        return text(Program(of, chosen(of, names)), syntax(arithmetic == "precise"))
+        return text(Program(of, chosen(of, names)), self.syntax(arithmetic, syntax or self.runner.syntax))
+
+    @staticmethod
+    def syntax(arithmetic: str, of: type[Syntax]) -> Syntax:
+        made = of(arithmetic == "precise")
+        made.is_fixed = arithmetic == "fixed"
+        return made
 
     def whole(self, arithmetic: str, of: Module) -> list[tuple[str, str]]:
         """All functions that have points, in one text."""
         names = drawn(of, arithmetic)
-        shown = text(Program(of, chosen(of, names), calls_first=True), self.runner.syntax(arithmetic == "precise"))
+        shown = text(Program(of, chosen(of, names), calls_first=True), self.syntax(arithmetic, self.runner.syntax))
         return [(name, shown) for name in names]
 
     def test_the_bits_are_those_of_the_library(self) -> None:

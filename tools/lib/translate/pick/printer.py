@@ -38,6 +38,9 @@ RESERVED = frozenset("""abs floor trunc sqrt min max float int uint bool vec2 ve
     """.split())
 # How strongly operators bind.
 STRENGTH = {**STRENGTHS}
+# Of languages where comparisons are weaker than & and |.
+STRENGTH_OF_PYTHON = {"||": 1, "&&": 2, "<": 3, ">": 3, "<=": 3, ">=": 3, "==": 3, "!=": 3, "|": 4, "^": 5, "&": 6,
+                      "<<": 9, ">>": 9, "+": 10, "-": 10, "*": 11, "/": 11, "%": 11}
 CHOICE, UNARY, PRIMARY = 0, 11, 12
 BITS = ("|", "^", "&", "<<", ">>")  # readers want parentheses around and in these
 TRUTH = ("&&", "||")
@@ -76,6 +79,7 @@ def guard(name: str, code: str) -> str:
 
 class Notation:
     """How a language writes expressions and statements. These are the common parts of C's descendants."""
+    strength: Mapping[str, float] = STRENGTH  # of operators
     end = ";"
     condition = "({})"          # as it stands in if and while
     while_, forever = "while", "while (true) {"
@@ -135,7 +139,7 @@ class Notation:
         return inside != around and (around in BITS or (inside in BITS and around not in TRUTH))
 
     def infix(self, sign: str, left: Piece, right: Piece) -> Piece:
-        strength = STRENGTH[sign]
+        strength = self.strength[sign]
         parts = [f"({piece.text})" if piece.binds < strength + i or piece.sign and self.stands_apart(piece.sign, sign)
                  else piece.text for i, piece in enumerate((left, right))]
         return Piece(f"{parts[0]} {sign} {parts[1]}", strength, sign)

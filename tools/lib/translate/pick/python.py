@@ -10,17 +10,15 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 
 from translate.names import wgsl_name
-from translate.parsing.lines import WIDTH
+from translate.parsing.lines import broken, without_braces
 from translate.parsing.tokens import Unknown
 from translate.pick.evaluate import Module, replaced
-from translate.pick.printer import UNARY, Place
+from translate.pick.printer import STRENGTH_OF_PYTHON, UNARY
 from translate.pick.program import Evaluated, Program
-from translate.pick.scalars import Facts, Part, Piece, Scalars, Syntax, Taken, bare, fields_of, pascal, record_of
+from translate.pick.scalars import Facts, Hoisting, Part, Piece, Syntax, Taken, bare, fields_of, pascal, record_of
 from translate.pick.statements import Declare, If, Loop, Return, Set, Statement, inner, operands, walk
 from translate.pick.values import AXES, SIZES, Constant, Node, Operation, Variable, operation
 
-STRENGTH = {"<": 3, ">": 3, "<=": 3, ">=": 3, "==": 3, "!=": 3, "|": 4, "^": 5, "&": 6, "<<": 9, ">>": 9, "+": 10, "-": 10,
-            "*": 11, "/": 11}
 COMPARED = ("<", ">", "<=", ">=")
 SIGN = -(1 << 31)
 STATIC = ("octaves", "metric", "kind")  # parameters that are Python's own numbers
@@ -126,29 +124,7 @@ def _chosen(xp, condition, yes, no):
 '''
 
 
-def broken(line: str) -> list[str]:
-    """A line of code, broken within brackets where it is too long. The rest is indented by 4 more."""
-    lines: list[str] = []
-    indent, depth = len(line) - len(line.lstrip()), 0
-    while len(line) > WIDTH:
-        cuts: dict[bool, tuple[int, int]] = {}  # the last ones behind a comma, and elsewhere
-        inside = depth
-        for i, letter in enumerate(line[:WIDTH]):
-            inside += (letter in "([{") - (letter in ")]}")
-            if letter == " " and inside > 0 and i > indent + 4:
-                cuts[line[i - 1] == ","] = i, inside
-        if not cuts:
-            space, begin, rest = re.fullmatch(r"( *)([\w, ]+ = |return )(.*)", line).groups()
-            names = begin.removesuffix(" = ")
-            line = f"{space}({names}) = {rest}" if len(names) > WIDTH - 20 else f"{space}{begin}({rest})"
-            continue
-        cut, depth = cuts.get(True) or cuts[False]
-        lines.append(line[:cut])
-        line = " " * (indent + 4) + line[cut + 1:]
-    return [*lines, line]
-
-
-class Body(Scalars):
+class Body(Hoisting):
     """Writes the body of a function."""
     language: Python
 
@@ -167,23 +143,6 @@ class Body(Scalars):
             lines += [f"def {branches[-1]}() {{", *made, f"    return {', '.join(names)},", "}"]
         condition = self._text(statement.condition)
         return [*lines, f"{', '.join(names)}, = _chosen(xp, {condition}, {', '.join(branches)})"]
-
-    def _place(self, node: Operation, place: Place) -> Place:
-        """Before the loops that change nothing of what it is made of: an interpreter computes it once then."""
-        if not hasattr(self, "_loops"):
-            self._loops = {self._numbers[id(one.body)]: changed for one in walk(self.block) if isinstance(one, Loop)
-                           for changed in [{other.variable for other in walk(one.body) if isinstance(other, (Declare, Set))}]}
-            self._read: dict[Node, set[Variable]] = {}
-        while place and place[-1][0] in self._loops and not self._variables(node) & self._loops[place[-1][0]]:
-            place = place[:-1]
-        return place
-
-    def _variables(self, node: Node) -> set[Variable]:
-        if isinstance(node, Constant):
-            return set()
-        if node not in self._read:
-            self._read[node] = {node} if isinstance(node, Variable) else set().union(*map(self._variables, node.arguments))
-        return self._read[node]
 
     def _new_function(self, name: str) -> str:
         found = next(one for one in (name, *(f"{name}{i}" for i in range(2, 100))) if one not in self.taken)
@@ -357,6 +316,7 @@ class Function:
 class Python(Syntax):
     word = "whole number of 32 bits"
     library = {"__VERSION__": "130"}  # without bits of floats, through which no derivative passes
+    strength = STRENGTH_OF_PYTHON
     indent = 4
     end = ""
     condition = "{}"
@@ -556,7 +516,7 @@ def _quotient_word(xp, a, b):
         return str(value - (1 << 32) if value >> 31 else value)
 
     def infix(self, sign: str, left: Piece, right: Piece) -> Piece:
-        strength = STRENGTH[sign]
+        strength = self.strength[sign]
         parts = [f"({one.text})" if one.binds < strength + i or strength == one.binds == 3 or (
             one.sign and self.stands_apart(one.sign, sign)) else one.text for i, one in enumerate((left, right))]
         return Piece(f"{parts[0]} {sign} {parts[1]}", strength, sign)
@@ -570,7 +530,7 @@ def _quotient_word(xp, a, b):
             return self._right(left, right)
         if type_ == "uint" and sign == "&" and left.sign == "&" and right.text.isdigit() and (
                 found := MASKED.fullmatch(left.text)):
-            return Piece(f"{found[1]} & {int(found[2]) & int(right.text)}", STRENGTH["&"], "&")
+            return Piece(f"{found[1]} & {int(found[2]) & int(right.text)}", self.strength["&"], "&")
         if type_ in ("int", "uint") and sign in ("/", "%"):
             quotient = self.call("_quotient" if type_ == "int" else "_quotient_word", [left, right])
             return quotient if sign == "/" else self.infix("-", left, self.infix("*", quotient, right))
@@ -682,9 +642,7 @@ def _quotient_word(xp, a, b):
         return f"def {'_' * is_public}{name}({', '.join(['xp', *(one.name for one in parameters)])}):"
 
     def body(self, lines: Sequence[str]) -> Sequence[str]:
-        shown = (re.sub(r" \{$", ":", line.replace("} else if", "elif").replace("} else", "else"))
-                 for line in lines if line.strip() != "}")
-        return [part for line in shown for part in broken(line)]
+        return without_braces(lines)
 
     def documented(self, name: str, facts: Facts) -> list[str]:
         """The function that users call, with its comment."""

@@ -27,6 +27,7 @@ from translate.pick.printer import (
     Declaration,
     Notation,
     Piece,
+    Place,
     Writer,
     constants_of,
     declarations_joined,
@@ -517,6 +518,26 @@ class Scalars(Writer):
 
     def _length_of(self, node: Operation) -> int:
         return super()._length_of(node) + self.language.overhead(node)
+
+
+class Hoisting(Scalars):
+    """For interpreters, which compute all that is written: what a loop leaves as it is stands before the loop."""
+
+    def _place(self, node: Operation, place: Place) -> Place:
+        if not hasattr(self, "_loops"):
+            self._loops = {self._numbers[id(one.body)]: changed for one in walk(self.block) if isinstance(one, Loop)
+                           for changed in [{other.variable for other in walk(one.body) if isinstance(other, (Declare, Set))}]}
+            self._read: dict[Node, set[Variable]] = {}
+        while place and place[-1][0] in self._loops and not self._variables(node) & self._loops[place[-1][0]]:
+            place = place[:-1]
+        return place
+
+    def _variables(self, node: Node) -> set[Variable]:
+        if isinstance(node, Constant):
+            return set()
+        if node not in self._read:
+            self._read[node] = {node} if isinstance(node, Variable) else set().union(*map(self._variables, node.arguments))
+        return self._read[node]
 
 
 def _only_sets(branches: If, variables: Sequence[Variable]) -> bool:
