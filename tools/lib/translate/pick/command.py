@@ -7,6 +7,7 @@ the CPU.
     tools/pick hn_fbm2 --language wgsl --import-path hashnoise    a module for Bevy: #import hashnoise::hn_fbm2
     tools/pick hn_simplex3 --language rust --out noise.rs
     tools/pick hn_fbm3 --language python --out noise.py   functions of arrays: NumPy, PyTorch, JAX, CuPy
+    tools/pick hn_fbm2 --language gdscript --arithmetic fixed --out hn_fbm2.gd    for collisions in Godot
     tools/pick hn_fbm2 --language osl --out fbm2.osl   a node for Blender's Cycles
     tools/pick hn_fbm2 --language tsl --out noise.js   nodes for three.js
     tools/pick hn_fbm3 --noise hn_simplex3 --arithmetic fixed --language rust --out noise.rs
@@ -23,7 +24,7 @@ name is the library's where the language has overloads, and its form's elsewhere
 perlin2 in Rust and Python, Perlin2 in C# and Go.
 
 Ask for all functions of a shader or program at once: two texts may have the same function. In HLSL, C#, Java and Go
---name gives a second text names of its own, and in OSL the shader.
+--name gives a second text names of its own, in OSL it is the shader, and in GDScript the class_name.
 
 tools/pick whole writes files of the library with all that they include, as one: tools/pick whole --help.
 
@@ -71,9 +72,9 @@ OF_VERILOG = ("constants", "clock", "stages", "multipliers")
 TSL = "tsl"  # three.js's, which is none: a module with the text of two of the shading languages
 # The languages in which --name names something, and what.
 NAMED = {language: what for language, what in {
-    "csharp": "the class", "java": "the class", "go": "the package", "osl": "the shader",
+    "csharp": "the class", "java": "the class", "go": "the package", "osl": "the shader", "gdscript": "the class_name",
     "hlsl": "names, which begin with it in place of hn"}.items() if language in (*SYNTAXES, "hlsl")}
-COMMENT = re.compile(r"//.*|(?s:/\*.*?\*/)")
+COMMENT = re.compile(r"//.*|(?m:^\s*##? .*)|(?s:/\*.*?\*/)")
 NO_PRECISE = "three.js passes `precise` to no shader: take --arithmetic fixed, whose bits are the same everywhere"
 
 
@@ -239,7 +240,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                         "hlsl is for the shader models 5 and 6; precise is for glsl, hlsl and the languages of the CPU; "
                         "rust needs core alone; csharp is a static class; c is a header of C99, C++, CUDA, "
                         "HIP and OpenCL C, and cuda, hip and opencl are the same; typescript and javascript are modules; "
-                        "java is for 17 and later; go for 1.18 and later; python is for arrays of NumPy, PyTorch, JAX and such; osl is a shader of the first function, too; tsl is a module of nodes for "
+                        "java is for 17 and later; go for 1.18 and later; python is for arrays of NumPy, PyTorch, JAX and such; gdscript is a script of static functions; osl is a shader of the first function, too; tsl is a module of nodes for "
                         "three.js; verilog is a pipeline for each function, of integers")
     add_options(parser, ARITHMETICS, None, "default: fast, and of verilog fixed")
     parser.add_argument("--noise", metavar="FORM", help="what sums are over, in place of hn_perlin: such as "

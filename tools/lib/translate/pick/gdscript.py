@@ -15,11 +15,11 @@ from translate.names import wgsl_name
 from translate.parsing.lines import without_braces
 from translate.pick import comments
 from translate.pick.printer import PRIMARY, STRENGTH_OF_PYTHON, UNARY
-from translate.pick.program import Program
+from translate.pick.program import Evaluated, Program
 from translate.pick.scalars import NEGATED, Facts, Hoisting, Part, Piece, Syntax, Taken, bare, pascal
 from translate.pick.spans import EXACT, INT, UINT, Span, Spans, fits, is_within
-from translate.pick.statements import values_of
-from translate.pick.values import PREFIXES, SIZES, WORD, Constant, Node, Operation, operation, scalar_of
+from translate.pick.statements import Return, Statement, values_of
+from translate.pick.values import PREFIXES, SIZES, WORD, Constant, Node, Operation, Variable, operation, scalar_of
 
 MASK = Piece("0xFFFFFFFF")
 SIGN = Piece("0x80000000")
@@ -34,7 +34,8 @@ class Body(Hoisting):
     def lines(self) -> list[str]:
         self._spans = Spans(lambda node: node in self.called)
         # HN_FIXED rounds no float, but in sums with a whole number that may be none: those of hn_position.
-        sums = [one for one in values_of(self.block) if isinstance(one, Operation) and one.type == "float" and one.name in "+-"]
+        sums = [one for one in values_of(self.block) if isinstance(one, Operation) and one.type == "float" and (
+            one.name in ("+", "-"))]
         self._inexact = {node for one in sums for wide in filter(self._is_wide, one.arguments) for node in (one, wide)}
         return super().lines()
 
@@ -212,6 +213,13 @@ static func _bits_of_float(x: float) -> int:
     def variable(self, name: str) -> str:
         return "noise_seed" if name == "seed" else super().variable(name)
 
+    def block(self, evaluated: Evaluated) -> list[Statement]:
+        """The high word of a product is in one of 64 bits, also where that wraps around."""
+        if evaluated.function.name != "hn_i_multiply_high":
+            return evaluated.block
+        factors = (Variable("uint", one.at.text, is_parameter=True) for one in evaluated.parameters)
+        return [Return(operation("builtin", "multiply_high", "uint", tuple(factors)))]
+
     def vector(self, type_: str) -> str:
         return f"Vector{SIZES[type_]}{'' if scalar_of(type_) == 'float' else 'i'}"
 
@@ -262,6 +270,8 @@ static func _bits_of_float(x: float) -> int:
             return self.call(f"{name}f", arguments[::-1])
         if name in ("min", "max"):
             return self.call(f"{name}i", arguments)
+        if name == "multiply_high":
+            return self.masked(self.infix(">>", self.infix("*", *arguments), Piece("32")))
         if name in ("uintBitsToFloat", "floatBitsToUint"):
             return self.call(self.helper("_float_of_bits" if type_ == "float" else "_bits_of_float"), arguments)
         made = super().builtin(name, type_, arguments)
@@ -327,9 +337,6 @@ static func _bits_of_float(x: float) -> int:
 
     def documented(self, name: str, facts: Facts) -> list[str]:
         return [f"## {line}".rstrip() for line in self.paragraphs(facts)]
-
-    def struct_comment(self, name: str) -> str:
-        return super().struct_comment(name)
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
         head = [*(f"#{line}" for line in heading), *([f"class_name {self.name}"] if self.name else []),

@@ -92,7 +92,10 @@ class GDScriptRunner(Runner):
             files[f"run{i}.gd"] = CALLS.format(number=number, call=call.removesuffix(f"{self.indent}}}").rstrip())
         runs = "".join(f'\tpreload("run{i}.gd").all()\n' for i in range(len(texts)))
         written_to(folder, {**files, "main.gd": MAIN.format(runs=runs)})
-        self._ran(folder, "--quit-after", "1", "--script", "main.gd")  # also after an error
+        self.run_script(folder, "main.gd")
+
+    def run_script(self, folder: Path, script: str) -> str:
+        return self._ran(folder, "--quit-after", "1", "--script", script)  # it ends after an error, too
 
     def lint(self, texts: Sequence[str], folder: Path) -> None:
         """By the language's own parser, with all warnings as errors."""

@@ -92,7 +92,36 @@ SERVERS = {
                        'return printf("%.9g", (double)CALL) < 0; }\n'}, "gcc server.c -lm -o server", "./server"),
     "javascript": ({"server.mjs": 'import { fbm2 } from "./hashnoise.mjs";\nconst [x, y] = [37, -5];\nconsole.log(CALL);\n'},
                    "node server.mjs"),
+    "gdscript": ({"project.godot": "config_version=5\n",
+                  "server.gd": 'extends SceneTree\nconst HashNoise := preload("hashnoise.gd")\nfunc _init() -> void:\n'
+                               '\tvar x := 37.0\n\tvar y := -5.0\n\tprint("%.12f" % CALL)\n\tquit()\n'},),
 }
+# Before the code of the page: it writes the shape's heights, and prints their time.
+HEIGHTS = """extends SceneTree
+
+func _init() -> void:
+	var begin := Time.get_ticks_usec()
+	var shape := shape_of(Vector2i(-24, 8), 64)
+	print((Time.get_ticks_usec() - begin) * 1000 / 4096, " ns")
+	FileAccess.open("res://found", FileAccess.WRITE).store_buffer(shape.map_data.to_byte_array())
+	quit()
+
+"""
+HEIGHTS_IN_CPP = """#include <hashnoise/hashnoise.hpp>
+#include <chrono>
+#include <cstdio>
+using namespace hashnoise;
+int main() {
+  static float heights[64 * 64];
+  const auto begin = std::chrono::steady_clock::now();
+  for (int turn = 0; turn < 100; turn++)
+    for (int i = 0; i < 64 * 64; i++)
+      heights[i] = hn_fbm(vec2(float(i % 64 - 24), float(i / 64 + 8)) * 0.125f, 6, 2.0f, 0.5f, 7u);
+  const std::chrono::duration<double, std::nano> taken = std::chrono::steady_clock::now() - begin;
+  std::printf("%.1f", taken.count() / 409600);
+  return std::fwrite(heights, sizeof heights, 1, std::fopen("right", "wb")) != 1;
+}
+"""
 
 
 @functools.cache
@@ -320,8 +349,31 @@ int main() {{ float x = 37, y = -5; std::printf("%.9g", {call}); return x == y; 
             self.assertEqual(struct.pack("<f", float(stated)), expected)
             ran(folder, ROOT / pick.split()[0], *pick.split()[1:], *options.split())
             written_to(folder, {file: text_.replace("CALL", call) for file, text_ in files.items()})
-            *_, shown = [ran(folder, *line.split()) for line in build]
-            self.assertEqual(struct.pack("<f", float(shown)), expected)
+            *_, shown = [ran(folder, *line.split()) for line in build] or [self.runner.run_script(folder, "server.gd")]
+            self.assertEqual(struct.pack("<f", float(shown.split()[-1])), expected)
+
+    def test_the_shape_of_godots_page_has_the_bits_of_the_library(self) -> None:
+        """And a shape of another seed does not. Its time is that of the page, as a multiple of C++'s."""
+        if not isinstance(self.runner, GDScriptRunner):
+            return
+        page = (ROOT / "docs" / "guide" / "godot.md").read_text(encoding="utf-8")
+        pick, block = re.search(r"(?s)\n    (tools/pick \S+ --language gdscript .*?)\n.*?```gdscript\n(.*?)```", page).groups()
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            ran(folder, ROOT / pick.split()[0], *pick.split()[1:])
+            written_to(folder, {"heights.cpp": HEIGHTS_IN_CPP, "project.godot": "config_version=5\n"})
+            compile_program("heights", folder / "heights.cpp", folder / "heights", macros=["HN_ARITHMETIC=HN_FIXED"])
+            ratios: list[float] = []
+            for shown, same in ((block, True), (block.replace(", 7)", ", 8)"), False), (block, True)):
+                written_to(folder, {"shape.gd": f"{HEIGHTS}{shown}"})
+                taken = re.search(r"(\d+) ns", self.runner.run_script(folder, "shape.gd"))
+                ratios.append(int(taken[1]) / float(ran(folder, folder / "heights")))
+                right, found = ((folder / file).read_bytes() for file in ("right", "found"))
+                self.assertEqual(len(found), len(right))
+                self.assertEqual(found == right, same)
+        print(f"GDScript takes {taken[1]} ns for a height, {' '.join(f'{one:.0f}' for one in ratios)} times as long as C++")
+        said = int(re.search(r"(\d+) times as long as C\+\+", page)[1])
+        self.assertTrue(said / 3 < sorted(ratios)[1] < said * 3, ratios)
 
     def test_a_fault_of_the_printer_is_noticed(self) -> None:
         of = module("fixed", self.runner.syntax)

@@ -387,7 +387,7 @@ class Comments(unittest.TestCase):
         """The text of all comments, or of the last one in Python, in one line."""
         if '"""' in shown:
             return " ".join(shown.rsplit('"""', 2)[1].split())
-        lines = [found[1] for line in shown.splitlines() if (found := re.match(r"\s*(?://+|/?\*+/?)(.*)", line))]
+        lines = [found[1] for line in shown.splitlines() if (found := re.match(r"\s*(?://+|/?\*+/?|##)(.*)", line))]
         return " ".join(" ".join(lines).split())
 
     def test_nothing_refers_to_what_is_not_there(self) -> None:
@@ -493,7 +493,7 @@ class Comments(unittest.TestCase):
             shown = self.comment(self.pick(["hn_fbm2"], command.Choice(language, "fixed")))
             for name in ("x", "y", "octaves", "lacunarity", "gain", "seed"):
                 with self.subTest(name, language=language):
-                    self.assertRegex(shown, rf'(?:@param (?:{{\w+}} )?|name="|- |, ){name}\b')
+                    self.assertRegex(shown, rf'(?:@param (?:{{\w+}} )?|name="|- |, )(?:noise_)?{name}\b')
             self.assertIn("usually 4 to 8; more than 32 count as 32", re.sub(r"\W*\n\W*", " ", shown))
 
     def compiled(self, call: str, name: str, shown: str) -> subprocess.CompletedProcess[str]:

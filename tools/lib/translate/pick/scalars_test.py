@@ -21,8 +21,8 @@ from translate.pick.scalars import Syntax, text
 
 
 @functools.cache
-def library() -> Module:
-    return read(GLSL, command.settings("fixed", "lattice"), splits=True)
+def library(syntax: type[Syntax] = Syntax) -> Module:
+    return read(GLSL, {**command.settings("fixed", "lattice"), **syntax.library}, splits=True)
 
 
 def written(shown: str, syntax: type[Syntax]) -> str:
