@@ -318,13 +318,13 @@ class ForMachines(unittest.TestCase):
         rows = dict(re.findall(r"^\| ([A-Z][\w+#, ]*) \| `(.*)` \|$", self.text, re.MULTILINE))
         pick = picker()
         for heading, language in (("Rust", "rust"), ("C#", "csharp"), ("C", "c"), ("Java", "java"), ("Go", "go"),
-                                  ("JavaScript, TypeScript", "javascript"), ("JavaScript, TypeScript", "typescript")):
+                                  ("GDScript", "gdscript"), ("JavaScript, TypeScript", "javascript"), ("JavaScript, TypeScript", "typescript")):
             if language not in SYNTAXES:
                 continue
             with self.subTest(language):
                 name, arguments = re.fullmatch(r"(?:\w+\.)?(\w+)\((.*)\)", rows[heading]).groups()
                 written = pick(["hn_fbm2"], Choice(language))
-                declared = re.search(rf"(?:fn|func|function|public static float|HN_INLINE float) {name}\((.*?)\)",
+                declared = re.search(rf"(?:fn|(?:static )?func|function|public static float|HN_INLINE float) {name}\((.*?)\)",
                                      written, re.DOTALL)
                 self.assertEqual(arguments.count(","), declared[1].rstrip(", \n").count(","))
         code = f"#include <hashnoise/hashnoise.hpp>\nfloat f(float x, float y) {{ return {rows['C++']}; }}"

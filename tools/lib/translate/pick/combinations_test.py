@@ -27,12 +27,14 @@ from base.javascript.environment import NODE
 from base.thorough import THOROUGH
 from base.tree import GLSL, ROOT
 from translate.pick import command
+from translate.pick.gdscript_runner import GDScriptRunner
 from translate.pick.osl_runner import OslRunner
 from translate.pick.program import read
 from translate.pick.runners import ARRAYS, RUNNERS, NotRun, Runner, ran, written_to
 from translate.pick.shading_runners import device, pairs_of
 
 ARITHMETICS = ("fast", "fixed")
+OF_PROGRAMS = {"osl": OslRunner, "gdscript": GDScriptRunner}  # of packages that are downloaded
 # Locals had the names of parameters in these.
 PAIRS = (("hn_cellular3_nearest", "hn_cell_border3_nearest"),)
 SHADING = ("glsl", "hlsl", "wgsl", "metal", "godot")
@@ -196,7 +198,7 @@ def compiler(language: str) -> Compiler:
         return GlslCompiler(language)
     if language in ("hlsl", "metal"):
         return HlslCompiler() if language == "hlsl" else MetalCompiler()
-    runner: Runner = OslRunner() if language == "osl" else {**RUNNERS, **ARRAYS}[language]()
+    runner: Runner = {**RUNNERS, **ARRAYS, **OF_PROGRAMS}[language]()
     runner.check(lints=True)
     return runner
 
@@ -214,6 +216,7 @@ REFUSED: Mapping[str, Sequence[tuple[str, str]]] = {
                    ("@returns {number} [", "@returns {Vector2} [")),
     "java": (("int seed) {", "int seed) {\nint unused = (int) 1;\n"), ("<p>Example", "<p><p>Example")),
     "python": (("seed=0)", "seed=0, seed=0)"), ("return _called(", "return (_called(")),
+    "gdscript": (("noise_seed: int)", "noise_seed: int, unused: int)"), ("-> float:", "-> Vector2:")),
     "osl": (("int seed)", "int seed, int seed)"),),
     "glsl": (("uint seed) {", "uint seed, highp uint seed) {"), ("highp float n_x =", "float n_x =")),
     "godot": (("return ", "return seed + "),), "hlsl": (("uint seed) {", "uint seed, uint seed) {"),),
@@ -248,7 +251,7 @@ if __name__ == "__main__":
     TypeScriptCompiler.packages = Path(sys.argv[1]).resolve()
     suite = unittest.TestSuite()
     absent: list[str] = []
-    for name in LANGUAGES if THOROUGH else [one for one in LANGUAGES if one != "osl"]:
+    for name in LANGUAGES if THOROUGH else [one for one in LANGUAGES if one not in OF_PROGRAMS]:
         try:
             of_language = type(f"Compiled_{name}", (Compiled,), {"language": name, "compiler": compiler(name)})
             suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(of_language))

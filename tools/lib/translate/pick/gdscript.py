@@ -13,11 +13,10 @@ from collections.abc import Sequence
 
 from translate.names import wgsl_name
 from translate.parsing.lines import without_braces
-from translate.pick import comments
-from translate.pick.printer import PRIMARY, STRENGTH_OF_PYTHON, UNARY
+from translate.pick.printer import STRENGTH_OF_PYTHON
 from translate.pick.program import Evaluated, Program
 from translate.pick.scalars import NEGATED, Facts, Hoisting, Part, Piece, Syntax, Taken, bare, pascal
-from translate.pick.spans import EXACT, INT, UINT, Span, Spans, fits, is_within
+from translate.pick.spans import EXACT, INT, UINT, Spans, fits, is_within
 from translate.pick.statements import Return, Statement, values_of
 from translate.pick.values import PREFIXES, SIZES, WORD, Constant, Node, Operation, Variable, operation, scalar_of
 
@@ -33,7 +32,7 @@ class Body(Hoisting):
 
     def lines(self) -> list[str]:
         self._spans = Spans(lambda node: node in self.called)
-        # HN_FIXED rounds no float, but in sums with a whole number that may be none: those of hn_position.
+        # HN_FIXED rounds no float, but in sums with a whole number that may be too large: in hn_position.
         sums = [one for one in values_of(self.block) if isinstance(one, Operation) and one.type == "float" and (
             one.name in ("+", "-"))]
         self._inexact = {node for one in sums for wide in filter(self._is_wide, one.arguments) for node in (one, wide)}
@@ -92,7 +91,7 @@ class Body(Hoisting):
         return binary(self._piece(left), self._piece(right))
 
     def _shifted(self, node: Operation) -> Piece:
-        """An integer with a sign to the left: by a product, since Godot does not promise a shift of what is negative."""
+        """An integer with a sign to the left: by a product, since Godot refuses some shifts of negative numbers."""
         left, right = node.arguments
         return self.language.binary("*", "int", self._piece(left), Piece(str(1 << int(right.value))))
 
@@ -238,7 +237,7 @@ static func _bits_of_float(x: float) -> int:
         return piece if self.is_fixed else self.single(piece)
 
     def single(self, piece: Piece) -> Piece:
-        """The components of a color are floats of 32 bits in each Godot, also where those of vectors have 64."""
+        """A component of a color is a float of 32 bits in each Godot; a vector's has 64 in some."""
         return Piece(f"Color({piece.text}, 0.0, 0.0).r")
 
     def float(self, text: str) -> str:

@@ -353,7 +353,7 @@ int main() {{ float x = 37, y = -5; std::printf("%.9g", {call}); return x == y; 
             self.assertEqual(struct.pack("<f", float(shown.split()[-1])), expected)
 
     def test_the_shape_of_godots_page_has_the_bits_of_the_library(self) -> None:
-        """And a shape of another seed does not. Its time is that of the page, as a multiple of C++'s."""
+        """And a shape of another seed does not. The page has its time as a multiple of C++'s."""
         if not isinstance(self.runner, GDScriptRunner):
             return
         page = (ROOT / "docs" / "guide" / "godot.md").read_text(encoding="utf-8")

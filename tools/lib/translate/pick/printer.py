@@ -38,7 +38,7 @@ RESERVED = frozenset("""abs floor trunc sqrt min max float int uint bool vec2 ve
     """.split())
 # How strongly operators bind.
 STRENGTH = {**STRENGTHS}
-# Of languages where comparisons are weaker than & and |.
+# In languages whose comparisons are weaker than & and |.
 STRENGTH_OF_PYTHON = {"||": 1, "&&": 2, "<": 3, ">": 3, "<=": 3, ">=": 3, "==": 3, "!=": 3, "|": 4, "^": 5, "&": 6,
                       "<<": 9, ">>": 9, "+": 10, "-": 10, "*": 11, "/": 11, "%": 11}
 CHOICE, UNARY, PRIMARY = 0, 11, 12

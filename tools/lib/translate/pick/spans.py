@@ -1,12 +1,13 @@
 """Between which numbers a value is: for a language whose integers are longer than the library's.
 
-A span is the least and the greatest number. A word may be any number that is the same modulo 2^32 until something asks
-for its size, so a span of words may reach beyond 32 bits. A float without a span may be no number.
+A span is the least and the greatest number. A word may be any number that is the same modulo 2^32 until its size
+counts, so a span of words may reach beyond 32 bits. A float without a span may be no number.
 """
 
 from __future__ import annotations
 
 import math
+import operator
 from collections.abc import Callable
 
 from translate.pick.values import WORD, Constant, Node, Operation, scalar_of
@@ -16,6 +17,7 @@ INT: Span = (-1 << 31, (1 << 31) - 1)
 UINT: Span = (0, WORD)
 LONG: Span = (-1 << 63, (1 << 63) - 1)
 OF_TYPES: dict[str, Span] = {"int": INT, "uint": UINT, "bool": (0, 1)}
+ARITHMETIC = {"+": operator.add, "-": operator.sub, "*": operator.mul}
 EXACT: Span = (-1 << 24, 1 << 24)  # whole numbers that are floats
 
 
@@ -23,9 +25,15 @@ def is_within(span: Span | None, other: Span) -> bool:
     return span is not None and other[0] <= span[0] and span[1] <= other[1]
 
 
-def _long(low: float, high: float) -> Span:
-    """What 64 bits hold: what leaves them wraps around."""
-    return (low, high) if is_within((low, high), LONG) else LONG
+def _ends(sign: str, left: Span, right: Span) -> Span:
+    """The span of a sum, a difference or a product."""
+    ends = [ARITHMETIC[sign](a, b) for a in left for b in right]
+    return min(ends), max(ends)
+
+
+def _long(span: Span) -> Span:
+    """A number beyond 64 bits wraps around."""
+    return span if is_within(span, LONG) else LONG
 
 
 def _of_bits(sign: str, left: Span, right: Span) -> Span:
@@ -37,17 +45,14 @@ def _of_bits(sign: str, left: Span, right: Span) -> Span:
 
 
 def of_integers(sign: str, left: Span, right: Span) -> Span:
-    """What an operator makes of numbers of 64 bits."""
-    if sign in "+-*":
-        if sign == "-":
-            right = -right[1], -right[0]
-        ends = [(a * b if sign == "*" else a + b) for a in left for b in right]
-        return (_long(min(ends), max(ends)) if sign == "*" else _long(left[0] + right[0], left[1] + right[1]))
+    """The span of an operator's result in 64 bits."""
+    if sign in ARITHMETIC:
+        return _long(_ends(sign, left, right))
     if sign in "&|^":
         return _of_bits(sign, left, right)
     least, most = int(right[0]), int(right[1])
     if sign == "<<":
-        return _long(min(int(left[0]) << most, 0), int(left[1]) << most)
+        return _long((min(int(left[0]) << most, 0), int(left[1]) << most))
     if sign == ">>":
         return min(int(left[0]) >> least, int(left[0]) >> most), max(int(left[1]) >> least, int(left[1]) >> most)
     size = max(abs(left[0]), abs(left[1]))  # of a quotient or a rest
@@ -123,9 +128,7 @@ class Spans:
             return (-1, 1) if left and math.isfinite(left[0] + left[1]) else None
         if not left or not right or node.name == "/" or not all(map(math.isfinite, (*left, *right))):
             return None
-        right = (-right[1], -right[0]) if node.name == "-" else right
-        ends = [a * b if node.name == "*" else a + b for a in left for b in right]
-        return min(ends), max(ends)
+        return _ends(node.name, left, right)
 
     def _of_ends(self, node: Operation) -> Span | None:
         """min(a, b) is b where b < a, else a: the first one if the second is no number."""
