@@ -16,14 +16,14 @@ from translate.parsing.lines import without_braces
 from translate.pick.printer import STRENGTH_OF_PYTHON
 from translate.pick.program import Evaluated, Program
 from translate.pick.scalars import NEGATED, Facts, Hoisting, Part, Piece, Syntax, Taken, bare, pascal
-from translate.pick.spans import EXACT, INT, UINT, Spans, fits, is_within
+from translate.pick.spans import EXACT, INT, LONG, UINT, Spans, fits, is_within
 from translate.pick.statements import Return, Statement, values_of
 from translate.pick.values import PREFIXES, SIZES, WORD, Constant, Node, Operation, Variable, operation, scalar_of
 
 MASK = Piece("0xFFFFFFFF")
 SIGN = Piece("0x80000000")
 DIVIDED = " // "  # an operator between integers, until the line is written
-COMPARED = ("<", ">", "<=", ">=", "==", "!=")
+SIZED = ("<", ">", "<=", ">=", "==", "!=", "/", "%", ">>")  # operators for which the size of a word counts
 
 
 class Body(Hoisting):
@@ -61,19 +61,17 @@ class Body(Hoisting):
         return super()._negated(condition)
 
     def _piece(self, node: Node) -> Piece:
-        if isinstance(node, Operation) and node not in self.called:
-            if node in self._inexact and self.language.is_fixed:
-                self._inexact.remove(node)
-                made = self.language.single(self._piece(node))
-                self._inexact.add(node)
-                return made
-            if node.kind == "binary" and node.arguments[0].type in ("int", "uint"):
-                return self._of_integers(node)
-            if node.kind == "construct" and len(node.arguments) == 1 and node.type in (*PREFIXES, "bool"):
-                return self._converted(node)
-            if node.kind in ("call", "struct", "builtin", "construct"):
-                return self._called(node)
-        return super()._piece(node)
+        if not isinstance(node, Operation) or node in self.called:
+            return super()._piece(node)
+        made = self._made(node)
+        return self.language.single(made) if self.language.is_fixed and node in self._inexact else made
+
+    def _made(self, node: Operation) -> Piece:
+        if node.kind == "binary" and node.arguments[0].type in ("int", "uint"):
+            return self._of_integers(node)
+        if node.kind == "construct" and len(node.arguments) == 1 and node.type in (*PREFIXES, "bool"):
+            return self._converted(node)
+        return self._called(node) if node.kind in ("call", "struct", "builtin", "construct") else super()._piece(node)
 
     def _of_integers(self, node: Operation) -> Piece:
         left, right = node.arguments
@@ -84,9 +82,7 @@ class Body(Hoisting):
             low, high = (end * (1 << int(right.value)) for end in self._spans.of(left))
             made = self._shifted(node)
             return made if is_within((low, high), INT) else self.language.signed(made)
-        if sign in (*COMPARED, "/", "%"):
-            return binary(self._held(left), self._held(right))
-        if sign == ">>" or sign == "<<" and self._spans.of(left)[0] < 0:
+        if sign in SIZED or sign == "<<" and self._spans.of(left)[0] < 0:
             return binary(self._held(left), self._held(right))
         return binary(self._piece(left), self._piece(right))
 
@@ -124,9 +120,8 @@ class Body(Hoisting):
 
     def _called(self, node: Operation) -> Piece:
         if node.kind == "construct":  # a vector cuts its integers off to 32 bits with a sign
-            pieces = [self._last_bits(one, WORD) for one in node.arguments]
-            return self.language.make_vector(node.type, pieces)
-        if node.name == "trunc" and self.language.is_fixed:
+            return self.language.make_vector(node.type, [self._last_bits(one, WORD) for one in node.arguments])
+        if node.name == "trunc" and self.language.is_fixed and is_within(self._spans.of(node.arguments[0]), LONG):
             return Piece(f"float(int({self._text(node.arguments[0])}))")
         pieces = [*map(self._held, node.arguments)]
         if node.kind == "struct":
