@@ -50,7 +50,7 @@ POINTS = 200
 SPECIAL = ("hn_next2", "hn_fbm2", "hn_cellular2_nearest", "hn_cell_border2_nearest", "hn_tile2", "hn_fbm_d2",
            "hn_shuffle")
 
-ALL_RUNNERS = {**RUNNERS, "osl": OslRunner, "opencl": OpenClRunner, "gdscript": GDScriptRunner, **ARRAYS}
+ALL_RUNNERS = {**RUNNERS, "osl": OslRunner, "opencl": OpenClRunner, **ARRAYS, "gdscript": GDScriptRunner}
 # Changes of the one text in C that some compiler refuses.
 REFUSED = (("static __host__ __device__ inline", "static inline"), ("#if defined(__OPENCL_VERSION__) ||", "#if 0 &&"),
            ("uint32_t seed)", "uint32_t or)"), ("{\n  hn_vec2 made = {x, y};\n  return made;", "{\n  return (hn_vec2){x, y};"))
