@@ -3,6 +3,7 @@ does in pick.gdscript, of thorough runs."""
 
 from __future__ import annotations
 
+import math
 import re
 import struct
 import unittest
@@ -17,7 +18,7 @@ from translate.pick.scalars_test import library, written
 
 # Golden files, with the forms of their functions.
 FORMS = {"fbm.fbm2": "hn_fbm2", "fbm.ridged3": "hn_ridged3", "fbm.weighted4": "hn_weighted4", "noise2d.cellular": "hn_cellular2",
-         "noise3d.cellular_smooth": "hn_cellular_smooth3", "noise2d.random": "hn_random2", "curl.curl_fbm2": "hn_curl_fbm2"}
+         "noise3d.cellular_smooth": "hn_cellular_smooth3", "noise2d.random": "hn_random2", "curl.curl_fbm2_phase": "hn_curl_fbm2_phase"}
 Color = namedtuple("Color", "r g b")
 TO_PYTHON = ((r"(?m)^\s*(#|@|extends|var \w+: \w+$).*\n", "\n"), (r"\bvar (\w+) :=", r"\1 ="), (r"\bstatic func", "def"),
              (r": (int|float|bool|Vector\d?i?)\b(?= *[,)=])", ""), (r"\bwhile true:", "while True:"), (r"\bnot \(", "not ("),
@@ -38,6 +39,7 @@ def vector(size: int, whole: bool) -> type:
 
 GODOT = {"mini": min, "maxi": max, "absi": abs, "absf": abs, "minf": lambda a, b: a if a < b else b,
          "maxf": lambda a, b: a if a > b else b, "sqrt": lambda x: abs(x) ** 0.5, "true": True, "false": False,
+         "ceilf": math.ceil, "floorf": math.floor,
          "Color": lambda r, g, b: Color(single(r), g, b),
          **{f"Vector{size}{'i' * whole}": vector(size, whole) for size in (2, 3, 4) for whole in (False, True)}}
 
