@@ -17,6 +17,7 @@ import subprocess
 import sys
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import environment
 
@@ -26,6 +27,7 @@ sys.path.insert(0, str(TESTS.parents[1] / "tools" / "lib"))
 from base.golden_values import Golden  # noqa: E402
 from base.pypi import is_made  # noqa: E402
 from base.tree import ROOT, address  # noqa: E402
+from ship.registries import files as registries  # noqa: E402
 
 SKIPPED = 77
 PAGE = (ROOT / "docs" / "guide" / "build-systems.md").read_text(encoding="utf-8")
@@ -138,6 +140,15 @@ class Way(unittest.TestCase):
             if int(got, 16) != word:
                 wrong[function] = wrong.get(function, 0) + 1
         return wrong
+
+    def of_registry(self, name: str) -> tuple[Path, Path, str]:
+        """A folder of tools/pack registries, the archive of which it has the sums, and the archive's address."""
+        archive = self.folder / "v.tar.gz"
+        self.call(["git", "archive", "--prefix=hashnoise-1/", "--output", archive, "HEAD"], self.folder / "hashnoise.git")
+        with mock.patch.object(registries, "address", return_value="https://github.com/someone/hashnoise"):
+            for path, text in registries.package(str(archive)).items():
+                self.write(path, text)
+            return self.game / name, archive, registries.archive_address()
 
     def assert_spirv(self, path: Path):
         self.assertEqual(path.read_bytes()[:4], b"\x03\x02\x23\x07")
@@ -294,6 +305,36 @@ class Conan(Way):
         text.write_text(text.read_text().replace("0x85EBCA77u", "0x85EBCA79u"))
         with self.assertRaisesRegex(AssertionError, "(?s)hn_perlin at .*Error in test"):
             self.conan(*create)
+
+
+    def test_the_recipe_for_conancenter(self):
+        """It gets the archive, tests the package, and puts nothing into it that ConanCenter refuses."""
+        recipes, archive, address_ = self.of_registry("conan-center-index")
+        data = recipes / "recipes/hashnoise/all/conandata.yml"
+        data.write_text(data.read_text().replace(address_, archive.as_uri()))
+        self.conan("conan", "profile", "detect")
+        create = ("conan", "create", data.parent, "--version", library_version(), "-s")
+        with self.assertRaisesRegex(AssertionError, r"Current cppstd \(\w+\) is lower than"):
+            self.conan(*create, "compiler.cppstd=17")
+        self.conan(*create, "compiler.cppstd=20")
+        package, = self.folder.glob("home/p/b/*/p")
+        self.assertEqual(refused(package), set())
+        self.assertTrue((package / "licenses" / "LICENSE").is_file())
+        for name in ("share/x", "lib/hashnoise-config.cmake", "lib/hashnoise.pc"):
+            (package / name).parent.mkdir(exist_ok=True)
+            (package / name).touch()
+        self.assertEqual(refused(package), {"share", "hashnoise-config.cmake", "hashnoise.pc"})
+        archive.write_bytes(archive.read_bytes() + b"\0")
+        self.conan("conan", "remove", "--confirm", "hashnoise")
+        with self.assertRaisesRegex(AssertionError, "sha256 hash failed"):
+            self.conan(*create, "compiler.cppstd=20")
+
+
+def refused(package: Path) -> set[str]:
+    """What ConanCenter takes in no package: other folders, and files of CMake, pkg-config, libtool and MSVC."""
+    folders = {path.name for path in package.iterdir() if path.is_dir()}
+    return folders - {"bin", "include", "lib", "licenses", "res"} | {
+        path.name for path in package.rglob("*") if re.search(r"^Find.*\.cmake$|onfig\.cmake$|\.(pc|la|pdb)$", path.name)}
 
 
 class Vcpkg(Way):

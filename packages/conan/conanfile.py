@@ -1,52 +1,69 @@
-"""The Conan package: headers and GLSL, with the CMake files of `cmake --install` (docs/guide/build-systems.md)."""
+"""The Conan package of a copy of the repository (docs/guide/build-systems.md). tools/pack registries makes ConanCenter's
+recipe of the same text."""
 
+import os
 import re
-from pathlib import Path
 
 from conan import ConanFile
+from conan.tools.build import check_min_cppstd
 from conan.tools.cmake import CMake, CMakeToolchain
-from conan.tools.files import copy, load
+from conan.tools.files import copy, load, rmdir, save
+from conan.tools.layout import basic_layout
 
-TOP = Path("..", "..")  # of the repository, seen from here
+required_conan_version = ">=2.0"
 
 
-class Hashnoise(ConanFile):
+class HashnoiseConan(ConanFile):
     name = "hashnoise"
     description = "Procedural noise from hash functions, for shaders and C++"
-    topics = ("noise", "procedural", "shaders", "glsl", "header-only")
     license = "MIT"
     url = "https://example.com/hashnoise"
     homepage = "https://example.com/hashnoise"
+    topics = ("noise", "procedural", "shaders", "glsl", "header-only")
     package_type = "header-library"
     settings = "os", "arch", "compiler", "build_type"
     no_copy_source = True
 
+    # begin: of a copy
     def set_version(self):
         # It stands once, in the file that every shader includes.
-        config = load(self, Path(self.recipe_folder, TOP, "glsl", "hashnoise", "config.glsl"))
+        config = load(self, os.path.join(self.recipe_folder, "..", "..", "glsl", "hashnoise", "config.glsl"))
         self.version = ".".join(re.findall(r"^#define HN_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)$", config, re.MULTILINE))
 
     def export_sources(self):
-        for pattern in ("CMakeLists.txt", "LICENSE", "glsl/*", "include/*", "tools/*.in", "vectors/*"):
-            copy(self, pattern, Path(self.recipe_folder, TOP), self.export_sources_folder)
-        made = Path(self.recipe_folder, TOP, "build", "vectors")  # by tools/make vectors (docs/develop/publishing.md)
-        copy(self, "*.json", made, Path(self.export_sources_folder, "vectors"))
+        top = os.path.join(self.recipe_folder, "..", "..")
+        for pattern in ("CMakeLists.txt", "LICENSE", "glsl/*", "include/*", "tools/*.in"):
+            copy(self, pattern, top, os.path.join(self.export_sources_folder, "src"))
+    # end: of a copy
+
+    def layout(self):
+        basic_layout(self, src_folder="src")
 
     def package_id(self):
-        self.info.clear()  # one package for every compiler
+        self.info.clear()
+
+    def validate(self):
+        check_min_cppstd(self, 20)
 
     def generate(self):
         CMakeToolchain(self).generate()
 
+    def build(self):
+        CMake(self).configure(variables={"HASHNOISE_CONFORMANCE": "OFF", "HASHNOISE_GRID": "OFF",
+                                         "CMAKE_INSTALL_DATADIR": "res", "CMAKE_INSTALL_DOCDIR": "licenses"})
+
     def package(self):
-        cmake = CMake(self)
-        cmake.configure(variables={"HASHNOISE_CONFORMANCE": "OFF", "HASHNOISE_GRID": "OFF",
-                                   "CMAKE_INSTALL_DOCDIR": "licenses"})  # the folder where Conan wants LICENSE
-        cmake.install()
+        CMake(self).install()
+        # Conan writes its own files for CMake and pkg-config.
+        rmdir(self, os.path.join(self.package_folder, "res"))
+        save(self, os.path.join(self.package_folder, self._module),
+             'set(hashnoise_GLSL_DIR "${CMAKE_CURRENT_LIST_DIR}/../include")\n')
 
     def package_info(self):
-        # find_package finds what was installed, which has hashnoise_GLSL_DIR, too.
-        self.cpp_info.set_property("cmake_find_mode", "none")
-        self.cpp_info.builddirs = ["share/cmake/hashnoise"]
+        self.cpp_info.set_property("cmake_build_modules", [self._module])
         self.cpp_info.bindirs = []
         self.cpp_info.libdirs = []
+
+    @property
+    def _module(self):
+        return os.path.join("res", "hashnoise-glsl-dir.cmake")

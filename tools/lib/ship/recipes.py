@@ -78,5 +78,10 @@ RECIPES = {name: recipe for name, recipe in {
         "the add-on for Godot 4.4 and later", "hashnoise-godot", is_zip=True,
         more="It has addons/hashnoise/ as a project has it: the parts of the library, each as one .gdshaderinc, and an "
         "example."),
+    "registries": Recipe(
+        "what ConanCenter, vcpkg and OpenUPM take by a pull request", "hashnoise-registries",
+        more="Each of its folders has the name of a registry's repository, and files to copy into it. They are of the "
+        "version that has been released, and have the sums of GitHub's archive of its tag.",
+        options={"archive": Option("FILE", "that archive, of which the files have the sums")}),
     "release": Recipe("all that a release has, from a clean tree", command="ship.release.command"),
 }.items() if Path(__file__).with_name(name).is_dir()}

@@ -22,7 +22,8 @@ from ship.recipes import RECIPES
 # {} is an empty folder. The commands that install are conform, test, measure and others of setup.sh, those with NumPy
 # (scientific-python), what has packages of npm, PyPI or cargo (pack npm, pack python, make site), and measure gpu
 # --get-drivers.
-COMMANDS = (*(["pack", name, "{}"] for name, recipe in RECIPES.items() if not recipe.command),
+COMMANDS = (*(["pack", name, "{}"] for name, recipe in RECIPES.items()
+              if not recipe.command and name != "registries"),  # which takes a file of a release
             ["make", "catalog", "--check"], ["make", "freeze", "--check"], ["make", "golden", "--check", "--sample", "50"],
             ["make", "dimensions", "--check"], ["make", "vectors"],
             ["pick", "hn_fbm2"], *[["playground", "--out", "{}/page.html"]] * (not is_deleted("playground")), ["pick", "whole", "--out", "{}/all.glsl"],
