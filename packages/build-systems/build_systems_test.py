@@ -341,11 +341,13 @@ class Vcpkg(Way):
     needs_environment = False
     programs = (*Way.programs, "vcpkg")
 
-    def install_port(self, port: str = "hashnoise") -> Path:
-        """Installs the port by the page's commands, and returns the folder of what it installed."""
+    def install_port(self, port: str = "hashnoise", ports: Path | None = None) -> Path:
+        """Installs the port by the page's commands, or that of another folder, and returns the folder of what it installed."""
         clone, install = commands("vcpkg")
         self.call(clone)
         install[install.index("hashnoise")] = port
+        if ports:
+            install[-1] = f"--overlay-ports={ports}"
         output = self.call([*install, f"--x-install-root={self.folder}/installed", "--binarysource=clear"])
         self.assertNotIn("portfile.cmake: warning", output)
         triplet, = (path for path in (self.folder / "installed").iterdir() if path.name != "vcpkg")
@@ -364,6 +366,22 @@ class Vcpkg(Way):
         self.call(["cmake", "--build", "build"])
         self.assertEqual(self.differing(self.game / "build" / "game"), {})
         self.assert_spirv(self.game / "build" / "noise.spv")
+
+    def test_the_port_for_the_registry(self):
+        """It gets the archive, which is among the downloads here."""
+        ports, archive, _ = self.of_registry("vcpkg/ports")
+        downloads = self.folder / "downloads"
+        downloads.mkdir()
+        self.variables["VCPKG_DOWNLOADS"] = str(downloads)
+        cached = shutil.copy(archive, downloads / f"someone-hashnoise-v{library_version()}.tar.gz")
+        triplet = self.install_port(ports=ports)
+        for name in ("include/hashnoise/fbm2d.glsl", "share/hashnoise/copyright", "share/hashnoise/hashnoise-config.cmake"):
+            self.assertTrue((triplet / name).is_file(), name)
+        for folder in (triplet.parent, self.game / "hashnoise"):
+            shutil.rmtree(folder)
+        cached.write_bytes(archive.read_bytes() + b"\0")
+        with self.assertRaises(AssertionError):
+            self.install_port(ports=ports)
 
     def test_grid(self):
         triplet = self.install_port("hashnoise[grid]")

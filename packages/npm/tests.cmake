@@ -15,7 +15,8 @@ if(EXISTS ${PROJECT_SOURCE_DIR}/examples/three)
   list(APPEND npm_tests npm.three)
 endif()
 add_test(NAME npm.registry CONFIGURATIONS Thorough
-         COMMAND ${project} node registry.mjs ${PROJECT_SOURCE_DIR}/docs/develop/publishing.md)
+         COMMAND ${javascript} node ${tools}/lib/base/javascript/registry.mjs
+                 ${PROJECT_SOURCE_DIR}/docs/develop/publishing.md ${PROJECT_BINARY_DIR}/javascript/npm/node_modules/hashnoise)
 # From the last commit of version 0.3.0, whose values are others, and from the last release, by its tag.
 set(upgrade ${project} node upgrade.mjs ${PROJECT_SOURCE_DIR})
 add_test(NAME npm.upgrade CONFIGURATIONS Thorough COMMAND ${upgrade} 5301c2bbb34dc19427c8e36684e48987c682c24f)

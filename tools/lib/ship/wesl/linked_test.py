@@ -133,6 +133,17 @@ class Linked(unittest.TestCase):
         with self.assertRaisesRegex(Refused, "merlin2"):
             self.linker.linked({"wrong": call})
 
+    def test_a_registry_takes_it(self) -> None:
+        """By its own checks: npm's, and cargo's, which warn of what crates.io refuses."""
+        if self.linker.kind == "npm":
+            base = TOOLS / "lib" / "base"
+            done = subprocess.run([base / "node", "node", base / "javascript" / "registry.mjs",
+                                   ROOT / "docs" / "develop" / "publishing.md", self.linker.made],
+                                  capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        else:
+            self.assertEqual(refusals(self.linker.made), [])
+
     def of_page(self, language: str) -> str:
         page = (ROOT / "docs" / "guide" / "engines.md").read_text(encoding="utf-8")
         page = page.partition("\n## WESL\n")[2].partition("\n## ")[0]
