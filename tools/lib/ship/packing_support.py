@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import contextlib
 import io
+import os
 import posixpath
 import re
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -37,6 +39,19 @@ def lost_links(pages: Mapping[str, str], names: Iterable[str]) -> list[str]:
             if "://" not in link and posixpath.normpath(posixpath.join(posixpath.dirname(path), link)) not in there:
                 found.append(f"{path}: {link}")
     return found
+
+
+def refusals(crate: Path, *words: str, path: str | None = None) -> list[str]:
+    """Why crates.io would not take the crate of a folder: the faults that cargo package or cargo publish --dry-run
+    reports, and the rules for keywords, which the server checks."""
+    cargo = shutil.which("cargo", path=path)
+    environment = {**os.environ, "PATH": path or os.environ["PATH"], "CARGO_TERM_COLOR": "never"}
+    done = subprocess.run([cargo, *words, "--allow-dirty", "--no-verify"], cwd=crate, env=environment, capture_output=True,
+                          text=True, check=False)
+    found = re.findall("(?m)^(?:error|warning: manifest has no).*", done.stderr)
+    keywords = re.search(r"(?m)^keywords = \[(.*)\]", (crate / "Cargo.toml").read_text(encoding="utf-8"))[1].split(", ")
+    return found + [f"keyword {number}: {word}" for number, word in enumerate(keywords, 1)
+                    if number > 5 or not re.fullmatch(r'"[A-Za-z][\w-]{,19}"', word)]
 
 
 def run_with_compilers(test: str, needed: Mapping[str, str]) -> None:

@@ -46,6 +46,9 @@ test("npm would publish it", () => {
   assert.equal(status, 0, printed);
   assert.match(printed, /Publishing to .* with tag latest and default access \(dry-run\)/);
   assert.doesNotMatch(printed, /npm (warn publish (?!This command requires you to be logged in)|error)/i);
+  const [, stated] = /download of (\d+) kB/.exec(readFileSync(join(right, "README.md"), "utf8"));
+  const [, size] = /package size: +([\d.]+) kB/.exec(printed);
+  assert.ok(Math.abs(size / stated - 1) < 0.05, `README.md has ${stated} kB, and npm ${size} kB`);
 });
 
 test("npm would refuse others", () => {

@@ -7,7 +7,6 @@ Exit status: 0 it is right, 1 not, 77 there is no cargo.
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import shutil
@@ -22,6 +21,7 @@ from base.thorough import THOROUGH, in_thorough_runs
 from base.tree import ROOT, version
 from base.versions import folders, path_of
 from ship.packing import put
+from ship.packing_support import refusals
 from ship.rust.files import ALL, NEEDED, package
 
 SOME = (*NEEDED, "random")
@@ -47,7 +47,7 @@ class Crate(unittest.TestCase):
 
     def cargo(self, *arguments: str) -> subprocess.CompletedProcess[str]:
         # Cargo wants no network, and a warning is an error.
-        environment = {**os.environ, "PATH": self.path, "RUSTFLAGS": "-D warnings", "RUSTDOCFLAGS": "-D warnings",
+        environment = {**os.environ, "PATH": self.path, "RUSTFLAGS": "-D warnings", "RUSTDOCFLAGS": "-D warnings --cfg docsrs",
                        "CARGO_TERM_COLOR": "never", "CARGO_INCREMENTAL": "0", "CARGO_PROFILE_DEV_DEBUG": "0"}
         return subprocess.run([shutil.which("cargo", path=self.path), *arguments], cwd=self.folder, env=environment,
                               capture_output=True, text=True, check=False)
@@ -93,12 +93,38 @@ class Crate(unittest.TestCase):
         self.assertEqual((self.folder / "LICENSE").read_bytes(), (ROOT / "LICENSE").read_bytes())
 
     def test_what_a_registry_wants_is_in_the_manifest(self) -> None:
-        """crates.io refuses a crate without a description or a license."""
-        done = self.cargo("metadata", "--no-deps", "--offline", "--format-version", "1")
-        (crate,) = json.loads(done.stdout)["packages"]
-        self.assertEqual([name for name in ("description", "license", "repository") if not crate[name]], [])
-        done = self.cargo("package", "--allow-dirty", "--no-verify", "--offline")
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(refusals(self.folder, "package", "--offline", path=self.path), [])
+        manifest = self.folder / "Cargo.toml"
+        right = manifest.read_text(encoding="utf-8")
+        self.addCleanup(manifest.write_text, right, encoding="utf-8")
+        manifest.write_text(re.sub("(?m)^(description|license) = .*\n", "", right).replace('"noise"', '"no ise"'), encoding="utf-8")
+        warned, keyword = refusals(self.folder, "package", "--offline", path=self.path)
+        self.assertRegex(warned, "warning: manifest has no description, license")
+        self.assertEqual(keyword, 'keyword 1: "no ise"')
+
+    @in_thorough_runs
+    def test_crates_io_would_take_it(self) -> None:
+        found = refusals(self.folder, "publish", "--dry-run", path=self.path)
+        if re.search("does not support API commands|failed to (update|fetch|download|get)", "\n".join(found)):
+            self.skipTest(f"crates.io cannot be reached, or not by this cargo: {found[0]}")
+        self.assertEqual(found, [])
+
+    @in_thorough_runs
+    def test_it_needs_no_std(self) -> None:
+        """A program without std has a handler of panics, which would be there twice with it."""
+        program = self.folder / "bare.rs"
+        program.write_text("#![no_std]\nextern crate hashnoise;\n#[panic_handler]\nfn stop(_: &core::panic::PanicInfo) -> ! { loop {} }\n"
+                           "#[no_mangle]\npub extern \"C\" fn word(x: i32) -> u32 { hashnoise::hash::lattice2(x, 4, 7) }\n", encoding="utf-8")
+        self.addCleanup(program.unlink)
+        path = self.folder / "src" / "lib.rs"
+        right = path.read_text(encoding="utf-8")
+        self.addCleanup(path.write_text, right, encoding="utf-8")
+        rustc = [shutil.which("rustc", path=self.path), "--edition=2021", "-Cpanic=abort", "--out-dir", self.folder / "target"]
+        for text, said in ((right, ""), (f"{right}\nextern crate std;\n", "E0152")):
+            path.write_text(text, encoding="utf-8")
+            for words in (("--crate-type=rlib", "--crate-name=hashnoise", path), ("--crate-type=staticlib", "-L", self.folder / "target", program)):
+                done = subprocess.run([*rustc, *words], capture_output=True, text=True, check=False)
+            self.assertEqual((said in done.stderr, done.returncode == 0), (True, not said), done.stderr)
 
     @in_thorough_runs
     def test_its_pages_compile_and_its_comments_are_comments(self) -> None:
@@ -117,7 +143,7 @@ class Crate(unittest.TestCase):
         self.addCleanup((self.folder / "tests" / "page.rs").unlink)
         done = self.cargo("test", "--test", "page", "--offline")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        for command in (("test", "--doc"), ("doc",)):
+        for command in (("test", "--doc"), ("doc", "--no-deps")):  # as docs.rs does
             done = self.cargo(*command, "--offline")
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
