@@ -142,7 +142,7 @@ class Way(unittest.TestCase):
         return wrong
 
     def of_registry(self, name: str) -> tuple[Path, Path, str]:
-        """A folder of tools/pack registries, the archive of which it has the sums, and the archive's address."""
+        """A folder of tools/pack registries, the archive that it names, and the address of that archive."""
         archive = self.folder / "v.tar.gz"
         self.call(["git", "archive", "--prefix=hashnoise-1/", "--output", archive, "HEAD"], self.folder / "hashnoise.git")
         with mock.patch.object(registries, "address", return_value="https://github.com/someone/hashnoise"):
@@ -331,7 +331,7 @@ class Conan(Way):
 
 
 def refused(package: Path) -> set[str]:
-    """What ConanCenter takes in no package: other folders, and files of CMake, pkg-config, libtool and MSVC."""
+    """The names that ConanCenter takes in no package: other folders, and files of CMake, pkg-config, libtool and MSVC."""
     folders = {path.name for path in package.iterdir() if path.is_dir()}
     return folders - {"bin", "include", "lib", "licenses", "res"} | {
         path.name for path in package.rglob("*") if re.search(r"^Find.*\.cmake$|onfig\.cmake$|\.(pc|la|pdb)$", path.name)}
@@ -342,7 +342,7 @@ class Vcpkg(Way):
     programs = (*Way.programs, "vcpkg")
 
     def install_port(self, port: str = "hashnoise", ports: Path | None = None) -> Path:
-        """Installs the port by the page's commands, or that of another folder, and returns the folder of what it installed."""
+        """Installs the port by the page's commands, or by another folder, and returns the folder of what it installed."""
         clone, install = commands("vcpkg")
         self.call(clone)
         install[install.index("hashnoise")] = port

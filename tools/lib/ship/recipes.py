@@ -82,6 +82,6 @@ RECIPES = {name: recipe for name, recipe in {
         "what ConanCenter, vcpkg and OpenUPM take by a pull request", "hashnoise-registries",
         more="Each of its folders has the name of a registry's repository, and files to copy into it. They are of the "
         "version that has been released, and have the sums of GitHub's archive of its tag.",
-        options={"archive": Option("FILE", "that archive, of which the files have the sums")}),
+        options={"archive": Option("FILE", "that archive; the files have its sums")}),
     "release": Recipe("all that a release has, from a clean tree", command="ship.release.command"),
 }.items() if Path(__file__).with_name(name).is_dir()}

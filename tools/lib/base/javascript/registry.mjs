@@ -61,7 +61,7 @@ test("npm would refuse others", () => {
 const lint = ["publint@0.3.25", "publint", "--strict", "--pack", "false"];
 const types = ["@arethetypeswrong/cli@0.18.5", "attw", "--profile", "esm-only", "--format", "ascii",
   ...others.flatMap((name) => ["--exclude-entrypoints", name]), "--pack"];
-for (const [subject, [source, ...words], fault, said] of [
+for (const [subject, [source, ...words], fault, message] of [
   ["publint", lint, { exports: { ...manifest.exports, "./no": "./no.js" } }, /no\.js but the file does not exist/],
   ["arethetypeswrong", types, { exports: { ...manifest.exports, [untyped]: { ...manifest.exports[untyped], types: "./no.d.ts" } } },
     /No types|Resolution failed/],
@@ -76,6 +76,6 @@ for (const [subject, [source, ...words], fault, said] of [
     assert.equal(status, 0, printed);
     const wrong = checked(changed(fault));
     assert.notEqual(wrong.status, 0, wrong.printed);
-    assert.match(wrong.printed, said);
+    assert.match(wrong.printed, message);
   });
 }

@@ -90,6 +90,20 @@ class Package(unittest.TestCase):
         named = re.findall(r"^\| `(\w+)`", page, re.MULTILINE)
         self.assertEqual(named, re.findall(r"^void (\w+)_float\(", shader, re.MULTILINE))
 
+    def test_openupm_gets_each_file(self) -> None:
+        """npm packs what OpenUPM takes, and leaves out files with some names."""
+        def packed() -> set[str]:
+            done = self.run_in(TOOLS / "lib" / "base" / "node", "npm", "pack", "--dry-run", "--json", "--offline", self.folder)
+            return {one["path"] for one in json.loads(done)[0]["files"]}
+
+        def there() -> set[str]:
+            return {path.relative_to(self.folder).as_posix() for path in self.folder.rglob("*") if path.is_file()}
+        self.assertEqual(packed(), there())
+        left_out = self.folder / "Runtime" / "HashNoise.cs.orig"
+        left_out.touch()
+        self.addCleanup(left_out.unlink)
+        self.assertEqual(there() - packed(), {"Runtime/HashNoise.cs.orig"})
+
     def test_csharp_has_the_values_of_the_vectors(self) -> None:
         rows, calls = [], ""
         for name, arguments in (("noise2d.perlin", "ffu"), ("fbm.fbm2", "ffiffu")):
