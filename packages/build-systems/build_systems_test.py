@@ -145,7 +145,7 @@ class Way(unittest.TestCase):
         """A folder of tools/pack registries, the archive that it names, and the address of that archive."""
         archive = self.folder / "v.tar.gz"
         self.call(["git", "archive", "--prefix=hashnoise-1/", "--output", archive, "HEAD"], self.folder / "hashnoise.git")
-        with mock.patch.object(registries, "address", return_value="https://github.com/someone/hashnoise"):
+        with mock.patch.object(registries, "address", return_value="https://github.com/someone/noise"):
             for path, text in registries.package(str(archive)).items():
                 self.write(path, text)
             return self.game / name, archive, registries.archive_address()
@@ -373,7 +373,7 @@ class Vcpkg(Way):
         downloads = self.folder / "downloads"
         downloads.mkdir()
         self.variables["VCPKG_DOWNLOADS"] = str(downloads)
-        cached = shutil.copy(archive, downloads / f"someone-hashnoise-v{library_version()}.tar.gz")
+        cached = shutil.copy(archive, downloads / f"someone-noise-v{library_version()}.tar.gz")
         triplet = self.install_port(ports=ports)
         for name in ("include/hashnoise/fbm2d.glsl", "share/hashnoise/copyright", "share/hashnoise/hashnoise-config.cmake"):
             self.assertTrue((triplet / name).is_file(), name)

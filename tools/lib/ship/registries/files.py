@@ -94,7 +94,7 @@ def package(archive: str | None = None) -> dict[str, str]:
     """All files, by their paths."""
     repository = re.fullmatch(r"https://github\.com/([\w-]+/[\w.-]+)", address())
     if not repository:
-        raise Refused(f"conformance/web/address.js has {address()}, and must have https://github.com/OWNER/hashnoise")
+        raise Refused(f"conformance/web/address.js has {address()}, and must have https://github.com/OWNER/NAME")
     content, seconds = checked(archive)
     made = {}
     if (PACKAGES / "conan").is_dir():

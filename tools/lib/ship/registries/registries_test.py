@@ -15,7 +15,7 @@ from ship.packing import Refused
 from ship.recipes import RECIPES
 from ship.registries import files
 
-TOP = "https://github.com/someone/hashnoise"
+TOP = "https://github.com/someone/noise"
 SECONDS = 1796000000
 
 
@@ -47,7 +47,7 @@ class Registries(Case):
                     'url = "https://github.com/conan-io/conan-center-index"\n', "import get, ", "def source(self)"),
                 "conan-center-index/recipes/hashnoise/config.yml": (f'"{version()}":\n    folder: all\n',),
                 "vcpkg/ports/hashnoise/portfile.cmake": (
-                    "REPO someone/hashnoise\n", f"SHA512 {hashlib.sha512(path.read_bytes()).hexdigest()}\n"),
+                    "REPO someone/noise\n", f"SHA512 {hashlib.sha512(path.read_bytes()).hexdigest()}\n"),
                 "openupm/data/packages/com.hashnoise.noise.yml": (
                     f'repoUrl: "{TOP}"\n', 'hunter: "someone"\n', f'minVersion: "{version()}"\n', f"createdAt: {SECONDS}000\n")}.items():
             if name in made:
@@ -65,8 +65,8 @@ class Registries(Case):
                 files.package(given and str(given))
 
     def test_a_project_elsewhere_is_refused(self, address: mock.Mock) -> None:
-        address.return_value = "https://example.com/hashnoise"
-        with self.assertRaisesRegex(Refused, "must have https://github.com/OWNER/hashnoise"):
+        address.return_value = "https://example.com/noise"
+        with self.assertRaisesRegex(Refused, "must have https://github.com/OWNER/NAME"):
             files.package(str(archive(self.folder / "v.tar.gz")))
 
     def test_a_recipe_of_another_form_is_noticed(self, _: mock.Mock) -> None:
