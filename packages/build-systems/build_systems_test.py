@@ -306,7 +306,6 @@ class Conan(Way):
         with self.assertRaisesRegex(AssertionError, "(?s)hn_perlin at .*Error in test"):
             self.conan(*create)
 
-
     def test_the_recipe_for_conancenter(self):
         """It gets the archive, tests the package, and puts nothing into it that ConanCenter refuses."""
         recipes, archive, address_ = self.of_registry("conan-center-index")
