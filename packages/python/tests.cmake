@@ -6,7 +6,7 @@ set(environment Python3::Interpreter -B ${package_tests}/environment.py)
 add_test(NAME python.wheel COMMAND ${environment} make ${package_environment} $<TARGET_FILE:hashnoise-grid>)
 set_tests_properties(python.wheel PROPERTIES FIXTURES_SETUP python_wheel FIXTURES_REQUIRED vectors SKIP_RETURN_CODE 77
                      TIMEOUT 3600)
-# As users have it, with kernels of its own for all instruction sets. tools/pack python holds it to golden values.
+# As users have it, with kernels of its own for all instruction sets. tools/pack python holds it to its vectors.
 add_test(NAME python.wheel_of_users CONFIGURATIONS Thorough COMMAND ${environment} make ${package_environment}-of-users)
 set_tests_properties(python.wheel_of_users PROPERTIES SKIP_RETURN_CODE 77 COST 400 TIMEOUT 3600)
 
@@ -41,10 +41,8 @@ package_test(libraries libraries_test.Numpy libraries_test.Jax WITH jax.txt PROP
 package_test(torch libraries_test.Torch WITH torch.txt THOROUGH)
 # The oldest NumPy of the package that this Python has.
 package_test(oldest_numpy arrays_test golden_test WITH oldest.txt THOROUGH)
-# It builds a wheel once more.
-package_test(manylinux manylinux_test THOROUGH PROPERTIES ENVIRONMENT HASHNOISE_LIBRARY=$<TARGET_FILE:hashnoise-grid>)
-# It installs twine.
-package_test(registry registry_test WITH twine.txt THOROUGH)
+# It installs twine and cibuildwheel.
+package_test(registry registry_test WITH registry.txt THOROUGH)
 # mypy reads all of NumPy's types, and the stub changes seldom.
 package_test(types types_test WITH mypy.txt THOROUGH)
 # docs/guide/gpu-computing.md: what runs kernels of OpenCL and CUDA on a CPU, and in a thorough run PyTorch and the others,

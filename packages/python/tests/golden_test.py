@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import importlib.resources
-import json
+import io
+import re
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import golden
 import hashnoise
 import numpy
+from hashnoise import check
 
 from base.tree import VECTORS  # (golden.py names the folder of base)
 
@@ -68,11 +72,23 @@ class Vectors(unittest.TestCase):
     def test_they_are_there(self):
         folder = importlib.resources.files(hashnoise) / "vectors"
         self.assertEqual({path.name for path in folder.iterdir()}, {path.name for path in VECTORS.iterdir()})
-        file = json.loads((folder / "noise2d.perlin.json").read_text())
-        group, = [one for one in file["settings"] if one["name"] == "lattice+fixed"]
-        points = [row["in"] for row in group["rows"]]
-        values = [hashnoise.perlin(x, y, seed=seed, arithmetic="fixed") for x, y, seed in points]
-        self.assertEqual(values, [row["out"][0] for row in group["rows"]])
+        self.assertRegex(self.checked(0), r"\A[\d,]+ values of \d{3} vectors have their bits with .*\bsse4\.1|neon|generic")
+
+    def checked(self, status: int) -> str:
+        with contextlib.redirect_stdout(io.StringIO()) as out, contextlib.redirect_stderr(out):
+            self.assertEqual(check.main(), status)
+        return out.getvalue()
+
+    def test_one_wrong_number_is_noticed_and_no_vectors(self):
+        scratch = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        with mock.patch.object(check, "files", return_value=scratch):
+            self.assertIn("without vectors", self.checked(2))
+            (scratch / "vectors").mkdir()
+            text = (VECTORS / "noise2d.perlin.json").read_text()
+            fixed = text.index('"lattice+fixed"')
+            (scratch / "vectors/noise2d.perlin.json").write_text(
+                text[:fixed] + re.sub(r'"out":\[-?0\.', r'\g<0>9', text[fixed:], count=1))
+            self.assertRegex(self.checked(1), r"\A\S+: noise2d\.perlin, row \d+: value is ")
 
 
 class Fast(unittest.TestCase):

@@ -1,4 +1,4 @@
-"""The command line of tools/pack python. wheel.sh makes the wheel."""
+"""The command line of tools/pack python. wheel.sh makes the wheel, and the source distribution."""
 
 from __future__ import annotations
 
@@ -14,9 +14,10 @@ from ship.packing import add_folder, checked_folder, make_folder
 DESCRIPTION = """\
 Builds the Python package as a wheel, checks it, and prints its path.
 
-Packages of PyPI build it (scikit-build-core, nanobind, auditwheel) and check it (numpy); if PYTHON is that of a virtual
+Packages of PyPI build it (scikit-build-core, nanobind) and check it (numpy); if PYTHON is that of a virtual
 environment, it may have numpy and pip already. The check is that the wheel can be installed into a new virtual
-environment, and computes golden values bit for bit there.
+environment, and that `python -m hashnoise.check` finds the bits of its vectors there. The wheel is for this machine and
+those like it; the workflow `release` makes those of PyPI, by cibuildwheel and pyproject.toml.
 
 Exit status: 0 done, 1 the wheel computes wrong values, 2 bad usage, 4 it could not be built."""
 
@@ -25,13 +26,14 @@ def main(arguments: Sequence[str]) -> int:
     parser = Parser("tools/pack python", DESCRIPTION)
     add_folder(parser, "build/wheels")
     parser.add_argument("--python", default="python3", metavar="PYTHON", help="the one that it is for (default: python3)")
-    parser.add_argument("--manylinux", action="store_true",
-                        help="a wheel for other Linux machines, too: auditwheel finds the oldest glibc that it runs "
-                             "with, and names the wheel by it. Without it the wheel is for this machine and those like it")
-    parser.add_argument("--library", metavar="FILE",
-                        help="a libhashnoise-grid.a of this source, with which the wheel is linked; else its kernels "
-                             "are compiled, for all instruction sets, which takes some minutes. A wheel for others wants "
-                             "those")
+    kind = parser.add_mutually_exclusive_group()
+    kind.add_argument("--sdist", action="store_true",
+                      help="the source distribution in its place: of it pip makes the package on any machine that has a "
+                           "C++20 compiler, and cibuildwheel the wheels of PyPI")
+    kind.add_argument("--library", metavar="FILE",
+                      help="a libhashnoise-grid.a of this source, with which the wheel is linked; else its kernels "
+                           "are compiled, for all instruction sets, which takes some minutes. A wheel for others wants "
+                           "those")
     given = parser.parse_args(arguments)
     folder = checked_folder(parser, given)
     if given.library is not None and not Path(given.library).is_file():
@@ -43,4 +45,4 @@ def main(arguments: Sequence[str]) -> int:
         parser.error(f"{given.python} is no Python 3.10 or later")
     make_folder(parser, folder)
     os.execvp("bash", ["bash", str(Path(__file__).with_name("wheel.sh")), str(folder.resolve()), given.python,
-                       given.library or "", "1" if given.manylinux else ""])
+                       given.library or "", "1" if given.sdist else ""])

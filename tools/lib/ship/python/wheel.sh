@@ -1,11 +1,11 @@
-# Builds the wheel, checks it, and prints its path, as tools/pack python calls it:
+# Builds the wheel, checks it, and prints its path, or the source distribution, as tools/pack python calls it:
 #
-#   wheel.sh FOLDER PYTHON [LIBRARY [MANYLINUX]]    the last two are empty, or the library, and something
+#   wheel.sh FOLDER PYTHON [LIBRARY [SDIST]]    the last two are empty, or the library, and something
 #
 # Exit status: as that of tools/pack python.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../../base/setup.sh"
-folder=$1 python=$2 library=${3-} manylinux=${4-}
+folder=$1 python=$2 library=${3-} sdist=${4-}
 
 begin_log
 packages=(cmake g++ libfmt-dev ninja-build)
@@ -30,6 +30,17 @@ if ! "$python" -c 'import sys; sys.exit(sys.prefix == sys.base_prefix)' || ! "${
     "$python" -m venv "$scratch/builds"
 fi
 logged "Making the vectors" "The vectors could not be made" "$root/tools/make" vectors
+if [[ -n $sdist ]]; then
+  logged "Making a virtual environment for build" "There is no virtual environment for build" \
+    "$python" -m venv "$scratch/sdist"
+  logged "Installing build" "build could not be installed" "$scratch/sdist/bin/pip" install build==1.6.1
+  logged "Building the source distribution" "The source distribution could not be built" \
+    "$scratch/sdist/bin/python" -m build --sdist --outdir "$scratch" "$root"
+  archives=("$scratch"/*.tar.gz)
+  mv "${archives[0]}" "$folder"
+  echo "$folder/${archives[0]##*/}"
+  exit
+fi
 # Objects are kept, so that the next wheel takes less time. Others may have any set.
 settings=("--config-settings=build-dir=$build/python/{wheel_tag}"
   "--config-settings=cmake.define.HASHNOISE_INSTRUCTION_SETS=all")
@@ -45,18 +56,6 @@ logged "Building the wheel" "The wheel could not be built" "${pip[@]}" wheel --n
   "${settings[@]}" "$root"
 wheels=("$scratch/wheels"/*.whl)
 
-# The checks below are of the wheel that others get.
-if [[ -n $manylinux ]]; then
-  tools=$scratch/repairs/bin
-  logged "Making a virtual environment for auditwheel" "There is no virtual environment for auditwheel" \
-    "$python" -m venv "$scratch/repairs"
-  logged "Installing auditwheel" "auditwheel could not be installed" \
-    "$tools/pip" install --requirement "$root/packages/python/manylinux.txt"
-  logged "Finding the machines that the wheel runs on" "The wheel runs on this machine alone" \
-    env PATH="$tools:$PATH" "$tools/auditwheel" repair --wheel-dir "$scratch/repaired" "${wheels[0]}"
-  wheels=("$scratch/repaired"/*.whl)
-fi
-
 # It needs no pip of its own, which takes longer to install than the rest.
 logged "Making a virtual environment for the check" "There is no virtual environment for the check" \
   "$python" -m venv --without-pip "$scratch/checks"
@@ -69,7 +68,7 @@ else
     install_for_check --requirement "$root/packages/python/tests/numpy.txt"
 fi
 logged "Installing the wheel" "The wheel could not be installed" install_for_check --no-deps "${wheels[0]}"
-if ! "$scratch/checks/bin/python" -B "$root/packages/python/tests/golden.py" >&2; then
+if ! "$scratch/checks/bin/python" -B -m hashnoise.check >&2; then
   echo "${wheels[0]##*/} computes wrong values, and is not kept." >&2
   exit 1
 fi

@@ -24,8 +24,9 @@ DESCRIPTION = textwrap.dedent("""\
 
     {parts}
 
-    The same commit makes the same bytes. Only the wheel may differ: compilers decide about it. docs/develop/release.md
-    describes what the files are.
+    The same commit makes the same bytes. Compilers decide about the wheels of the Python package, so --wheels takes
+    them from a folder: cibuildwheel makes them, on other machines, of the source distribution that is in the release.
+    docs/develop/release.md describes what the files are.
 
     Exit status: 0 done, 1 there is no release (it prints why), 2 bad usage.""").format(
     parts=textwrap.fill(f"PARTS are names with commas between: {', '.join(PARTS)}. Parts that are not made are named at "
@@ -38,6 +39,7 @@ def parsed_arguments(arguments: list[str] | None) -> argparse.Namespace:
                         help="whatever is not committed, not dated or not of this version")
     parser.add_argument("--tag", metavar="NAME",
                         help="there is no release unless the version is that of this tag: v1.2.3")
+    parser.add_argument("--wheels", type=Path, metavar="FOLDER", help="the wheels of the Python package, for the release")
     chosen = parser.add_mutually_exclusive_group()
     chosen.add_argument("--only", metavar="PARTS", help="these parts, with commas between")
     chosen.add_argument("--without", metavar="PARTS", help="all parts but these")
@@ -54,6 +56,12 @@ def parsed_arguments(arguments: list[str] | None) -> argparse.Namespace:
         parser.error(f"no part is left; there are {', '.join(PARTS)}")
     if parsed.tag not in (None, f"v{version()}"):
         parser.error(f"the version is {version()}, so its tag is v{version()} and not {parsed.tag}")
+    wheels = sorted(parsed.wheels.glob("*.whl")) if parsed.wheels else []
+    others = [path.name for path in wheels if not path.name.startswith(f"hashnoise-{version()}-")]
+    if parsed.wheels and (others or not wheels or "python" not in parsed.parts):
+        parser.error(f"--wheels {parsed.wheels} has {others[0] if others else f'{len(wheels)} wheels'}; it takes a folder "
+                     f"of wheels named hashnoise-{version()}-....whl, and the part python")
+    parsed.wheels = tuple(wheels)
     if parsed.folder.exists():
         parser.error(f"{parsed.folder} exists; name another folder, or remove it")
     try:
@@ -64,7 +72,7 @@ def parsed_arguments(arguments: list[str] | None) -> argparse.Namespace:
     return parsed
 
 
-def make(folder: Path, parts: list[str], trial: bool) -> None:
+def make(folder: Path, parts: list[str], trial: bool, wheels: tuple[Path, ...]) -> None:
     """All of it, or nothing: the folder appears when everything is in it."""
     if not (ROOT / ".git").exists():
         raise NoRelease(f"{ROOT} is no git repository, and a release is made of a commit")
@@ -74,7 +82,7 @@ def make(folder: Path, parts: list[str], trial: bool) -> None:
         raise NoRelease("this tree is no release; --trial makes one all the same\n" + "\n".join(wrong))
     said = notes((ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), version())  # before what takes minutes
     with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}.") as scratch:
-        release = Release(Path(scratch) / "release")
+        release = Release(Path(scratch) / "release", wheels)
         release.folder.mkdir()
         for part in parts:
             print(f"{part} ...", file=sys.stderr)
@@ -91,7 +99,7 @@ def make(folder: Path, parts: list[str], trial: bool) -> None:
 def main(arguments: list[str] | None = None) -> int:
     parsed = parsed_arguments(arguments)
     try:
-        make(parsed.folder.resolve(), parsed.parts, parsed.trial)
+        make(parsed.folder.resolve(), parsed.parts, parsed.trial, parsed.wheels)
     except (NoRelease, NoVectors) as error:
         print(f"tools/pack release: {error}", file=sys.stderr)
         return 1
@@ -99,6 +107,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"tools/pack release: {error.filename}: {error.strerror}", file=sys.stderr)
         return 1
     left_out = [name for name in PARTS if name not in parsed.parts]
+    left_out += ["wheels"] * ("python" in parsed.parts and not parsed.wheels)
     if left_out:
         print(f"Without {', '.join(left_out)}.", file=sys.stderr)
     if parsed.trial:

@@ -81,18 +81,24 @@ def notes(changelog: str, wanted: str) -> str:
 class Release:
     """The parts, made into a folder."""
 
-    def __init__(self, folder: Path):
-        self.folder = folder
+    def __init__(self, folder: Path, wheels: tuple[Path, ...] = ()):
+        self.folder, self.wheels = folder, wheels
         self.version = version()
         self.seconds = int(run(["git", "-C", ROOT, "log", "-1", "--format=%ct"]))
         self.environment = {**os.environ, "SOURCE_DATE_EPOCH": str(self.seconds)}
 
     def make(self, part: str) -> None:
-        if part in RECIPES:
+        if own := getattr(self, part, None):
+            own()
+        else:
             recipe = RECIPES[part]
             run([TOOLS / "pack", part, *["--zip"] * recipe.has_folder, self.folder], env=self.environment)
-        else:
-            getattr(self, part)()
+
+    def python(self) -> None:
+        """The source distribution, and the wheels that other machines have made of it."""
+        run([TOOLS / "pack", "python", "--sdist", self.folder], env=self.environment)
+        for wheel in self.wheels:
+            shutil.copy(wheel, self.folder)
 
     def single(self) -> None:
         for language in ("glsl", "hlsl", "metal"):
@@ -179,7 +185,7 @@ NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts"
          "snippets": r"hashnoise-VERSION-snippets\.zip",
          "headers": r"hashnoise-VERSION-headers\.zip",
          "source": r"hashnoise-VERSION-source\.tar\.gz", "npm": r"hashnoise-VERSION\.tgz",
-         "python": r"hashnoise-VERSION-[\w.-]+\.whl",
+         "python": r"hashnoise-VERSION\.tar\.gz",
          **{name: rf"{re.escape(recipe.zip_name)}-VERSION\.zip" for name, recipe in RECIPES.items() if recipe.name},
          "playground": r"playground\.html", "check": r"check\.html"}
 

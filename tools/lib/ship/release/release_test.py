@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import re
@@ -91,7 +92,7 @@ class Project(unittest.TestCase):
         return subprocess.run([self.root / "tools" / "pack", "release", *arguments, out or self.out],
                               capture_output=True, text=True, check=False)
 
-    def refused(self, status: int, said: str, *arguments: str) -> None:
+    def refused(self, status: int, said: str, *arguments: str | Path) -> None:
         done = self.call(*arguments)
         self.assertEqual((done.returncode, done.stdout), (status, ""), done.stderr)
         self.assertRegex(done.stderr, said)
@@ -168,6 +169,24 @@ class Makes(Project):
             with self.subTest(command=command):
                 script.write_text(f"{command}\n")
                 self.refused(1, said, "--trial", "--only", "npm")
+
+
+    @unittest.skipIf(is_deleted("python"), "python was deleted")
+    def test_the_wheels_of_other_machines(self):
+        """The release has them with their checksums. Wheels of another version are refused, and a folder without any."""
+        wheels, name = self.out.parent.parent / "wheels", f"hashnoise-{version()}-cp312-abi3-win_amd64.whl"
+        wheels.mkdir()
+        self.refused(2, "wheels has 0 wheels; it takes a folder of wheels named hashnoise-", "--wheels", wheels)
+        (wheels / name).write_bytes(b"wheel")
+        self.refused(2, "and the part python", "--wheels", wheels, "--only", "single")
+        (self.root / "tools/lib/ship/python/wheel.sh").write_text(f"touch $1/hashnoise-{version()}.tar.gz\n")
+        self.assertEqual(self.call("--trial", "--only", "python", "--wheels", wheels).returncode, 0)
+        sums = (self.out / "SHA256SUMS").read_text()
+        self.assertIn(f"{hashlib.sha256(b'wheel').hexdigest()}  {name}\n", sums)
+        self.assertIn(f"  hashnoise-{version()}.tar.gz\n", sums)
+        shutil.rmtree(self.out.parent)
+        (wheels / "hashnoise-0.0.1-cp312-abi3-win_amd64.whl").touch()
+        self.refused(2, "wheels has hashnoise-0.0.1-cp312-abi3-win_amd64.whl;", "--wheels", wheels)
 
 
 class Refuses(Project):

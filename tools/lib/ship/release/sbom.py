@@ -36,9 +36,10 @@ def required(text: str) -> tuple[str, str]:
 
 def of_others(root: Path = ROOT) -> dict[str, list[Component]]:
     """Software of others, by the names of the files that need it: what pip, npm and cargo install beside a package, and
-    what is compiled into the wheel. No other file of a release has or needs anything of that kind: into the twin of the
+    what is compiled into a wheel. No other file of a release has or needs anything of that kind: into the twin of the
     npm package nothing is linked, and the add-on for Blender has no wheel in a release."""
-    manifests = (("*.whl", "pyproject.toml", of_wheel), ("*.tgz", "packages/npm/package.json", of_npm),
+    manifests = (("*.whl", "pyproject.toml", of_wheel), ("*[0-9].tar.gz", "pyproject.toml", of_wheel),
+                 ("*.tgz", "packages/npm/package.json", of_npm),
                  ("hashnoise_wgsl-*.zip", "packages/wesl/Cargo.toml", of_wesl))
     return {files: [*needed((root / manifest).read_text(encoding="utf-8"))] for files, manifest, needed in manifests
             if (root / manifest).is_file()}

@@ -24,6 +24,7 @@ from ship.release import sbom
 
 FILES = {"hashnoise.glsl": b"// text\n", "hashnoise-1.2.3.tgz": b"npm", "NOTES.md": b"# Notes\n",
          "hashnoise-1.2.3-cp312-abi3-linux_x86_64.whl": b"wheel", "hashnoise_wgsl-1.2.3.zip": b"crate",
+         "hashnoise-1.2.3.tar.gz": b"sdist", "hashnoise-1.2.3-source.tar.gz": b"all",
          "hashnoise-rust-1.2.3.zip": b"crate"}
 REQUIREMENTS = Path(__file__).with_name("requirements.txt")
 # The schema of the version that the file names is in the package.
@@ -65,6 +66,7 @@ class Contents(unittest.TestCase):
         wheel, = [name for name in FILES if name.endswith(".whl")]
         names = [reference.partition("@")[0] for reference in needs[wheel]]
         self.assertEqual(names, ["pkg:github/tessil/robin-map", "pkg:pypi/nanobind", "pkg:pypi/numpy"])
+        self.assertEqual((needs["hashnoise-1.2.3.tar.gz"], needs["hashnoise-1.2.3-source.tar.gz"]), (needs[wheel], []))
         self.assertEqual(needs["hashnoise-1.2.3.tgz"], ["pkg:npm/three"])
         self.assertEqual(needs["hashnoise_wgsl-1.2.3.zip"], ["pkg:cargo/wesl-core"])
         self.assertEqual(needs["hashnoise-rust-1.2.3.zip"], [])
