@@ -13,8 +13,9 @@ from dataclasses import dataclass
 from importlib.resources import files
 from typing import Any
 
-import hashnoise
 import numpy
+
+import hashnoise
 
 TYPES = {"f32": numpy.float32, "i32": numpy.int32, "u32": numpy.uint32, "f64": numpy.float64}
 METRICS = ("euclidean", "euclidean", "squared", "manhattan", "chebyshev", "hybrid")  # by HN_METRIC_...; 0 is Euclidean
@@ -58,10 +59,9 @@ def has(calls: str, axes: int, columns: set[str]) -> bool:
 
 
 def askable(golden: Golden) -> Golden:
-    """Without the rows that sums of GLSL have and the package refuses: those of fewer than 1 octave, of a negative
-    period, which may become a positive one in a late octave, and of a lacunarity below 1 in a tile. It is also without
-    those of a tile that repeats along no axis: GLSL has such sums, whose octaves are not turned. In the package a sum
-    that repeats along no axis is the one without a period."""
+    """Without the rows that sums of GLSL have and the package refuses: fewer than 1 octave, a negative period, which may
+    become positive in a late octave, a lacunarity below 1 in a tile, and a tile that repeats along no axis. GLSL has
+    such a tile, and does not turn its octaves. In the package it is the sum without a period."""
     if golden.function not in hashnoise.fractals(golden.axes):
         return golden
     periods = [values for name, values in golden.arguments.items() if name in ("px", "py", "pz", "pw")]

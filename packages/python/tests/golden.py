@@ -6,7 +6,6 @@ import re
 import sys
 from pathlib import Path
 
-import hashnoise
 import numpy
 from hashnoise.check import TYPES, Golden, askable, computed, different_bits, has, of_package  # noqa: F401
 

@@ -38,15 +38,6 @@ class Fixed(unittest.TestCase):
         with_phase = ("perlin", "perlin_d", "simplex", "simplex_d", "cellular", "curl", "curl_fbm", "phasor")
         self.assertEqual(turning, {(name, axes) for name in with_phase for axes in (2, 3)})
 
-    def test_instruction_sets(self):
-        for instruction_set in hashnoise.instruction_sets():
-            with self.subTest(instruction_set):
-                file = golden.read("noise3d.simplex_d", "lattice+fixed")
-                values = hashnoise.simplex_d(*(file.arguments[axis] for axis in "xyz"), arithmetic="fixed", seed=3)
-                other = hashnoise.simplex_d(*(file.arguments[axis] for axis in "xyz"), arithmetic="fixed", seed=3,
-                                            instruction_set=instruction_set)
-                self.assertEqual(values.tobytes(), other.tobytes())
-
     def test_grids(self):
         """A grid has the values of the points, which golden files have."""
         for axes, name in ((1, "value_cubic"), (2, "cellular_three"), (3, "perlin_d"), (4, "simplex_d"), (2, "ridged"),
@@ -72,7 +63,6 @@ class Vectors(unittest.TestCase):
     def test_they_are_there(self):
         folder = importlib.resources.files(hashnoise) / "vectors"
         self.assertEqual({path.name for path in folder.iterdir()}, {path.name for path in VECTORS.iterdir()})
-        self.assertRegex(self.checked(0), r"\A[\d,]+ values of \d{3} vectors have their bits with .*\bsse4\.1|neon|generic")
 
     def checked(self, status: int) -> str:
         with contextlib.redirect_stdout(io.StringIO()) as out, contextlib.redirect_stderr(out):
@@ -85,9 +75,10 @@ class Vectors(unittest.TestCase):
             self.assertIn("without vectors", self.checked(2))
             (scratch / "vectors").mkdir()
             text = (VECTORS / "noise2d.perlin.json").read_text()
-            fixed = text.index('"lattice+fixed"')
-            (scratch / "vectors/noise2d.perlin.json").write_text(
-                text[:fixed] + re.sub(r'"out":\[-?0\.', r'\g<0>9', text[fixed:], count=1))
+            copy, fixed = scratch / "vectors" / "noise2d.perlin.json", text.index('"lattice+fixed"')
+            copy.write_text(text)
+            self.assertRegex(self.checked(0), r"\A\d+ values of 1 vectors have their bits with \w+")
+            copy.write_text(text[:fixed] + re.sub(r'"out":\[-?0\.', r"\g<0>9", text[fixed:], count=1))
             self.assertRegex(self.checked(1), r"\A\S+: noise2d\.perlin, row \d+: value is ")
 
 

@@ -71,7 +71,7 @@ class Wheels(unittest.TestCase):
                               capture_output=True, text=True, check=False)
 
     def faults(self, settings: Path) -> list[str]:
-        """Wheels that are missing, and those of Pythons without a global lock."""
+        """Wheels that are missing, and wheels of Pythons without a global lock."""
         found = []
         for platform, processor, wanted in self.MACHINES.values():
             done = self.listed(settings, platform, processor)

@@ -16,6 +16,7 @@ from base.tree import TOOLS
 BAD_USAGE = ((("file",), "file is a file; it must be a folder, or a name for a new one"),
              (("file/folder",), "the folder file/folder cannot be made"))
 OF_WHEEL = ((("--library",), "argument --library: expected one argument"),
+            (("--sdist", "--library=no-such.a"), "argument --library: not allowed with argument --sdist"),
             (("--library=no-such.a",), "there is no library no-such.a"),
             (("--python", "no-such"), "there is no program no-such"),
             (("--python", "old-python"), "old-python is no Python 3.10 or later"))

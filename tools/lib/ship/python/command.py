@@ -17,7 +17,7 @@ Builds the Python package as a wheel, checks it, and prints its path.
 Packages of PyPI build it (scikit-build-core, nanobind) and check it (numpy); if PYTHON is that of a virtual
 environment, it may have numpy and pip already. The check is that the wheel can be installed into a new virtual
 environment, and that `python -m hashnoise.check` finds the bits of its vectors there. The wheel is for this machine and
-those like it; the workflow `release` makes those of PyPI, by cibuildwheel and pyproject.toml.
+those like it; the workflow `release` makes the wheels of PyPI by cibuildwheel and pyproject.toml.
 
 Exit status: 0 done, 1 the wheel computes wrong values, 2 bad usage, 4 it could not be built."""
 

@@ -170,7 +170,6 @@ class Makes(Project):
                 script.write_text(f"{command}\n")
                 self.refused(1, said, "--trial", "--only", "npm")
 
-
     @unittest.skipIf(is_deleted("python"), "python was deleted")
     def test_the_wheels_of_other_machines(self):
         """The release has them with their checksums. Wheels of another version are refused, and a folder without any."""

@@ -19,7 +19,6 @@ from ship.recipes import RECIPES
 from ship.release.files import PARTS
 
 
-
 def differences(one: Path, other: Path) -> list[str]:
     names = [{path.name for path in folder.iterdir()} for folder in (one, other)]
     return [f"{name} is in one folder" for name in sorted(names[0] ^ names[1])] + [
