@@ -78,6 +78,8 @@ class Vectors(unittest.TestCase):
             copy, fixed = scratch / "vectors" / "noise2d.perlin.json", text.index('"lattice+fixed"')
             copy.write_text(text)
             self.assertRegex(self.checked(0), r"\A\d+ values of 1 vectors have their bits with \w+")
+            with mock.patch.object(hashnoise, "instruction_sets", return_value=()):
+                self.assertIn("this processor has no instruction set", self.checked(1))
             copy.write_text(text[:fixed] + re.sub(r'"out":\[-?0\.', r"\g<0>9", text[fixed:], count=1))
             self.assertRegex(self.checked(1), r"\A\S+: noise2d\.perlin, row \d+: value is ")
 
