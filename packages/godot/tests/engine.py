@@ -97,6 +97,13 @@ class Engine:
         subprocess.run([self.program, "--headless", "--path", str(project), "--import"], capture_output=True, check=True,
                        timeout=600, env=self.environment())
 
+    def edit(self, project: Path) -> str:
+        """The editor's output until a plugin of the project ends it."""
+        done = subprocess.run([self.program, "--editor", "--path", str(project), "--rendering-method", "gl_compatibility",
+                               "--display-driver", "x11", "--audio-driver", "Dummy"], capture_output=True, text=True,
+                              errors="replace", check=True, timeout=600, env=self.environment())
+        return done.stdout + done.stderr
+
     def run(self, project: Path, renderer: str, script: str, *arguments: str, options: tuple[str, ...] = ()) -> str:
         """Godot's output while it runs a script of the project; an error of its own, and another renderer, are a
         Failure."""

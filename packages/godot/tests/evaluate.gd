@@ -5,7 +5,7 @@ extends SceneTree
 #     godot --script res://evaluate.gd -- JOB.json
 #
 # The job is {"size": [WIDTH, HEIGHT], "shaders": [{"code": PATH, "rows": [{"out": PATH, "which": N, "inputs":
-# PATH}]}]}. "which" is for a uniform, and "inputs" has the floats of a texture; a row may have neither.
+# PATH}]}]}; a code that ends in .tres is a visual shader. "which" is for a uniform, and "inputs" has the floats of a texture; a row may have neither.
 
 func _initialize():
 	var job = JSON.parse_string(FileAccess.get_file_as_string(OS.get_cmdline_user_args()[0]))
@@ -21,8 +21,11 @@ func _initialize():
 	viewport.add_child(tile)
 	for entry in job.shaders:
 		var material = ShaderMaterial.new()
-		material.shader = Shader.new()
-		material.shader.code = FileAccess.get_file_as_string(entry.code)
+		if entry.code.ends_with(".tres"):
+			material.shader = load(entry.code)
+		else:
+			material.shader = Shader.new()
+			material.shader.code = FileAccess.get_file_as_string(entry.code)
 		tile.material = material
 		for row in entry.rows:
 			if row.has("inputs"):

@@ -10,6 +10,11 @@ from catalog.model import CATALOG, loads
 
 # Ends of names of forms that are left out in names of nodes, as a node has one form.
 ENDS = re.compile("_(jitter|bandwidth)$")
+# Nodes for tiles: their functions share the comment of the form at a position.
+TILE_DOCS = {
+    "hn_perlin2_place": "Perlin noise in a tile of the plane: it repeats after the period, without a seam.",
+    "hn_fbm2_place": "Fractional Brownian motion (fBm) in a tile of the plane: it repeats after the period, without a "
+                     "seam. Its octaves are not rotated, so it shows the axes more than the fBm that does not repeat."}
 
 
 @cache

@@ -8,9 +8,12 @@ from pathlib import Path
 
 from base.tree import ROOT, version
 from catalog.tables.functions import read_functions
+from ship import hlsl_nodes
+from ship.godot import nodes
 from ship.godot.files import ADDON, GAP, WINDOW, package, tiles
 from ship.pages.gallery import recipes
 
+PORTS = {"SCALAR": "float", "SCALAR_INT": "float", "SCALAR_UINT": "float", "VECTOR_2D": "float2", "VECTOR_3D": "float3"}
 ARCHIVE = f"hashnoise-godot-{version()}.zip"
 
 
@@ -21,9 +24,22 @@ def absent(texts: dict[str, str]) -> dict[str, list[str]]:
     for name, text in texts.items():
         included = re.findall(r'^[ \t]*#[ \t]*include[ \t]*["<]([^">\n]*)', text, re.MULTILINE)
         wrong = [path for path in included if not path.startswith("res://") or not path.endswith(".gdshaderinc")]
-        wrong += [path for path in re.findall(r'"(res://[^"]*)"', text) if path.removeprefix("res://") not in texts]
+        wrong += [path for path in re.findall(r'"(res://[^"]*[^"/])"', text) if path.removeprefix("res://") not in texts]
         if wrong:
             found[name] = wrong
+    return found
+
+
+def node_faults(texts: dict[str, str]) -> list[str]:
+    """The rows of the table of nodes that have no script, or one with another class or with other ports."""
+    found = []
+    for form in hlsl_nodes.NODES:
+        script = texts.get(f"{ADDON}/nodes/{nodes.text(form)}.gd", "")
+        ports = [(PORTS[type_], name) for name, type_ in re.findall(r'\["(\w+)", PORT_TYPE_(\w+), ', script)]
+        of_table = [(type_, name.lower()) for type_, name in hlsl_nodes.ports(form)]
+        if (f"\nclass_name {nodes.title(form)}\n" not in script or ports != of_table
+                or re.search(r"expression = .*", script)[0].count("%s") != len(ports)):
+            found.append(form)
     return found
 
 
@@ -32,7 +48,7 @@ class Addon(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.files = {name: content.decode("utf-8") for name, content in package().items()}
+        cls.files = {name: content.decode("utf-8") for name, content in package(picked=False).items()}
 
     def test_everything_is_in_its_folder(self):
         self.assertEqual([name for name in self.files if not name.startswith(f"{ADDON}/")], [])
@@ -66,6 +82,24 @@ class Addon(unittest.TestCase):
         scene = f"{ADDON}/example/terrain.tscn"
         self.assertEqual([*absent({**self.files, scene: self.files[scene].replace("terrain.gdshader", "hills.gdshader")})],
                          [scene])
+
+    def test_each_row_of_the_table_is_a_node_with_its_ports(self):
+        self.assertEqual(node_faults(self.files), [])
+        names = re.findall(r"^class_name (\w+)$", "".join(self.files.values()), re.MULTILINE)
+        self.assertEqual((len(names), len(set(names))), (len(hlsl_nodes.NODES),) * 2)
+        self.assertIn('''	inputs = [
+		["position", PORT_TYPE_VECTOR_2D, null],
+		["period", PORT_TYPE_VECTOR_2D, Vector2(8.0, 8.0)],
+		["seed", PORT_TYPE_SCALAR_UINT, 0],
+	]
+	output = PORT_TYPE_SCALAR
+''', self.files[f"{ADDON}/nodes/perlin_tile2d.gd"])
+        name = f"{ADDON}/nodes/cellular3d.gd"
+        for right, wrong in (("class_name HashNoise", "class_name Hashnoise"), ("jitter", "jiter"), (", %s)", ")"),
+                             ("PORT_TYPE_VECTOR_3D", "PORT_TYPE_VECTOR_2D")):
+            with self.subTest(wrong):
+                self.assertEqual(node_faults({**self.files, name: self.files[name].replace(right, wrong)}),
+                                 ["hn_cellular3_jitter"])
 
     def test_all_of_the_gallery_is_in_the_window(self):
         for count in (1, 7, 20, 23, 60):

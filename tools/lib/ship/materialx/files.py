@@ -64,11 +64,6 @@ PERIOD = Input("period", "vec2", 'value="8.0, 8.0" uimin="0.0, 0.0" uiname="Peri
 TILE_LACUNARITY = Input("lacunarity", "float", 'value="2.0" uimin="1.0" uimax="255.0" uiname="Lacunarity" '
                         'doc="How much finer each octave is than the one before: a whole number from 1 to 255, since '
                         'octaves have to fit into the period. Other numbers are rounded down."')
-# Their functions share the comment of the form at a position.
-TILE_DOCS = {
-    "hn_perlin2_place": "Perlin noise in a tile of the plane: it repeats after the period, without a seam.",
-    "hn_fbm2_place": "Fractional Brownian motion (fBm) in a tile of the plane: it repeats after the period, without a "
-                     "seam. Its octaves are not rotated, so it shows the axes more than hn_fbm2d does."}
 
 
 @cache
@@ -175,7 +170,7 @@ def source(form: str, target: str) -> str:
 def doc(form: str) -> str:
     """The first sentence about the function, with the name of the input for the gain."""
     if form.endswith("_place"):
-        return TILE_DOCS[form]
+        return popular.TILE_DOCS[form]
     return first_sentence(forms()[form], GLSL).replace("by the gain", "by diminish")
 
 

@@ -1,0 +1,131 @@
+"""The nodes of visual shaders in the add-on: a script for each, and tools/pick's text of its function in both
+arithmetics.
+
+A file of its own has 2 to 27 kB, where a part of the library has 24 to 118 kB, and the editor compiles a graph anew at
+each change.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cache
+from typing import NamedTuple
+
+from base.tree import GLSL, version
+from catalog import parameters, popular
+from ship.hlsl_nodes import ARITHMETICS, NODES, camel, forms, port
+from translate.pick.command import Choice, picker
+from translate.pick.comments import first_sentence
+
+TYPES = {"float": "SCALAR", "int": "SCALAR_INT", "uint": "SCALAR_UINT", "vec2": "VECTOR_2D", "vec3": "VECTOR_3D"}
+SHOWN = {"SCALAR": "float", "SCALAR_INT": "int", "SCALAR_UINT": "uint", "VECTOR_2D": "vec2", "VECTOR_3D": "vec3"}
+VECTORS = {("wave", "vec2"): "Vector2(3.0, 0.0)", ("wave", "vec3"): "Vector3(3.0, 0.0, 0.0)"}
+POSITION = "in cells; where nothing is connected, UV * 8"
+PERIOD = "after how many cells it repeats along each axis: whole numbers; 0 is never"
+IN_TILE = ": a whole number from 1 to 255 here, since octaves have to fit into the period"
+# The menu lacks a script that names another one by a relative path.
+SCRIPT = """\
+# A node of visual shaders, of hashnoise {version}. Made by tools/pack godot.
+@tool
+class_name {title}
+extends "res://addons/hashnoise/nodes/node.gd"
+
+
+func _init() -> void:
+	title = "{title}"
+	text = "{text}"
+	expression = "{call}"
+	inputs = [
+{inputs}	]
+	output = PORT_TYPE_{output}
+	description = "{description}"
+"""
+TEXT = """\
+// {title} of hashnoise {version}, by tools/pack godot
+// Copyright (c) 2026 The hashnoise authors; MIT License.
+#ifndef {guard}
+#define {guard}
+{code}#endif
+"""
+
+
+class Input(NamedTuple):
+    name: str
+    type: str     # of a port
+    default: str  # in GDScript
+    about: str
+
+
+def title(form: str) -> str:
+    return f"HashNoise{camel(form)}D"
+
+
+def text(form: str) -> str:
+    """The name of its files, without the ends."""
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", camel(form)).lower() + "d"
+
+
+def inputs(form: str) -> list[Input]:
+    found = []
+    for one in forms()[form].parameters:
+        name = one.at.text
+        if name == "place":
+            found += [Input("position", "VECTOR_2D", "null", POSITION),
+                      Input("period", "VECTOR_2D", "Vector2(8.0, 8.0)", PERIOD)]
+            continue
+        about = parameters.about(form, name, is_fixed=True)
+        if about is None:
+            found.append(Input(port(name).lower(), TYPES[one.type], "null", POSITION))
+            continue
+        write = float if one.type == "float" else int
+        found.append(Input(name, TYPES[one.type], VECTORS.get((name, one.type)) or str(write(about.default or 0)),
+                           about.what + IN_TILE * (name == "lacunarity" and form.endswith("_place"))))
+    return found
+
+
+def call(form: str) -> str:
+    function = forms()[form]
+    arguments = ", ".join("hn_tile(%s, ivec2(%s))" if one.type == "hn_place2" else "%s" for one in function.parameters)
+    return f"{function.name}({arguments})"
+
+
+def description(form: str) -> str:
+    about = popular.TILE_DOCS.get(form) or first_sentence(forms()[form], GLSL)
+    ports = "".join(f"\n{one.name}: {one.about}." for one in inputs(form))
+    return f"{about}\n{ports}\n\nFixed has the same bits on every GPU, and Fast is faster."
+
+
+def script(form: str) -> str:
+    rows = "".join(f'\t\t["{one.name}", PORT_TYPE_{one.type}, {one.default}],\n' for one in inputs(form))
+    said = description(form).replace("\n", "\\n")
+    return SCRIPT.format(version=version(), title=title(form), text=text(form), call=call(form), inputs=rows,
+                         output=TYPES[forms()[form].type], description=said)
+
+
+def scripts() -> dict[str, str]:
+    """By their names in the folder."""
+    return {f"{text(form)}.gd": script(form) for form in NODES}
+
+
+@cache
+def functions() -> dict[str, str]:
+    """The files that the nodes include, by their names in the folder. Their names are their own, since a shader may have
+    other nodes, and parts of the library."""
+    pick, found = picker(), {}
+    for form in NODES:
+        names = ("hn_tile2", form) if form.endswith("_place") else (form,)
+        code = ""
+        for arithmetic in ARITHMETICS:
+            of_one = re.sub(r"(?m)^ *//.*\n|^#.*\n", "", pick(names, Choice("godot", arithmetic)))
+            code += re.sub(r"\bhn_", f"hn_{text(form)}_{arithmetic}_", of_one)
+        found[f"{text(form)}.gdshaderinc"] = TEXT.format(title=title(form), version=version(), code=code,
+                                                         guard=f"HN_NODE_{text(form).upper()}")
+    return found
+
+
+def interface() -> Iterator[tuple[str, str]]:
+    """As of ship.blender."""
+    for form in NODES:
+        yield from ((f"{title(form)}.{one.name}", f"{SHOWN[one.type]} {one.default.replace('null', 'UV * 8')}") for one in inputs(form))
+        yield f"{title(form)}.value", f"output {forms()[form].type}"
