@@ -115,7 +115,7 @@ class Example(unittest.TestCase):
             with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as out:
                 new_project(Path(folder))
                 scenes = [f"res://{ADDON}/example/{name}.tscn" for name in ("gallery", "terrain")]
-                self.engine.run(Path(folder), renderer, "res://scenes.gd", out, *scenes)
+                self.engine.run(Path(folder), renderer, "res://scenes.gd", out, "png", *scenes, options=("--fixed-fps", "60"))
                 for name in ("gallery", "terrain"):
                     width, _, colours = read_png(Path(out) / f"{name}.png")
                     self.assertEqual(width, 1152)  # of a new project's window

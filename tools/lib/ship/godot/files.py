@@ -11,6 +11,8 @@ from base.tree import ROOT, version
 from ship.godot import nodes
 from ship.packing import own_files
 from ship.pages.gallery import recipes
+from translate.pick.command import Choice
+from translate.pick.command import picked as pick
 from translate.single_file import godot
 from translate.single_file.files import Part, in_order, parts
 
@@ -109,6 +111,9 @@ def package(picked: bool = True) -> dict[str, bytes]:
     found |= {f"{RECIPES}/{name}.gdshader": text.encode("utf-8") for name, text in shaders.items()}
     found[f"{ADDON}/example/gallery.tscn"] = gallery(list(shaders)).encode("ascii")
     found[f"{ADDON}/LICENSE"] = (ROOT / "LICENSE").read_bytes()
-    made = nodes.scripts() | (nodes.functions() if picked else {})
-    found |= {f"{ADDON}/nodes/{name}": text.encode("utf-8") for name, text in made.items()}
-    return found | {f"{ADDON}/{path}": text.encode("utf-8") for path, text in own_files(PACKAGE / ADDON).items()}
+    made = {f"nodes/{name}": text for name, text in nodes.scripts().items()}
+    if picked:
+        made |= {f"nodes/{name}": text for name, text in nodes.functions().items()}
+        made["example/hn_fbm2.gd"] = pick(("hn_fbm2",), Choice("gdscript", "fixed"))
+    made |= own_files(PACKAGE / ADDON)
+    return found | {f"{ADDON}/{path}": text.encode("utf-8") for path, text in made.items()}
