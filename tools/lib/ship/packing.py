@@ -94,6 +94,11 @@ def files_of(name: str, **options: str) -> Files:
     return importlib.import_module(f"ship.{name.replace('-', '_')}.files").package(**options)
 
 
+def beside(name: str) -> Files:
+    """Files for a registry that stand beside the package, by the ends of their names."""
+    return getattr(importlib.import_module(f"ship.{name.replace('-', '_')}.files"), "beside", dict)()
+
+
 def pack(name: str, arguments: Sequence[str]) -> int:
     """The command of a package that has no other. It refuses wrong arguments before it makes anything."""
     recipe = RECIPES[name]
@@ -126,6 +131,8 @@ def pack(name: str, arguments: Sequence[str]) -> int:
             made.write_bytes(zipped(packed, int(seconds)))
         else:
             put(made, files)
+        for end, content in beside(name).items():
+            made.with_name(f"{made.name.removesuffix('.zip')}{end}").write_bytes(encoded(content))
     except OSError as error:
         parser.error(f"cannot write {error.filename or made}: {error.strerror}")
     print(made)

@@ -130,6 +130,12 @@ class Writing(Case):
                     self.assertEqual({path.relative_to(self.folder).as_posix(): path.read_bytes()
                                       for path in made.rglob("*") if path.is_file()}, found)
 
+    @unittest.skipUnless("godot" in PACKED, "it was deleted")
+    def test_what_a_registry_asks_stands_beside_it(self) -> None:
+        with mock.patch.object(packing, "beside", return_value={"-form.md": "text"}):
+            made = self.made("godot")
+        self.assertEqual((self.folder / f"{made.stem}-form.md").read_text(encoding="utf-8"), "text")
+
     @unittest.skipUnless(FOLDERS, "all were deleted")
     def test_times_are_those_of_the_variable(self) -> None:
         one = self.made(FOLDERS[0], "--zip").read_bytes()

@@ -76,8 +76,8 @@ RECIPES = {name: recipe for name, recipe in {
         more="Each file is a generator with controls."),
     "godot": Recipe(
         "the add-on for Godot 4.4 and later", "hashnoise-godot", is_zip=True,
-        more="It has addons/hashnoise/ as a project has it: the parts of the library, each as one .gdshaderinc, and an "
-        "example."),
+        more="It has addons/hashnoise/ as a project has it: the parts of the library, each as one .gdshaderinc, nodes for "
+        "visual shaders, and examples. Beside it are the form of Godot's Asset Store, filled in, and its picture."),
     "registries": Recipe(
         "what ConanCenter, vcpkg and OpenUPM take by a pull request", "hashnoise-registries",
         more="Each of its folders has the name of a registry's repository, and files to copy into it. They are of the "

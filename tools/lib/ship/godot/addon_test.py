@@ -9,7 +9,7 @@ from pathlib import Path
 from base.tree import ROOT, version
 from catalog.tables.functions import read_functions
 from ship import hlsl_nodes
-from ship.godot import nodes
+from ship.godot import nodes, store
 from ship.godot.files import ADDON, GAP, WINDOW, package, tiles
 from ship.pages.gallery import recipes
 
@@ -41,6 +41,17 @@ def node_faults(texts: dict[str, str]) -> list[str]:
                 or re.search(r"expression = .*", script)[0].count("%s") != len(ports)):
             found.append(form)
     return found
+
+
+def store_faults(files: dict[str, str | bytes]) -> list[str]:
+    """Faults that the Asset Store would refuse: an empty field, and a picture that is no JPEG of 1280 by 720 pixels or more."""
+    form, picture = files["-store.md"], files["-store.jpg"]
+    found = re.findall(r"^\| ([^|]+) \| *\|$", form, re.MULTILINE)
+    found += re.findall(r"^## (.*)\n+(?=##|\Z)", form, re.MULTILINE)
+    # The marker, the length, the precision, the height, the width.
+    frame = re.search(rb"\xff[\xc0-\xc2]..\x08(..)(..)", picture, re.DOTALL)
+    height, width = (int.from_bytes(part, "big") for part in frame.groups()) if frame else (0, 0)
+    return found + ["the picture"] * (width < 1280 or height < 720 or 9 * width != 16 * height or len(picture) > 150_000)
 
 
 class Addon(unittest.TestCase):
@@ -113,6 +124,17 @@ class Addon(unittest.TestCase):
         scene = self.files[f"{ADDON}/example/gallery.tscn"]
         for recipe in recipes():
             self.assertIn(f"recipes/{recipe.name}.gdshader", scene)
+
+    def test_the_form_of_the_store_is_filled_in(self):
+        files = store.beside()
+        self.assertEqual(store_faults(files), [])
+        changelog = f"## {version()} (2026-11-30)\n\n- [Godot](a.md): nodes.\n- Rust.\n\n## 1.0.0 (2026-01-01)\n\n- Godot.\n"
+        self.assertEqual(store.changes(changelog).splitlines()[:-1], ["- Godot: nodes."])
+        form, small = files["-store.md"], (ROOT / "docs/images/vectors.png").read_bytes()
+        for wrong, fault in (({"-store.md": form.replace("| MIT |", "| |")}, "License"), ({"-store.jpg": small}, "the picture"),
+                             ({"-store.md": form.partition("- All changes")[0]}, "Changelog")):
+            with self.subTest(fault):
+                self.assertEqual(store_faults({**files, **wrong}), [fault])
 
     def test_the_pages_name_the_file_that_is_made(self):
         self.assertIn(ARCHIVE, (ROOT / "docs" / "guide" / "godot.md").read_text(encoding="utf-8"))

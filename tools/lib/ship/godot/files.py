@@ -9,6 +9,7 @@ from pathlib import Path
 
 from base.tree import ROOT, version
 from ship.godot import nodes
+from ship.godot.store import beside as beside  # for tools/pack
 from ship.packing import own_files
 from ship.pages.gallery import recipes
 from translate.pick.command import Choice
