@@ -32,7 +32,7 @@ PIECES: dict[str, tuple[str, ...]] = {
     "python": ("packages/python", "pyproject.toml", "tools/bake", "tools/lib/ship/python",
                *(f"docs/guide/{page}.md" for page in ("bake", "dask", "notebook", "python"))),
     "npm": ("packages/npm", "tools/lib/ship/npm", "docs/guide/javascript.md"),
-    "godot": ("packages/godot", "tools/lib/ship/godot", "docs/guide/godot.md"),
+    "godot": ("packages/godot", "tools/lib/ship/godot", "docs/guide/godot.md", "docs/images/godot.jpg"),
     "blender": ("packages/blender", "tools/lib/ship/blender"),
     "unity": ("packages/unity", "tools/lib/ship/unity"),
     **{name: (f"packages/{name}", f"tools/lib/ship/{name}") for name in ("isf", "materialx", "rust", "unreal", "wesl")},

@@ -12,7 +12,7 @@ from translate.single_file.files import text
 
 DIMENSIONS = re.compile(r"(\d)d\.glsl$")
 NODE = re.compile(r"(hn_\w+?)(\d)(?:_jitter|_bandwidth|(_place))?")
-GRAPHS = {"graphs": "Unity, Unreal", "blender": "Blender", "materialx": "MaterialX"}
+GRAPHS = {"graphs": "Unity, Unreal, Godot", "blender": "Blender", "materialx": "MaterialX"}
 
 
 @functools.cache
