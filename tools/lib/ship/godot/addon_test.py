@@ -136,5 +136,7 @@ class Addon(unittest.TestCase):
             with self.subTest(fault):
                 self.assertEqual(store_faults({**files, **wrong}), [fault])
 
-    def test_the_pages_name_the_file_that_is_made(self):
-        self.assertIn(ARCHIVE, (ROOT / "docs" / "guide" / "godot.md").read_text(encoding="utf-8"))
+    def test_the_page_names_the_file_that_is_made_and_counts_nodes(self):
+        page = (ROOT / "docs" / "guide" / "godot.md").read_text(encoding="utf-8")
+        self.assertIn(ARCHIVE, page)
+        self.assertIn(f"There are {len(hlsl_nodes.NODES)} nodes:", page)
