@@ -1,7 +1,9 @@
-"""An archive of the repository, which has no history: what reads the files of the tree reads the same there."""
+"""An archive of the repository, which has no history: what reads the files of the tree reads the same there. And Windows
+can have all its names."""
 
 from __future__ import annotations
 
+import re
 import shutil
 import subprocess
 import sys
@@ -10,6 +12,15 @@ import unittest
 from pathlib import Path
 
 from base.tree import ROOT, files
+
+# Names of devices, characters and endings that git refuses on Windows: no file of such a commit is checked out there.
+REFUSED = re.compile(r'(^|/)(con|prn|aux|nul|com\d|lpt\d)(\.[^/]*)?(/|$)|[<>:"\\|?*\x00-\x1f]|[. ](/|$)', re.IGNORECASE)
+
+
+def refused(names: list[str]) -> list[str]:
+    """The names that Windows cannot have, and those that differ from another by their case alone."""
+    seen = [name.lower() for name in names]
+    return [name for i, name in enumerate(names) if REFUSED.search(name) or seen.index(name.lower()) < i]
 
 
 class Archive(unittest.TestCase):
@@ -27,3 +38,12 @@ class Archive(unittest.TestCase):
                                    "ship.website.website_test", "ship.release.release_test.Addresses"],
                                   cwd=root / "tools" / "lib", capture_output=True, text=True, check=False)
             self.assertEqual(done.returncode, 0, done.stderr)
+
+
+class Names(unittest.TestCase):
+    def test_windows_can_have_all(self) -> None:
+        self.assertEqual(refused(files()), [])
+
+    def test_others_are_named(self) -> None:
+        wrong = ["a/nul", "Aux.h", "com1/b", "a:b", "a/what?", "end.", "end /b"]
+        self.assertEqual(refused(["null", ".github/a", "A", *wrong, "a"]), [*wrong, "a"])
