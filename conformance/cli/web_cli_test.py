@@ -3,42 +3,24 @@
 
 Chromium opens the page, which reports here its text and its downloads."""
 
-import base64
-import gzip
-import http.server
 import json
-import os
 import re
 import shutil
-import signal
 import subprocess
 import sys
-import threading
 import unittest
 
 from program import ROOT, ProgramTest
 
-sys.path.insert(0, str(ROOT / "tools" / "lib"))
+sys.path[:0] = [str(ROOT / "tools" / "lib"), str(ROOT / "conformance" / "web")]
+import browse  # noqa: E402
+
 from base import chromium  # noqa: E402
 from base.tree import address  # noqa: E402
 
 ADDRESS = address()
 PHONE = "--window-size=360,800"
 SECONDS = 120
-
-
-SUITE = re.compile(r'(?<=<script type="application/gzip" id="suite">)[^<]+')
-
-
-def suite_of(page):
-    return json.loads(gzip.decompress(base64.b64decode(SUITE.search(page)[0])))
-
-
-def reporting(page):
-    """The page with a suite that reports its progress here, as if it had all default cases."""
-    suite = suite_of(page) | {"report_to": "event", "golden": "89abcdef"}
-    packed = base64.b64encode(gzip.compress(json.dumps(suite).encode())).decode()
-    return SUITE.sub(packed, page)
 
 
 # Sends the text of the page at the end, too.
@@ -53,30 +35,6 @@ LOOK = """<script>{
     return send(to, { ...options, body: JSON.stringify({ ...event, sent, meaning: place("meaning").innerText }) });
   };
 }</script>"""
-
-
-class Listener(http.server.BaseHTTPRequestHandler):
-    """Serves one page, and keeps its posts."""
-
-    def do_GET(self):
-        if self.path != "/":
-            self.send_error(404)
-            return
-        self.send_response(200)
-        self.send_header("Content-Type", "text/html; charset=utf-8")
-        self.end_headers()
-        self.wfile.write(self.server.page)
-
-    def do_POST(self):
-        event = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
-        self.server.events.append(event)  # before the page goes on, whose next event another thread takes
-        self.send_response(204)
-        self.end_headers()
-        if event["type"] in ("done", "stopped"):
-            self.server.over.set()
-
-    def log_message(self, *_):
-        pass
 
 
 # A few of each kind of case that a page may have. Every case of a page is run in Chromium by the test
@@ -100,21 +58,8 @@ class Web(ProgramTest):
 
     def open(self, page, *switches):
         """The text of the page at its end."""
-        server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Listener)
-        server.page = reporting(page).replace("<body>", f"<body>{LOOK}").encode()
-        self.assertNotEqual(server.page, page.encode())
-        server.events, server.over = [], threading.Event()
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        browser = subprocess.Popen([*self.chromium(*switches), f"http://127.0.0.1:{server.server_port}/"],
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
-        try:
-            self.assertTrue(server.over.wait(SECONDS), server.events[-1:])
-        finally:
-            os.killpg(browser.pid, signal.SIGTERM)  # what PATH has may be a script that has started it
-            browser.wait()
-            server.shutdown()
-            server.server_close()
-        return server.events[-1]
+        full = browse.reporting(page, golden="89abcdef")  # as if it had all default cases
+        return browse.last_event(full.replace("<body>", f"<body>{LOOK}"), self.chromium(*switches), SECONDS)
 
     def merged(self, end):
         """hn-conform takes the results of the page for its own."""
@@ -215,11 +160,11 @@ class Web(ProgramTest):
         self.assertEqual((statuses["wgsl"], statuses["es300"]), ("unsupported", "pass"))
 
     def test_a_page_of_some_cases_names_no_golden_files(self):
-        self.assertNotIn("golden", suite_of(self.page(*SMALL)))
+        self.assertNotIn("golden", browse.suite_of(self.page(*SMALL)))
 
     def test_a_page_that_is_damaged_says_so(self):
         page = self.page(*SMALL)
-        for damaged in (SUITE.sub(lambda packed: packed[0][:len(packed[0]) // 8 * 4], page), SUITE.sub("?", page)):
+        for damaged in (browse.SUITE.sub(lambda packed: packed[0][:len(packed[0]) // 8 * 4], page), browse.SUITE.sub("?", page)):
             (self.folder / "damaged.html").write_text(damaged)
             command = self.chromium("--dump-dom", "--virtual-time-budget=10000")
             done = subprocess.run([*command, f"file://{self.folder / 'damaged.html'}"], capture_output=True, text=True,
@@ -230,6 +175,24 @@ class Web(ProgramTest):
         end = self.open(self.page(*SMALL), "--disable-3d-apis")
         self.assertEqual(end["type"], "stopped")
         self.assertEqual(end["verdict"], "No WebGL2 here")
+
+    def test_browse_keeps_the_results_and_has_a_status(self):
+        page, results = self.folder / "page" / "index.html", self.folder / "results.json"
+
+        def browsed(*options):
+            return subprocess.run([sys.executable, "-B", browse.__file__, page, results, *self.chromium(*options)],
+                                  capture_output=True, text=True, check=False, timeout=SECONDS)
+
+        self.page(*SMALL)
+        done = browsed()
+        self.assertEqual((done.returncode, done.stdout.split("\n")[0]), (0, "All as expected"), done.stderr)
+        self.assertEqual(json.loads(results.read_text())["runs"][0]["totals"]["fail"], 0)
+        self.page(*SMALL, "--golden", self.edited_golden())
+        done = browsed()
+        self.assertEqual((done.returncode, done.stdout.split("\n")[0]), (1, "NOT AS EXPECTED"), done.stderr)
+        self.assertIn("hash.lattice2", done.stdout)
+        done = browsed("--disable-3d-apis")
+        self.assertEqual((done.returncode, done.stdout.split("\n")[0]), (2, "No WebGL2 here"), done.stderr)
 
 
 if __name__ == "__main__":

