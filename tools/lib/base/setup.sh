@@ -225,7 +225,7 @@ setup() {
   ((!count)) || what="installs $count Debian packages, "
   echo "tools/${called:-${0##*/}} ${what}builds and runs. All output of the setup is in $log." >&2
   install_missing "${wanted[@]}"
-  [[ $1 != test ]] || share_objects
+  share_objects
   logged "Configuring the build" "The build could not be configured" \
     cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "${configuration[@]}"
   logged "Building" "The build failed" cmake --build "$build" ${targets:+--target "${targets[@]}"}
