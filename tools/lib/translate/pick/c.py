@@ -90,7 +90,7 @@ class C(Syntax):
     indent = 2
     keeps_names, cased = True, staticmethod(str)
     struct_of = "{type}_of({parts})"
-    least_int, bools = Notation.least_int, ("0", "1")
+    least_int, bools, forever = Notation.least_int, ("0", "1"), "while (1) {"
     struct_form = "typedef struct {{\n{fields}}} {name};\n"
     types = TYPES
     reserved = frozenset("""auto break case char const continue default do double else enum extern float for goto if

@@ -23,7 +23,7 @@ from base.thorough import THOROUGH
 from base.tree import GLSL, ROOT
 from base.twin import compile_program
 from translate.parsing.syntax import Function
-from translate.pick import command
+from translate.pick import command, own_loops
 from translate.pick.comparison import OTHER_KNOBS, compile_words
 from translate.pick.evaluate import Module
 from translate.pick.gdscript_runner import GDScriptRunner
@@ -374,6 +374,13 @@ int main() {{ float x = 37, y = -5; std::printf("%.9g", {call}); return x == y; 
         print(f"GDScript takes {taken[1]} ns for a height, {' '.join(f'{one:.0f}' for one in ratios)} times as long as C++")
         said = int(re.search(r"(\d+) times as long as C\+\+", page)[1])
         self.assertTrue(said / 3 < sorted(ratios)[1] < said * 3, ratios)
+
+    def test_loops_of_somebody_else_that_ask_before_each_turn(self) -> None:
+        of, own = own_loops.module(True), own_loops.cases(True, POINTS)
+        cases = [Case(function, text(Program(of, [function]), self.runner.syntax()), POINTS) for function, *_ in own]
+        with tempfile.TemporaryDirectory() as folder:
+            found = self.runner.run(cases, of, b"".join(given for _, given, _ in own), Path(folder))
+        self.assertEqual(found, b"".join(right for *_, right in own))
 
     def test_a_fault_of_the_printer_is_noticed(self) -> None:
         of = module("fixed", self.runner.syntax)

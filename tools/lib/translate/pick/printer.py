@@ -22,10 +22,13 @@ from translate.pick.statements import (
     Set,
     Statement,
     blocks,
+    changed_in,
     inner,
     operands,
+    reachable,
     values_of,
     walk,
+    with_tests_inside,
 )
 from translate.pick.values import SIZES, Constant, Node, Operation, Variable, operation, scalar_of
 
@@ -367,7 +370,7 @@ class Writer(Expressions):
     def __init__(self, language: Notation, block: list[Statement], hints: Mapping[Node, str], parameters: Iterable[str],
                  names: Mapping[Specialization, str], precise: bool = False, reserved: Iterable[str] = ()):
         super().__init__(language, names)
-        self.block = block
+        self.block = block = with_tests_inside(block)
         self.hints = hints
         self.precise = precise
         known = (node for node in values_of(block) if isinstance(node, Operation))
@@ -528,11 +531,13 @@ class Writer(Expressions):
         """Loops that count: what declares the number that is counted, and what changes it last."""
         for block in blocks(self.block):
             for i, statement in enumerate(block):
-                if not isinstance(statement, Loop) or statement.asks_behind or not statement.body:
+                if not isinstance(statement, Loop) or statement.condition is None or statement.asks_behind or not statement.body:
                     continue
-                last = statement.body[-1]
+                *rest, last = statement.body
                 start = next((other for other in block[:i] if isinstance(other, Declare) and isinstance(last, Set)
                               and other.variable is last.variable), None)
+                if start is not None and reachable([last.value]) & changed_in(rest):
+                    continue  # between turns it would read what they are by then
                 if start is not None and start.variable not in values_of(block[i + 1:]):
                     self._counts[id(statement)] = start, last
                     self._dropped |= {id(start), id(last)}
@@ -544,7 +549,8 @@ class Writer(Expressions):
         reads.update(value for statement in walk(self.block) for value in operands(statement))
         for statement in self.block:
             start = statement.value if isinstance(statement, Declare) else None
-            if isinstance(start, Variable) and start.is_parameter and reads[start] == 1 and "." not in start.name:
+            if isinstance(start, Variable) and start.is_parameter and reads[start] == 1 and "." not in start.name and (
+                    id(statement) not in self._dropped):  # the head of a loop declares it
                 self.called[statement.variable] = start.name
                 self._dropped.add(id(statement))
 

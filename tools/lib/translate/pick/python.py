@@ -281,7 +281,9 @@ class Function:
             if isinstance(one, Loop):
                 one = Loop(one.condition, one.asks_behind, self._masked(one.body))
                 if not self.is_sure(one.condition):
-                    made += self._mask_behind(one) if one.asks_behind else [self._mask(one)]
+                    asked = one.condition
+                    counts = isinstance(asked, Operation) and asked.kind == "binary" and asked.arguments[0] in self.sure
+                    made += [self._mask(one)] if counts and not one.asks_behind else self._mask_turns(one, made)
                     continue
             made.append(one)
         return made
@@ -293,7 +295,7 @@ class Function:
         most = operation("builtin", "_most", "int", (limit,))
         return Loop(operation("binary", loop.condition.name, "bool", (counter, most)), False, body)
 
-    def _mask_behind(self, loop: Loop) -> list[Statement]:
+    def _mask_turns(self, loop: Loop, before: Sequence[Statement]) -> list[Statement]:
         if any(set_in(other) for one in loop.body for other in inner(one) if {*set_in(other)} & {*set_in(loop.body)}):
             raise Unknown("a branch that changes what a loop changes")
         going, turn = Variable("bool", "going"), Variable("int", "turn")
@@ -304,8 +306,9 @@ class Function:
                 new[one.variable] = operation("choice", "?", one.variable.type, (going, one.value, one.variable))
         body = [Set(one.variable, new[one.variable]) if isinstance(one, Set) else one for one in loop.body]
         body.append(Set(going, replaced(loop.condition, dict(new))))
-        start = Declare(going, Constant("bool", 1))
-        if loop.condition.name != "<":  # nothing limits it
+        begun = {one.variable: one.value for one in before if isinstance(one, Declare) and one.value is not None}
+        start = Declare(going, Constant("bool", 1) if loop.asks_behind else replaced(loop.condition, begun))
+        if not loop.asks_behind or loop.condition.name != "<":  # nothing limits it
             return [start, Loop(operation("builtin", "_repeated", "bool", (going,)), True, body)]
         limit = loop.condition.arguments[1]
         body.append(Set(turn, operation("binary", "+", "int", (turn, Constant("int", 1)))))
@@ -319,7 +322,7 @@ class Python(Syntax):
     strength = STRENGTH_OF_PYTHON
     indent = 4
     end = ""
-    condition = "{}"
+    condition, forever = "{}", "while True {"
     bools = ("False", "True")
     float_end = word_end = ""
     counts_a_range = names_components = True

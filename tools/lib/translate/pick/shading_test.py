@@ -18,7 +18,7 @@ import numpy
 
 from base.testing import skipped_without
 from base.tree import GLSL
-from translate.pick import command, printer
+from translate.pick import command, own_loops, printer
 from translate.pick.evaluate import Module
 from translate.pick.languages_test import POINTS, difference, functions, words
 from translate.pick.languages_test import module as split_module
@@ -44,14 +44,18 @@ class Header(unittest.TestCase):
     folder: Path
 
     def differences(self, texts: Sequence[tuple[str, str, str]]) -> list[str]:
-        """How each text of a function, by its arithmetic and its name, differs from the header; nothing where it does
-        not."""
+        """How each text of a function, by its arithmetic and its name, differs from the header, and each loop of somebody
+        else from its right results; nothing where it does not."""
         cases: list[Case] = []
         expected: list[bytes] = []
         for arithmetic, name, shown in texts:
             of = split_module(arithmetic)
             passed, back = words(self.folder, arithmetic, of)[name]
             cases.append(Case(of, functions(of, arithmetic)[name], shown, passed, len(back)))
+            expected.append(back)
+        for whole, (function, passed, back) in zip(own_loops.module(False).tree, own_loops.cases(True, POINTS)):
+            shown = Program(own_loops.module(False), [whole]).text(LANGUAGES[self.language])
+            cases.append(Case(own_loops.module(True), function, shown, passed, len(back)))
             expected.append(back)
         found = self.runner.run(cases, POINTS)
         return [difference(case.function, back, got, POINTS)
@@ -68,9 +72,11 @@ class Header(unittest.TestCase):
         with mock.patch.dict(printer.STRENGTH, {"-": printer.STRENGTH["*"]}):  # as strong as a product
             wrong = (*key, text(self.language, *key))
         self.assertNotIn(wrong, right)
-        *found, of_wrong = self.differences([*right, wrong])
-        self.assertEqual([f"{key}: {said}" for key, said in zip(keys, found) if said], [])
+        found = self.differences([*right, wrong])
+        of_right, of_wrong, own = found[:len(right)], found[len(right)], found[len(right) + 1:]
+        self.assertEqual([f"{key}: {said}" for key, said in zip(keys, of_right) if said], [])
         self.assertRegex(of_wrong, f"^[1-9][0-9]* of {POINTS} ")
+        self.assertEqual(own, [""] * len(own_loops.POINTS))
 
 
 class Wgsl(unittest.TestCase):

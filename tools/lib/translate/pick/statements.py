@@ -101,6 +101,38 @@ def values_of(block: Sequence[Statement]) -> set[Node]:
     return reachable(value for statement in walk(block) for value in operands(statement))
 
 
+def changed_in(block: Sequence[Statement]) -> set[Variable]:
+    return {one.variable for one in walk(block) if isinstance(one, (Declare, Set))}
+
+
+def _asks_anew(loop: Statement, whole: Sequence[Statement]) -> bool:
+    """Whether a part of the condition is computed in each turn, but for a comparison that nothing else reads: it may have
+    a name, and then stands in the body."""
+    if not isinstance(loop, Loop) or loop.asks_behind or loop.condition is None:
+        return False
+    changed = changed_in(loop.body)
+    moving = {one for one in reachable([loop.condition]) if isinstance(one, Operation) and reachable([one]) & changed}
+    return bool(moving - {loop.condition} or moving & reachable(
+        value for one in walk(whole) if one is not loop for value in operands(one)))
+
+
+def with_tests_inside(block: list[Statement], whole: Sequence[Statement] = ()) -> list[Statement]:
+    """Loops whose condition is computed anew in each turn begin with a branch that leaves them."""
+    whole = whole or block
+    if not any(_asks_anew(one, whole) for one in walk(block)):
+        return block
+    made: list[Statement] = []
+    for one in block:
+        if isinstance(one, If):
+            one = If(one.condition, with_tests_inside(one.yes, whole), with_tests_inside(one.no, whole))
+        elif isinstance(one, Loop):
+            body, asks = with_tests_inside(one.body, whole), _asks_anew(one, whole)
+            one = (Loop(None, False, [If(one.condition, [], [Break()]), *body]) if asks
+                   else Loop(one.condition, one.asks_behind, body))
+        made.append(one)
+    return made
+
+
 def without_dead(block: list[Statement]) -> list[Statement]:
     """The statements without variables that nothing reads, and without branches in which nothing is left."""
     while True:
