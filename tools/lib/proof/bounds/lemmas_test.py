@@ -12,9 +12,10 @@ from unittest import mock
 import numpy as np
 
 from base.thorough import in_thorough_runs
-from proof.bounds import answers
+from proof.bounds import answers, own
 from proof.bounds.answers import Sums
 from proof.bounds.rounded import EXACT, FIXED, NEAREST, Body, Text, along_axes, roundings
+from proof.bounds.table import bounds_of
 
 COUNT = 20_000
 ONE = 2.0**18  # of weights
@@ -97,9 +98,16 @@ LOOP = ("hn_octaves2 o = hn_octaves(vec2(float_of(a.x), 0.5f), {}, 2.0f, 0.5f, 7
         "return uvec4(bits_of(hn_mean(o)), 0u, 0u, 0u);")
 
 
+# A file of somebody else: two octaves of curl with a phase.
+FLOW = "vec2 flow(vec2 p) { return hn_curl(p, 0.25, 7u) + 0.5 * hn_curl(p * 2.0, 0.25, 8u); }"
+OF_FLOW = Body.of("x:f32 y:f32", "x:f32 y:f32", "hn_vec2 v = own::flow(vec2(float_of(a.x), float_of(a.y))); "
+                  "return uvec4(bits_of(v.x), bits_of(v.y), 0u, 0u);")
+
+
 @functools.cache
 def in_floats():
-    return Sums(bodies=BODIES | {name: Body.of("x:f32", "value:f32", LOOP.format(*of)) for name, of in LOOPS.items()})
+    loops = {name: Body.of("x:f32", "value:f32", LOOP.format(*of)) for name, of in LOOPS.items()}
+    return Sums(bodies=BODIES | loops | {"flow": OF_FLOW}, own="".join(own.plain(own.tokens_of(FLOW))))
 
 
 class Roundings(unittest.TestCase):
@@ -146,6 +154,13 @@ class Planted(unittest.TestCase):
         step = "hn_i_wide_times(int(a.x), int(a.y))"
         integers = planted({"-part, 0);\n    y.grid": "0, 0);\n    y.grid"}, FIXED, bodies={step: of_number(step)})
         self.assertGreater(Lemmas().ratio(step, integers), 1)
+
+
+class Noises(unittest.TestCase):
+    def test_an_own_sum_over_curl_with_a_phase_has_its_error(self):
+        noise = bounds_of("curl_phase", 2, "none")
+        for error in in_floats().errors("flow", {"x": "float:-16:16", "y": "float:-16:16"}):
+            self.assertTrue(1.5 * noise.cell_error < error < 10 * noise.error, error)
 
 
 class Unseen(unittest.TestCase):
