@@ -12,8 +12,8 @@ import catalog.model
 from base.tree import CONFORMANCE, GLSL, ROOT
 from base.twin import compile_program
 from catalog import suite
-from proof.bounds.prover import ENGINE, made
-from proof.bounds.rounded import FIXED, Body, table
+from proof.bounds.prover import ENGINE
+from proof.bounds.rounded import FIXED, Body, made, table
 from proof.bounds.table import Bounds, bounds_of, read
 
 SOURCE = CONFORMANCE / "sums" / "answers.cpp"

@@ -20,7 +20,7 @@ import numpy as np
 
 from base.thorough import THOROUGH, some
 from base.twin import compile_program
-from proof.bounds import prover
+from proof.bounds import prover, rounded
 from proof.bounds.prover import ENGINE, Job, Proven, Prover
 from proof.bounds.rounded import EXACT, Body, Rounding, Text
 
@@ -275,7 +275,7 @@ def mistaken(file: str, old: str, new: str) -> Iterator[None]:
         engine = Path(shutil.copytree(ENGINE, Path(folder, "engine")))
         text = (engine / file).read_text(encoding="utf-8")
         (engine / file).write_text(text.replace(old, new), encoding="utf-8")
-        with mock.patch.multiple(prover, ENGINE=engine, FOLDER=Path(folder)):
+        with mock.patch.object(prover, "ENGINE", engine), mock.patch.object(rounded, "FOLDER", Path(folder)):
             yield
 
 
@@ -305,9 +305,9 @@ class Programs(unittest.TestCase):
             time.sleep(0.1)
             (folder / "new").touch()
 
-        with tempfile.TemporaryDirectory() as folder, mock.patch.object(prover, "FOLDER", Path(folder)), \
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(rounded, "FOLDER", Path(folder)), \
                 ThreadPoolExecutor() as pool:
-            paths = list(pool.map(lambda text: prover.made("program", [text], [], make), ("a", "a", "b")))
+            paths = list(pool.map(lambda text: rounded.made("program", [text], [], make), ("a", "a", "b")))
         self.assertEqual((len(runs), len({*paths})), (2, 2))
 
 

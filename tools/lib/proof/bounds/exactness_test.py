@@ -44,7 +44,7 @@ class Fixed(unittest.TestCase):
     def test_bits_are_the_same_in_every_rounding(self):
         ids = [id for id in table() if not id.startswith("hash.") and "sine" not in id]
         self.assertGreater(len(ids), 300)
-        text = Text(ids, FIXED, optimized=True)
+        text = Text(ids, FIXED)
         self.assertEqual(self.differing(text, ids, roundings(2)), [])
 
     def test_floats_have_others(self):

@@ -3,42 +3,23 @@ function is named by its row in the suite's table, or has a body like those."""
 
 from __future__ import annotations
 
-import fcntl
-import hashlib
 import json
 import math
 import subprocess
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from base.tree import CONFORMANCE, GLSL, ROOT
+from base.tree import CONFORMANCE
 from base.twin import compile_program
 from catalog.tables.functions import Column
 from proof.bounds import rounded, sine
-from proof.bounds.rounded import FIXED, Body, with_literals, with_true_numbers, write_literal_text
+from proof.bounds.rounded import FIXED, Body, made, with_literals, with_true_numbers, write_literal_text
 
 ENGINE = CONFORMANCE / "prover"
 OPTIONS = ("-O1", "-w", "-frounding-math")  # optimized more, it is compiled longer and runs no faster
 MACROS = ("always_inline=unused", f"PROVER_SINE={sine.polynomial_error()!r}",
           f"PROVER_FIXED_SINE={sine.fixed_sine_error()!r}")
-FOLDER = ROOT / "build" / "prover"
-
-
-def made(name: str, texts: Iterable[str], sources: Iterable[Path], make: Callable[[Path], None]) -> Path:
-    """The file of that name in a folder of these texts and sources, and of the library. If it is not there, `make`
-    makes it in the folder, as "new"; other processes that want the same wait for that."""
-    digest = hashlib.sha256("\n".join(texts).encode())
-    for path in sorted([*sources, *GLSL.rglob("*.glsl"), *(ROOT / "include").rglob("*.h*")]):
-        digest.update(path.read_bytes())
-    folder = FOLDER / digest.hexdigest()[:16]
-    folder.mkdir(parents=True, exist_ok=True)
-    with open(folder / "lock", "w", encoding="utf-8") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)  # until it is closed
-        if not (folder / name).exists():
-            make(folder)
-            (folder / "new").rename(folder / name)
-    return folder / name
 
 
 @dataclass(frozen=True)

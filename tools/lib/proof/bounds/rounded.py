@@ -7,9 +7,10 @@ compare the text with the contract."""
 from __future__ import annotations
 
 import ctypes
+import fcntl
 import functools
+import hashlib
 import re
-import tempfile
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from decimal import Decimal
@@ -17,15 +18,32 @@ from pathlib import Path
 
 import numpy as np
 
-from base.tree import CONFORMANCE, GLSL
+from base.tree import CONFORMANCE, GLSL, ROOT
 from base.twin import compile_program
 from catalog.tables.functions import Column, read_functions
 
 SOURCE = Path(__file__).with_suffix(".cpp")
+FOLDER = ROOT / "build" / "prover"
 MODES = ("nearest", "down", "up", "random")
 DOUBLES = "doubles"  # the mode in which nothing rounds
 # Macros. With FIXED only inputs and outputs round.
 FIXED, SINES = "HN_ARITHMETIC=HN_FIXED", "HN_GRADIENT=HN_GRADIENT_SINE"
+
+
+def made(name: str, texts: Iterable[str], sources: Iterable[Path], make: Callable[[Path], None]) -> Path:
+    """The file of that name in a folder of these texts and sources, and of the library. If it is not there, `make`
+    makes it in the folder, as "new"; other processes that want the same wait for that."""
+    digest = hashlib.sha256("\n".join(texts).encode())
+    for path in sorted([*sources, *GLSL.rglob("*.glsl"), *(ROOT / "include").rglob("*.h*")]):
+        digest.update(path.read_bytes())
+    folder = FOLDER / digest.hexdigest()[:16]
+    folder.mkdir(parents=True, exist_ok=True)
+    with open(folder / "lock", "w", encoding="utf-8") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)  # until it is closed
+        if not (folder / name).exists():
+            make(folder)
+            (folder / "new").rename(folder / name)
+    return folder / name
 
 
 @dataclass(frozen=True)
@@ -87,20 +105,27 @@ def write_literal_text(folder: Path, change: Callable[[str], str] = with_true_nu
 
 class Text:
     """Some functions of the library, by their rows or with bodies of their own, compiled with these macros; optimized,
-    if they are called so often that this saves more time than it takes."""
+    if they are called so often that this saves more time than it takes. Rows of the table are compiled together, once
+    for all that have the same macros: but for the sine gradient, which few have."""
 
     def __init__(self, wanted: Iterable[str], *macros: str, optimized: bool = False,
                  change: Callable[[str], str] = with_true_numbers, **others: Body):
-        self.bodies = {id: table()[id] for id in wanted} | others
-        with tempfile.TemporaryDirectory() as folder:
-            bodies = "".join(f"FUNCTION({body.code})\n" for body in self.bodies.values())
-            Path(folder, "rounded.inc").write_text(bodies)
-            write_literal_text(Path(folder), change)
-            # As the suite's twin: the functions need not be inlined, which takes long. Each text has its own variables.
-            compile_program("the text over floats that round", SOURCE, Path(folder, "rounded.so"),
-                            "-O1" if optimized else "-O0", "-w", f"-I{folder}", f"-I{CONFORMANCE / 'prover'}",
-                            "-shared", "-fPIC", "-fno-gnu-unique", macros=("always_inline=unused", *macros))
-            self.library = ctypes.CDLL(f"{folder}/rounded.so")
+        whole = not others and change is with_true_numbers and SINES not in macros
+        self.bodies = dict(table()) if whole else {id: table()[id] for id in wanted} | others
+        bodies = "".join(f"FUNCTION({body.code})\n" for body in self.bodies.values())
+        # As the suite's twin: the functions need not be inlined, which takes long. Each text has its own variables.
+        options = ("-O1" if optimized or whole else "-O0", "-w", f"-I{CONFORMANCE / 'prover'}", "-shared", "-fPIC",
+                   "-fno-gnu-unique")
+
+        def make(folder: Path) -> None:
+            (folder / "rounded.inc").write_text(bodies, encoding="utf-8")
+            write_literal_text(folder, change)
+            compile_program("the text over floats that round", SOURCE, folder / "new", *options, f"-I{folder}",
+                            macros=("always_inline=unused", *macros))
+
+        changed = (change(path.read_text(encoding="utf-8")) for path in sorted(GLSL.rglob("*.glsl")))
+        self.library = ctypes.CDLL(str(made("rounded.so", [*options, *macros, bodies, *changed], [
+            SOURCE, Path(__file__), CONFORMANCE / "prover" / "literal.hpp"], make)))
 
     def __call__(self, id: str, rounding: Rounding, **columns: np.ndarray | float) -> list[np.ndarray]:
         """The results of a function: the floats of each output, at each point."""
