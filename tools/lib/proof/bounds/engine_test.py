@@ -188,6 +188,7 @@ MISTAKES = (
     ("form.hpp", "std::max(from + slope.hi * meeting, to + -slope.lo * (width - meeting))", "std::max(from, to)"),
     ("floats.hpp", "sum.terms.back().symbol <= x.terms.back().symbol", "true"),
     ("roots.hpp", "if (x.range.lo >= y.range.hi) return x;", "if (x.mid.lo >= y.mid.hi) return x;"),
+    ("roots.hpp", "return made(-larger(-a, -b), 'n', a, b);\n  }", "return a;\n  }"),  # an undecided minimum
     ("roots.hpp", "-(hull(quotient, f.mid) * by)", "point(0)"),
     ("roots.hpp", "error += w * raised(off),", "error = w * raised(off),"),
     ("roots.hpp", "some[i].range.lo < 0 ? INFINITY : range.hi", "range.hi"),
