@@ -14,7 +14,7 @@ from base.tree import GLSL
 from catalog.tables.configurations import DEFAULT_HASH, read_configurations
 from proof.bounds import identity, sine
 from proof.bounds.prover import Proven
-from proof.bounds.rounded import EXACT, Body, Text, with_true_numbers
+from proof.bounds.rounded import EXACT, FIXED, Body, Text, with_true_numbers
 from proof.bounds.text import Line
 from proof.golden.files import Values
 from proof.golden.generator import generator_of
@@ -103,6 +103,12 @@ class Texts(unittest.TestCase):
                                          for job, value in zip(jobs, np.repeat(places_of(of) + off, 2))]
             with mock.patch.object(identity, "provers_of", return_value={(): prover}):
                 self.assertEqual(len(identity.wrong_forms([line], [of])), found)
+        prover.prove = lambda jobs: [Proven(math.inf, 0, 1, 0, "")] * len(jobs)
+        with mock.patch.object(identity, "provers_of", return_value={(FIXED,): prover}):
+            for more, found in (({}, 1), ({"long": True}, 0)):
+                self.assertEqual(len(identity.wrong_forms([Line("value", (1,), fixed=True, **more)], [of])), found)
+            with mock.patch.object(identity, "UNSEEN", (of.function.id,)):
+                self.assertEqual(identity.wrong_forms([Line("value", (1,), fixed=True)], [of]), [])
 
     def test_the_sine_is_the_proofs(self):
         """Which has the coefficients once more (sine.py)."""
