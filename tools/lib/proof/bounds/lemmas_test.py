@@ -73,7 +73,7 @@ class Lemmas(unittest.TestCase):
         sums = Sums(FIXED, bodies={step: of_number(step) for step in STEPS})
         for step in STEPS:
             with self.subTest(step):
-                self.assertTrue(1 / 3 <= self.ratio(step, sums) <= 1, self.ratio(step, sums))
+                self.assertTrue(1 / 3 <= (ratio := self.ratio(step, sums)) <= 1, ratio)
 
 
 # Three octaves of exact noises, so that only the roundings of steps and means are left.
@@ -128,7 +128,7 @@ class Roundings(unittest.TestCase):
         """None is left out, and few are counted that do not occur."""
         for name in BODIES:
             with self.subTest(name):
-                self.assertTrue(1 / 10 < self.ratio(name, in_floats()) <= 1, self.ratio(name, in_floats()))
+                self.assertTrue(1 / 10 < (ratio := self.ratio(name, in_floats())) <= 1, ratio)
 
 
 def planted(changes, *arguments, **others):
