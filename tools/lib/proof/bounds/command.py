@@ -26,7 +26,6 @@ from dataclasses import asdict, astuple, replace
 from pathlib import Path
 
 import catalog.model
-from base.thorough import THOROUGH
 from base.tree import ROOT
 from base.usage import Parser
 from catalog.tables.functions import read_functions
@@ -174,7 +173,7 @@ def run(options: argparse.Namespace) -> int:
     if unproven := without_proof():
         print("\n".join(unproven))
         return 1
-    lines = [line for line in text.lines() if THOROUGH or not (line.long and options.check)]
+    lines = text.usual_lines() if options.check else text.lines()
     found = text.prove(lines)
     if unproven := text.unseen(found):
         print("\n".join(unproven))

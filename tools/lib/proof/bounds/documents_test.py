@@ -262,6 +262,7 @@ class Command(unittest.TestCase):
                 mock.patch.object(command, "without_proof", return_value=[]), \
                 mock.patch.object(text_proofs, "prove", return_value=[]), \
                 mock.patch.multiple(command.identity, wrong_texts=list, wrong_forms=lambda *_: []), \
+                mock.patch.object(command.gullies, "wrong_errors", list), \
                 mock.patch.object(command, "differences", side_effect=problem):
             return command.main(["--check"]), shown.getvalue()
 

@@ -14,6 +14,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 
 import catalog.model
+from base.thorough import THOROUGH
 from catalog.tables.functions import Function, read_functions
 from proof.bounds import noises, rotations
 from proof.bounds.floats import position_error
@@ -72,8 +73,7 @@ class Line:
 PROVEN = (
     Line("perlin perlin_d", (1, 2), fixed=True),
     Line("perlin perlin_d", (3,), fixed=True, long=True),
-    Line("perlin", (2,), fixed=True, gradient=SINE, limits=True),
-    Line("perlin", (3,), fixed=True, gradient=SINE, limits=True, long=True),
+    Line("perlin", (2, 3), fixed=True, gradient=SINE, limits=True, long=True),
     Line("perlin_phase perlin_d_phase", (2,), fixed=True, arguments={"phase": "box:0:1"}),
     Line("perlin_phase perlin_d_phase", (3,), fixed=True, arguments={"phase": "box:0:1"}, kinds=(VALUE,), long=True),
     Line("perlin perlin_d", (4,), fixed=True, most=60_000, kinds=(VALUE,), long=True),
@@ -118,6 +118,11 @@ def lines() -> list[Line]:
     """PROVEN, and lines for noises without a module."""
     return [*PROVEN, *(Line(name, tuple(dims for dims, _ in noises.find(name).cases), fixed, most=100_000)
                        for name in noises.names() if noises.find(name).is_of_text for fixed in (False, True))]
+
+
+def usual_lines() -> list[Line]:
+    """The lines that a default run proves. Their functions are one program for each set of macros."""
+    return [line for line in lines() if THOROUGH or not line.long]
 
 
 def proves(name: str, dims: int, gradient: Gradient | None, fixed: bool, kind: str = VALUE) -> bool:

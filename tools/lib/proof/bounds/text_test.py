@@ -219,7 +219,7 @@ class Boxes(unittest.TestCase):
         return worst / bound
 
     def test_no_run_leaves_one(self):
-        of_all = list(proofs.cases(line for line in proofs.PROVEN if THOROUGH or not line.long))
+        of_all = list(proofs.cases(proofs.usual_lines()))
         provers, rng = proofs.provers_of(of_all), np.random.default_rng(90)
         found = [(self.ratio(case, provers[case.line.macros], rng), case.job) for case in of_all
                  for _ in range(20 if THOROUGH else 2)]
