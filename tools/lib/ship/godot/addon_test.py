@@ -132,7 +132,7 @@ class Addon(unittest.TestCase):
         self.assertEqual(store.changes(changelog).splitlines()[:-1], ["- Godot: nodes."])
         form, small = files["-store.md"], (ROOT / "docs/images/vectors.png").read_bytes()
         for wrong, fault in (({"-store.md": form.replace("| MIT |", "| |")}, "License"), ({"-store.jpg": small}, "the picture"),
-                             ({"-store.md": form.partition("- All changes")[0]}, "Changelog")):
+                             ({"-store.md": form.partition("\n- ")[0]}, "Changelog")):
             with self.subTest(fault):
                 self.assertEqual(store_faults({**files, **wrong}), [fault])
 
