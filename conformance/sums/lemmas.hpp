@@ -152,7 +152,7 @@ inline vec4 without_error(const vec4& v) {
 }
 inline double shift_of(int axes) {
   double square = 0;
-  for (int axis = 0; axis < axes; ++axis) square += kShifts[axis] * kShifts[axis];
+  for (auto shift = kShifts.begin(); shift != kShifts.begin() + axes; ++shift) square += *shift * *shift;
   return std::sqrt(square);
 }
 template <typename Step>

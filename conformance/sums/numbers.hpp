@@ -85,7 +85,8 @@ inline Number rounded(Number x) {
   if (x.is_exact()) x.grid = grid_of(x.lo);
   if (x.grid >= -149 && size <= power_of_two(std::min(x.grid + 24, 1000))) return x;
   // A float next to a number between two floats is between them, too.
-  const double error = ulp(size), lo = -static_cast<double>(static_cast<float>(-x.lo)), hi = static_cast<float>(x.hi);
+  const double error = ulp(size), lo = -static_cast<double>(static_cast<float>(-x.lo));
+  const double hi = static_cast<double>(static_cast<float>(x.hi));
   x = off_by(x, -error, error);
   x.lo = lo, x.hi = hi, x.grid = kNoGrid;
   return flushed(x);
