@@ -171,7 +171,7 @@ class Example(unittest.TestCase):
         """By the script and the compute shader of the page; with another seed they differ."""
         page = PAGE.read_text(encoding="utf-8")
         shader, = re.findall(r"^```text\n(#\[compute\]\n.*?)^```$", page, re.MULTILINE | re.DOTALL)
-        script, = re.findall(r"^```gdscript\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+        script, = re.findall(r"^```gdscript\n(class_name Heights\n.*?)^```$", page, re.MULTILINE | re.DOTALL)
         picked, = re.findall(r"^    tools/pick (\S+) --arithmetic (\S+) > (\S+\.glslinc)$", page, re.MULTILINE)
         call = re.search(r"hn_fbm\(.*(?=;)", shader)[0]
         library = read(GLSL, settings(picked[1], "lattice"))
