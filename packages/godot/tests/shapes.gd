@@ -1,5 +1,5 @@
 extends SceneTree
-# Casts rays from above onto the shape of the example, and lets its ball fall: what example_test.py compares.
+# Casts rays from above onto the shape of the example, and lets its ball fall: what land_test.py compares.
 #
 #     godot --script res://shapes.gd --fixed-fps 60 -- SCENE PLACES.json OUT.json
 

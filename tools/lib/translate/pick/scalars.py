@@ -42,6 +42,7 @@ from translate.pick.statements import (
     Set,
     Statement,
     blocks,
+    changed_in,
     operands,
     reachable,
     walk,
@@ -525,8 +526,7 @@ class Hoisting(Scalars):
 
     def _place(self, node: Operation, place: Place) -> Place:
         if not hasattr(self, "_loops"):
-            self._loops = {self._numbers[id(one.body)]: changed for one in walk(self.block) if isinstance(one, Loop)
-                           for changed in [{other.variable for other in walk(one.body) if isinstance(other, (Declare, Set))}]}
+            self._loops = {self._numbers[id(one.body)]: changed_in(one.body) for one in walk(self.block) if isinstance(one, Loop)}
             self._read: dict[Node, set[Variable]] = {}
         while place and place[-1][0] in self._loops and not self._variables(node) & self._loops[place[-1][0]]:
             place = place[:-1]
