@@ -19,8 +19,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "tools" / "lib"))
 
-from base.debian import Missing  # noqa: E402
-from base.debian import program as from_debian  # noqa: E402
+from base.debian import Missing, chosen  # noqa: E402
 from base.testing import skipped_without  # noqa: E402
 
 OLDEST = (4, 4)
@@ -37,12 +36,7 @@ class Failure(Exception):
 
 def find() -> tuple[str, str]:
     """The program, and its version."""
-    program = os.environ.get("HN_GODOT") or shutil.which("godot")
-    if not program:
-        try:
-            program = str(from_debian("godot"))
-        except Missing as why:
-            raise Missing(f"there is no godot in the PATH, HN_GODOT names none, and {why}") from why
+    program = chosen("godot")
     try:
         done = subprocess.run([program, "--version"], capture_output=True, text=True, check=False, timeout=60)
     except (OSError, subprocess.TimeoutExpired) as error:

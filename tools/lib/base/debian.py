@@ -115,6 +115,17 @@ def program(name: str) -> Path:
     return found.starter(name, wanted.variables)
 
 
+def chosen(name: str) -> str:
+    """The program that HN_NAME names, the one in the PATH, or Debian's."""
+    variable = f"HN_{name.upper()}"
+    if found := os.environ.get(variable) or shutil.which(name):
+        return found
+    try:
+        return str(program(name))
+    except Missing as why:
+        raise Missing(f"there is no {name} in the PATH, {variable} names none, and {why}") from why
+
+
 def get(folder: Path, packages: Sequence[str], what: str, mirror: str = MIRROR, suite: str = SUITE) -> None:
     """Downloads and unpacks them. apt and dpkg print how far they are, so that nobody waits for a silent command.
     `what` is how messages call it."""

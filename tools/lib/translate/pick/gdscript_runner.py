@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import os
 import re
-import shutil
 import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 
-from base.debian import program
+from base.debian import chosen
 from translate.pick.gdscript import GDScript
 from translate.pick.runners import NotRun, Runner, written_to
 from translate.pick.scalars import Part
@@ -55,11 +54,6 @@ static func all() -> void:
 """
 
 
-def godot() -> str:
-    """The program; Debian's is downloaded if there is none."""
-    return os.environ.get("HN_GODOT") or shutil.which("godot") or str(program("godot"))
-
-
 class GDScriptRunner(Runner):
     """Each text is a script."""
     syntax = GDScript
@@ -78,7 +72,7 @@ class GDScriptRunner(Runner):
     indent = "    "
 
     def check(self, lints: bool = False) -> None:
-        godot()
+        chosen("godot")
 
     def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
         return [line.rstrip(";") for line in super().called(f"HashNoise.{name}", arguments, results)]
@@ -105,7 +99,7 @@ class GDScriptRunner(Runner):
         """Godot's output; it prints errors of a script, and goes on as if there were none, but for one turn alone."""
         arguments = ("--quit-after", "1", "--script", script)
         homes = dict.fromkeys(("HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"), str(folder))
-        done = subprocess.run([godot(), "--headless", "--path", folder, *arguments], capture_output=True, text=True,
+        done = subprocess.run([chosen("godot"), "--headless", "--path", folder, *arguments], capture_output=True, text=True,
                               errors="replace", check=False, env={**os.environ, **homes})
         said = done.stdout + done.stderr
         if done.returncode or WRONG.search(said):

@@ -4,14 +4,12 @@ import functools
 import itertools
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
 
-from base.debian import Missing
-from base.debian import program as from_debian
+from base.debian import Missing, chosen
 from base.thorough import THOROUGH, in_thorough_runs, some
 from base.tree import GLSL, TOOLS, glsl_files
 from translate.parsing.preprocessor import Preprocessor
@@ -164,7 +162,7 @@ class SingleFile(unittest.TestCase):
     @in_thorough_runs
     def test_godot_takes_it(self):
         try:
-            program = shutil.which("godot") or from_debian("godot")
+            program = chosen("godot")
         except Missing as reason:
             self.skipTest(str(reason))
         tried = (("HN_FAST", "hn_fbm", True), ("HN_FIXED", "hn_fbm", True), ("HN_FAST", "absent", False))
