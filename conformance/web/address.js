@@ -1,3 +1,4 @@
-// Where the project is, and results are sent; tools/lib/base/tree.py reads it here, too. The project has no public place
-// yet, so this is a stand-in. tools/make catalog writes it into pages and packages, and a test compares all files.
-export const kAddress = "https://example.com/hashnoise";
+// Where the project is, and results are sent; tools/lib/base/tree.py reads it here, too. It is empty while the project has
+// no public place: then no page and no package has a link to it. tools/make catalog writes it into both, and a test compares
+// all files.
+export const kAddress = "";

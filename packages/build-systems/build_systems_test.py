@@ -30,8 +30,8 @@ from base.tree import ROOT, address  # noqa: E402
 from ship.registries import files as registries  # noqa: E402
 
 SKIPPED = 77
-PAGE = (ROOT / "docs" / "guide" / "build-systems.md").read_text(encoding="utf-8")
-ADDRESS = f"{address()}.git"
+ADDRESS = f"{address() or 'https://localhost/noise'}.git"
+PAGE = (ROOT / "docs" / "guide" / "build-systems.md").read_text(encoding="utf-8").replace("ADDRESS", ADDRESS)
 # Files of the repository that a user's build needs.
 USED = ("CMakeLists.txt", "LICENSE", "glsl", "include", "meson.build", "packages/conan", "packages/vcpkg", "src",
         "tools/hashnoise-config.cmake.in", "tools/hashnoise-grid.pc.in", "tools/hashnoise.pc.in")
@@ -168,7 +168,7 @@ class CMake(Way):
         return self.game / "build" / "game"
 
     def copied(self):
-        self.call(["git", "clone", "--quiet", ADDRESS])
+        self.call(["git", "clone", "--quiet", ADDRESS, "hashnoise"])
 
     def test_from_git(self):
         from_git, _, _, shader = blocks("cmake", "CMake")

@@ -17,8 +17,6 @@ class HashnoiseConan(ConanFile):
     name = "hashnoise"
     description = "Procedural noise from hash functions, for shaders and C++"
     license = "MIT"
-    url = "https://example.com/hashnoise"
-    homepage = "https://example.com/hashnoise"
     topics = ("noise", "procedural", "shaders", "glsl", "header-only")
     package_type = "header-library"
     settings = "os", "arch", "compiler", "build_type"

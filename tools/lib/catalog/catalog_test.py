@@ -37,7 +37,8 @@ class Made(unittest.TestCase):
                                          r"run tools/make catalog$")
 
     def test_what_repeats_the_version_has_the_next_one(self):
-        """Whatever the lines are now, they are right in another version and at another address."""
+        """Whatever the lines are now, they are right in another version and at another address. Without one the files are
+        as they were."""
         with mock.patch.object(copies, "version", return_value="2.13.4"), \
                 mock.patch.object(copies, "released", return_value="2.12.0"), \
                 mock.patch.object(copies, "address", return_value="https://example.org/another"):
@@ -47,10 +48,13 @@ class Made(unittest.TestCase):
                 for line in lines:
                     self.assertIn(copies.filled(line), made[file])
                     self.assertTrue([one for one in wrong if one.startswith(f"{file}: ") and one.endswith(
-                        f" must be {copies.filled(line).strip()}; tools/make catalog writes it")], line)
+                        f" must be {copies.shown(copies.filled(line))}; tools/make catalog writes it")], line)
         self.assertIn("#define HN_I_NAMESPACE v2_13\n#define HN_I_LIBRARY v2\n", made["include/hashnoise/glsl.hpp"])
         self.assertIn("GIT_TAG v2.12.0", made["docs/guide/build-systems.md"])
+        self.assertIn('homepage = "https://example.org/another"\n', made["packages/conan/conanfile.py"])
         self.assertEqual(copies.wrong(), [])
+        for file in copies.LINES:
+            self.assertEqual(copies.made(file, made[file]), (ROOT / file).read_text(encoding="utf-8"))
         self.assertEqual(site("https://github.com/Some-One/noise"), "https://some-one.github.io/noise")
 
     def test_a_line_that_is_missing_is_told(self):

@@ -31,13 +31,14 @@ def own_files(folder: Path) -> dict[str, str]:
 def of_npm(manifest: str, name: str) -> str:
     """A package.json, which has no name, no version and no address of its own."""
     where = {"homepage": address(), "repository": {"type": "git", "url": f"git+{address()}.git"},
-             "bugs": f"{address()}/issues"}
+             "bugs": f"{address()}/issues"} if address() else {}
     return json.dumps({"name": name, "version": version(), **json.loads(manifest), **where}, indent=2) + "\n"
 
 
 def of_cargo(manifest: str) -> str:
     """A Cargo.toml, which has no version and no address of its own."""
-    return manifest.replace("[package]\n", f'[package]\nversion = "{version()}"\nrepository = "{address()}"\n', 1)
+    where = f'repository = "{address()}"\n' if address() else ""
+    return manifest.replace("[package]\n", f'[package]\nversion = "{version()}"\n{where}', 1)
 
 
 def papers(package: Path) -> dict[str, str]:

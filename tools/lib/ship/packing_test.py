@@ -13,7 +13,7 @@ from unittest import mock
 
 from base.pieces import was_deleted
 from base.testing import Case
-from base.tree import ROOT, address, version
+from base.tree import ROOT, version
 from ship import command, packing, page
 from ship.packing_support import lost_links
 from ship.recipes import RECIPES
@@ -41,6 +41,11 @@ class Manifests(unittest.TestCase):
                 self.assertEqual(described["homepage"], "https://example.org/another")
             for path in (ROOT / "packages").glob("*/Cargo.toml"):
                 self.assertIn('\nrepository = "https://example.org/another"\n', packing.of_cargo(path.read_text(encoding="utf-8")))
+
+    @mock.patch.object(packing, "address", return_value="")
+    def test_without_an_address_they_have_no_link(self, _: mock.Mock) -> None:
+        self.assertEqual(json.loads(packing.of_npm("{}", "name")), {"name": "name", "version": version()})
+        self.assertEqual(packing.of_cargo("[package]\nname = 1\n"), f'[package]\nversion = "{version()}"\nname = 1\n')
 
     def test_a_package_takes_no_file_of_its_tests(self) -> None:
         for path in (ROOT / "packages").glob("*/tests.cmake"):
@@ -186,16 +191,16 @@ return [x](float) { return a[1](y); };  // [no](link.md)
 `[no](link.md)`
 """
 
-    def made(self, text: str) -> str:
+    def made(self, text: str, address: str = "https://example.org/another") -> str:
         root = Path(self.enterContext(tempfile.TemporaryDirectory()))
         path = root / "packages" / "name" / "page.md"
         path.parent.mkdir(parents=True)
         path.write_text(text, encoding="utf-8")
-        with mock.patch.object(page, "ROOT", root):
+        with mock.patch.multiple(page, ROOT=root, address=lambda: address):
             return page.of_package(path)
 
     def test_links_lead_to_this_version_of_the_project(self) -> None:
-        files = f"{address()}/blob/v{version()}"
+        files = f"https://example.org/another/blob/v{version()}"
         self.assertEqual(self.made(self.PAGE), f"""\
 # Name
 
@@ -206,6 +211,12 @@ It is there.
 [One]({files}/packages/name/more.md#part), [`hn_two`]({files}/packages/x.hpp), [all]({files}/src), \
 [here](#name), [else](https://example.org/a_(b)).
 {self.PAGE[self.PAGE.index("```cpp") - 1:]}""")
+
+    def test_without_an_address_their_words_stay(self) -> None:
+        self.assertIn("\n\nOne, `hn_two`, all, [here](#name), [else](https://example.org/a_(b)).\n\n```cpp", self.made(self.PAGE, ""))
+        for text, there, gone in (("[![A](a.png)](b.md#c)", "[![A](X/a.png)](X/b.md#c)", "A"), ("[a`[`](b)", "[a`[`](X/b)", "a`[`"),
+                                  ("[1] (see [two\nwords](b))", "[1] (see [two\nwords](X/b))", "[1] (see two\nwords)")):
+            self.assertEqual((page.relinked(text, "X/{}".format), page.relinked(text, lambda _: "")), (there, gone))
 
     def test_no_link_of_a_package_is_lost(self) -> None:
         """The tests release.whole and python.source open packages."""

@@ -90,7 +90,8 @@ def package(wheel: str | None = None) -> dict[str, str | bytes]:
     found: dict[str, str | bytes] = {path.name: path.read_text(encoding="utf-8")
                                      for path in sorted(PACKAGE.glob("*.py"))}
     manifest = (PACKAGE / MANIFEST).read_text(encoding="utf-8")
-    found[MANIFEST] = manifest.replace("VERSION", version()).replace("ADDRESS", address())
+    website = f'website = "{address()}"\n' if address() else ""
+    found[MANIFEST] = manifest.replace("VERSION", version()).replace('website = "ADDRESS"\n', website)
     found |= papers(PACKAGE)
     found |= {f"shaders/{shader(form)}.osl": text for form, text in texts().items()}
     if wheel is not None:

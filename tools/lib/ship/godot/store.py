@@ -11,7 +11,7 @@ from __future__ import annotations
 import re
 
 from base.tree import ROOT, address, version
-from ship.page import of_package
+from ship.page import of_package, relinked
 
 LEAST = "4.4"  # of Godot
 PICTURE = ROOT / "docs" / "images" / "godot.jpg"
@@ -52,14 +52,14 @@ FORM = """\
 def changes(changelog: str) -> str:
     """The lines on Godot of a version's part."""
     part = re.search(rf"^## {re.escape(version())} .*?(?=^## |\Z)", changelog, re.MULTILINE | re.DOTALL)
-    found = [re.sub(r"\[([^\]]+)\]\([^)]*\)", r"\1", line) for line in (part[0] if part else "").splitlines()
+    found = [relinked(line, lambda _: "") for line in (part[0] if part else "").splitlines()
              if line.startswith("- ") and "Godot" in line]
-    return "\n".join([*found, f"- All changes: {address()}/blob/v{version()}/CHANGELOG.md"])
+    return "\n".join([*found, *[f"- All changes: {address()}/blob/v{version()}/CHANGELOG.md"] * bool(address())])
 
 
 def beside() -> dict[str, str | bytes]:
     """By the ends of their names."""
     page = of_package(ROOT / "packages" / "godot" / "addons" / "hashnoise" / "README.md").partition("\n\n")[2]
-    form = FORM.format(version=version(), summary=SUMMARY, tags=", ".join(TAGS), address=address(), ai=AI, least=LEAST,
+    form = FORM.format(version=version(), summary=SUMMARY, tags=", ".join(TAGS), address=address() or "the project's", ai=AI, least=LEAST,
                        description=page, changes=changes((ROOT / "CHANGELOG.md").read_text(encoding="utf-8")))
     return {"-store.md": form, "-store.jpg": PICTURE.read_bytes()}

@@ -17,13 +17,12 @@ from base.tree import HN_CONFORM, ROOT, TOOLS, address, version
 from catalog import copies
 from catalog.tables import glsl
 from proof.vectors.files import vectors_folder
+from ship.page import relinked
 from ship.recipes import RECIPES
 from ship.release import sbom
 from ship.zips import zipped
 from translate.pick import pages as snippets
 from translate.single_file.files import text
-
-STAND_IN = "https://example.com/"
 
 
 class NoRelease(Exception):
@@ -62,8 +61,8 @@ def problems() -> list[str]:
     if not is_deleted("measuring"):
         from measure import stamps
         found += stamps.refusals()
-    if address().startswith(STAND_IN):
-        found.append(f"conformance/web/address.js: {address()} must be the project's address; write it there, and run "
+    if not address():
+        found.append("conformance/web/address.js: it has no address, and must have the project's; write it there, and run "
                      "tools/make catalog")
     return found
 
@@ -74,8 +73,7 @@ def notes(changelog: str, wanted: str) -> str:
     if not section:
         raise NoRelease(f'CHANGELOG.md has no part on {wanted}; it must have a heading like "## {wanted} (2026-11-22)"')
     # Links to the pages of the repository lead nowhere from a release.
-    text = re.sub(r"\[([^\]]+)\]\((?!\w+://)[^)]*\)", r"\1", section[1].rstrip())
-    return f"# hashnoise {wanted}\n\n{text}\n"
+    return f"# hashnoise {wanted}\n\n{relinked(section[1].rstrip(), lambda _: '')}\n"
 
 
 class Release:
@@ -122,7 +120,7 @@ class Release:
 
     def snippets(self) -> None:
         """Functions to paste, in each language. Links to other pages lead nowhere from there."""
-        files = {f"snippets/{path.name}": re.sub(r"\[([^\]]+)\]\(\.\./[^)]*\)", r"\1", path.read_text("utf-8")).encode()
+        files = {f"snippets/{path.name}": relinked(path.read_text("utf-8"), lambda to: "" if to.startswith("../") else to).encode()
                  for path in sorted(snippets.whole().iterdir())}
         (self.folder / f"hashnoise-{self.version}-snippets.zip").write_bytes(zipped(files, self.seconds))
 

@@ -52,7 +52,8 @@ def package(engine: str | None = None) -> dict[str, str]:
     if engine is not None and not re.fullmatch(r"5\.\d+", engine):
         raise Refused(f"--engine {engine}: write a version of Unreal such as 5.6")
     found = own_files(PACKAGE)
-    own = {"VersionName": version(), "CreatedByURL": address()} | ({"EngineVersion": f"{engine}.0"} if engine else {})
+    own = {"VersionName": version()} | ({"CreatedByURL": address()} if address() else {}) | (
+        {"EngineVersion": f"{engine}.0"} if engine else {})
     found[DESCRIPTION] = json.dumps({**json.loads(found[DESCRIPTION]), **own}, indent=2) + "\n"
     found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
     for arithmetic, suffix in ARITHMETICS.items():

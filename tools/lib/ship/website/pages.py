@@ -11,6 +11,7 @@ from pathlib import Path
 
 from base.pieces import is_deleted, was_deleted
 from base.tree import ROOT, address, files, version
+from ship.page import relinked
 from ship.website import live
 
 # The parts of the site beside its pages, in the order in which a reader needs them. A page of docs/ is in one group.
@@ -56,8 +57,6 @@ NOT_SEARCHED = re.compile(r"docs/(?:reference/snippets/hn_\w+|measured/results/.
 # A page as the site has it.
 CHANGED = {"docs/guide/tutorial.md": live.with_pictures}
 PLAYGROUND = "`playground.html` of a release"  # in pages; the site has it, and a link in its place
-# The link of a page, but for its anchor.
-LINK = re.compile(r"(?<=\]\()(?!\w+:|#)([^)#\s]+)")
 
 
 def pages(root: Path) -> list[str]:
@@ -131,7 +130,7 @@ class Copy:
         if name == "README.md":
             return posixpath.relpath("index.md", posixpath.dirname(page) or ".")
         if self.root == ROOT and was_deleted(name):
-            return f"{address()}/blob/v{version()}/{name}"
+            return f"{address()}/blob/v{version()}/{name}" if address() else ""
         if name.startswith("..") or not (self.root / name).exists() or name.endswith(".md"):
             return link  # Sphinx reports a missing one
         if (self.root / name).is_file():
@@ -153,7 +152,7 @@ class Copy:
         to_playground = posixpath.relpath("playground.html", posixpath.dirname(name) or ".")
         if not is_deleted("playground"):
             text = text.replace(PLAYGROUND, f'<a href="{to_playground}">playground.html</a>')
-        text = LINK.sub(lambda link: self.target(name, link[1]), text) + more
+        text = relinked(text, lambda link: self.target(name, link)) + more
         copied = self.folder / ("index.md" if name == "README.md" else name)
         copied.parent.mkdir(parents=True, exist_ok=True)
         copied.write_text(text, encoding="utf-8")

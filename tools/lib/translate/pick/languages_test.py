@@ -79,8 +79,8 @@ TOGETHER = ("hn_perlin2", "hn_value3_place", "hn_tile3")  # in one text
 PAGE = (ROOT / "docs" / "guide" / "same-bits.md").read_text(encoding="utf-8")
 # A program that prints the height of the page, and the commands that build and run it.
 SERVERS = {
-    "go": ({"go.mod": "module example.com/game\n\ngo 1.18\n",
-            "main.go": 'package main\n\nimport (\n\t"example.com/game/hashnoise"\n\t"fmt"\n)\n\nfunc main() {\n'
+    "go": ({"go.mod": "module game\n\ngo 1.18\n",
+            "main.go": 'package main\n\nimport (\n\t"game/hashnoise"\n\t"fmt"\n)\n\nfunc main() {\n'
                        '\tvar x, y float32 = 37, -5\n\tfmt.Printf("%.9g", CALL)\n}\n'}, "go run ."),
     "rust": ({"src/main.rs": 'mod hashnoise;\nfn main() { let (x, y) = (37f32, -5f32); print!("{:?}", CALL); }\n'},
              "rustc --edition 2021 -A dead_code src/main.rs", "./main"),
