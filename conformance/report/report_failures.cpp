@@ -168,7 +168,7 @@ Json page_case(const Run& run, const CaseResult& result, PageBudget& shown) {
   const Step* const faulty = faulty_step(run, result);
   Json step = false;
   if (faulty) {
-    step = {{"text", clean_text(fmt::format("Step {} of the way, {},", outcome.step->number, faulty->text()))},
+    step = {{"text", clean_text(fmt::format("Step {} of the chain, {},", outcome.step->number, faulty->text()))},
             {"fault", fault_of_step(outcome)},
             {"command", clean_text(command_of(*faulty, *outcome.step))},
             {"input", outcome.step->input.empty() ? Json(false) : Json({{"file", clean_text(outcome.step->input)}})}};
@@ -246,7 +246,7 @@ Json page_run(const Run& run, const Failures& failures, PageBudget& shown) {
           {"gl_version", clean_text(run.info.gl_version)},
           {"here", run.library       ? "the edited library"
                    : run.way.empty() ? "this driver"
-                                     : "this way"},
+                                     : "this chain"},
           {"common", std::move(common)},
           {"functions", std::move(groups)},
           {"left_out", more(left, "such groups, in results.json")}};

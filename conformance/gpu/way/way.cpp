@@ -272,7 +272,7 @@ Result<std::vector<Choice>> choices_of(const WayOptions& options) {
     choices.push_back(std::move(choice));
   }
   if (options.takes.size() == commands && options.gives.size() == commands) return choices;
-  return fail(fmt::format("--takes and --gives are for commands, one of each; the way has {}",
+  return fail(fmt::format("--takes and --gives are for commands, one of each; the chain has {}",
                           commands == 1 ? "1 command" : fmt::format("{} commands", commands)));
 }
 
