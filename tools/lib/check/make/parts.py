@@ -49,7 +49,7 @@ PARTS = tuple(part for part in (
          # config.glsl is by hand, and the products above this part are made of it.
          ("glsl/hashnoise/[!c]*.glsl", "glsl/hashnoise/c[!o]*.glsl", "glsl/hashnoise/detail/*")),
     Part("pages", "pictures, numbers and tables of pages", "half a minute", "ship.pages.command",
-         (*PAGES, *LIBRARY, *RECORDS, "tools/lib/ship/pages/*.[ch]pp", "tools/lib/ship/*/files.py",
+         (*PAGES, *LIBRARY, *RECORDS, "docs/guide/tutorial.md", "tools/lib/ship/pages/*.[ch]pp", "tools/lib/ship/*/files.py",
           "tools/lib/measure/tables.py", "catalog/*.toml", "packages/blender/nodes.py"),
          (*PAGES, "docs/images/*.png", "docs/guide/gallery/*.png", "packages/*/README.md")),
     Part("golden", "golden files, by the oracle", "five minutes", "proof.golden.command",

@@ -5,7 +5,7 @@ file has which function, the size of all of them in one, and what packages for o
     tools/make pages --check    whether they are up to date, and the README states the costs
 
 A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of
-docs/guide/gallery. The typical values are those of 2^16 points. Costs and randomness are from the records of
+docs/guide/gallery, and of the tutorial's steps. The typical values are those of 2^16 points. Costs and randomness are from the records of
 docs/measured/results, by the tables() of tools/lib/measure/tables.py.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
@@ -24,6 +24,7 @@ from base.tree import ROOT
 from base.usage import Parser
 from catalog.tables.markdown import with_section
 from ship.pages import files, gallery, numbers, picture
+from ship.website import live
 
 README = "README.md"
 NOISES = "docs/reference/noises.md"
@@ -92,8 +93,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         found = problems(options.check)
         for problem in found:
             print(problem, file=sys.stderr)
-        sheets = [*picture.of_pages(), *gallery.sheets()]
-        return picture.draw(sheets, options.check, gallery.functions()) or bool(found)
+        steps = live.in_cpp(live.PAGE.read_text(encoding="utf-8"))
+        sheets = [*picture.of_pages(), *gallery.sheets(), live.sheet(steps)]
+        return picture.draw(sheets, options.check, "\n".join([gallery.functions(), *steps.values()])) or bool(found)
     except (OSError, LookupError, ValueError) as error:
         parser.exit(2, f"tools/make pages: {error}\n")
 

@@ -22,6 +22,7 @@ from base.tree import ROOT, TOOLS
 from catalog.tables import glsl
 from ship.pages import command, files, numbers, picture
 from ship.recipes import RECIPES
+from ship.website import live
 from translate.pick.command import SYNTAXES, Choice, picker
 
 PAGES = ("README.md", "llms.txt", "docs/guide/build-systems.md", "docs/guide/cellular.md", "docs/guide/cpu.md", "docs/guide/gpu-computing.md", "docs/guide/hex-tiling.md",
@@ -123,6 +124,14 @@ class Picture(unittest.TestCase):
                 self.assertEqual(self.checked((self.path, self.tiles), (other.name, self.tiles)), 1)
                 self.assertEqual(self.checked(("/nowhere.png", self.tiles), (self.path, changed)), 2)
 
+    def test_a_changed_step_of_the_tutorial_is_noticed(self):
+        page = live.PAGE.read_text()
+        self.assertIn("](../images/tutorial.png)", page)
+        steps = live.in_cpp(page.replace("vec2(0.25, 4.0)", "vec2(0.25, 2.0)"))
+        self.assertEqual(list(steps)[11], "step_12(uv * 8.0)")
+        with contextlib.redirect_stderr(io.StringIO()):
+            self.assertEqual(picture.draw([live.sheet(steps)], True, "\n".join(steps.values())), 1)
+
     def test_its_code_is_glsl(self):
         pages = [(name, (ROOT / page).read_text()) for name, page in picture.PICTURES.items()]
         lines = "".join(f"  color = vec4({tile}, 1.0);\n" for name, page in pages for tile in picture.tiles(page, name))
@@ -159,7 +168,7 @@ class Numbers(unittest.TestCase):
     def test_another_picture_is_not_as_it_should_be(self, draw):
         self.assertEqual(self.check()[0], 1)
         drawn = {sheet.path.name for sheet in draw.call_args.args[0]}
-        self.assertLess({"noise.png", "metrics.png", "wood.png", "sheet.png"}, drawn)
+        self.assertLess({"noise.png", "metrics.png", "wood.png", "sheet.png", "tutorial.png"}, drawn)
 
     @mock.patch.object(picture, "draw", new=lambda *_: 0)
     def test_other_numbers_are_noticed(self):

@@ -1,17 +1,23 @@
-"""Live pictures below the steps of the tutorial: the reader's browser draws each by the code that stands there."""
+"""The pictures of the tutorial's steps: a sheet of them on the page, and on the site live ones below the steps, which the
+reader's browser draws by the code that stands there."""
 
 from __future__ import annotations
 
 import html
 import re
+from collections.abc import Iterable
 
+from base.tree import ROOT
+from ship.pages import picture
 from translate.single_file.files import text
 
+PAGE = ROOT / "docs" / "guide" / "tutorial.md"
 STEP = re.compile(r"^## (\d+)\. (.*)\n(?:(?!^## ).*\n)*?```glsl\n((?:.*\n)*?)```$", re.MULTILINE)
 PLAYGROUND = re.compile(r"\*\*Playground\*\*: `(#[^`]+)`")
 INCLUDE = re.compile(r'^#include "hashnoise/(\w+\.glsl)"\n', re.MULTILINE)
 # The text around color_at in a shader of one's own; a picture uses the site's.
 AROUND = re.compile(r"^(?:#|in |out |void main).*\n", re.MULTILINE)
+SIDE = 120  # pixels of a tile: a file of less than 200 kB
 MAIN = """uniform float size;
 out vec4 color;
 void main() { color = vec4(color_at(gl_FragCoord.xy / size * 8.0), 1.0); }
@@ -32,6 +38,16 @@ def library(page: str) -> str:
 def shader(code: str) -> str:
     """The rest of the shader of a step."""
     return compact(AROUND.sub("", code) + MAIN)
+
+
+def in_cpp(page: str) -> dict[str, str]:
+    """The steps for the C++ twin, which has the whole library, by the calls of their functions."""
+    return {f"step_{number}(uv * 8.0)": picture.in_cpp(re.sub("uniform float time;.*", "const float time = 0.0;", AROUND.sub(
+        "", code)).replace("color_at", f"step_{number}")) for number, _, code in STEP.findall(page)}
+
+
+def sheet(steps: Iterable[str]) -> picture.Sheet:
+    return picture.Sheet(picture.path_of("tutorial.png"), list(steps), columns=4, side=SIDE)
 
 
 def figure(step: re.Match) -> str:
