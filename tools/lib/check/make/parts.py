@@ -29,7 +29,7 @@ class Part(NamedTuple):
 LIBRARY = ("glsl/hashnoise/**/*.glsl", "glsl/hashnoise/**/*.h", "include/hashnoise/**/*.h*")
 SUITE = ("src/base/*.[ch]pp", *(f"conformance/{room}/*.[ch]pp" for room in ("library", "expected", "sums")),
          "conformance/expected/*.inc", "catalog/*.toml")
-PAGES = ("README.md", "docs/guide/gallery/README.md",
+PAGES = ("README.md", "docs/README.md", "docs/guide/gallery/README.md",
          *(f"docs/{page}.md" for page in (
              "guide/cellular", "guide/engines", "guide/languages", "guide/uniform",
              "measured/default-hash", "measured/hashes", "measured/judge",

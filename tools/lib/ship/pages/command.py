@@ -24,7 +24,7 @@ from base.tree import ROOT
 from base.usage import Parser
 from catalog.tables.markdown import with_section
 from ship.pages import files, gallery, numbers, picture
-from ship.website import live
+from ship.website import live, pages
 
 README = "README.md"
 NOISES = "docs/reference/noises.md"
@@ -53,7 +53,8 @@ def of_packages() -> Iterator[tuple[str, str, str]]:
 def tables() -> list[tuple[str, str, str]]:
     """Made parts of pages: the page, the name of the marks, and the table."""
     typical = numbers.typical()
-    return [(NOISES, "tools/make pages: values", numbers.typical_table(typical, numbers.COMMON)),
+    return [("docs/README.md", "tools/make pages: index", pages.index()),
+            (NOISES, "tools/make pages: values", numbers.typical_table(typical, numbers.COMMON)),
             (SUMS, "tools/make pages: typical values of sums", numbers.typical_table(typical, numbers.SUMS)),
             (SUMS, "tools/make pages: typical values of sums in 1D and 4D",
              numbers.typical_table(typical, numbers.PLAIN_SUMS, (1, 4))),

@@ -31,7 +31,7 @@ GROUPS = {
                           "develop/porting", "develop/release", "develop/publishing"],
 }
 GROUPS = {group: [page for page in those if not was_deleted(f"docs/{page}.md")] for group, those in GROUPS.items()}
-TOP = ("CHANGELOG", "CONTRIBUTING", "CODE_OF_CONDUCT", "SECURITY", "conformance/run/expect/README")
+TOP = ("docs/README", "CHANGELOG", "CONTRIBUTING", "CODE_OF_CONDUCT", "SECURITY", "conformance/run/expect/README")
 # The page of a package that a command makes; pages of docs/ lead there.
 PACKAGE = re.compile(r"packages/[\w-]+/README\.md")
 # The words by which somebody looks for a section, where its heading has another: the page, the heading, the words. The
@@ -69,6 +69,16 @@ def ungrouped(names: Iterable[str]) -> list[str]:
     """The pages of docs/ that no group has; those in its folders are found by their README."""
     grouped = {f"docs/{name}.md" for those in GROUPS.values() for name in those}
     return [name for name in names if name.count("/") == 2 and name.startswith("docs/") and name not in grouped]
+
+
+def index(root: Path = ROOT) -> str:
+    """A line for each group, with its pages."""
+    if left := ungrouped(pages(root)):
+        raise ValueError(f"{', '.join(left)}: no group of tools/lib/ship/website/pages.py has it")
+    titles = {name: (root / f"docs/{name}.md").read_text(encoding="utf-8").partition("\n")[0].removeprefix("# ").partition(":")[0]
+              for those in GROUPS.values() for name in those}
+    return "".join(f"- **{group}**: {' · '.join(f'[{titles[name]}]({name}.md)' for name in those)}\n"
+                   for group, those in GROUPS.items())
 
 
 def table_of_contents(names: Iterable[str]) -> str:

@@ -15,6 +15,7 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 from urllib.parse import quote
 
 from base import chromium, glslang
@@ -100,6 +101,9 @@ class Groups(unittest.TestCase):
     def test_a_page_that_is_in_none_is_told(self) -> None:
         self.assertEqual(pages.ungrouped(["README.md", "docs/reference/fractals.md", "docs/guide/lost.md",
                                            "docs/measured/results/gpu/README.md"]), ["docs/guide/lost.md"])
+        with mock.patch.object(pages, "pages", return_value=["docs/guide/lost.md"]), \
+                self.assertRaisesRegex(ValueError, "^docs/guide/lost.md: no group"):
+            pages.index()
 
 
 class Tables(unittest.TestCase):
