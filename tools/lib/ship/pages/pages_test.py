@@ -29,7 +29,7 @@ PAGES = ("README.md", "llms.txt", "docs/guide/build-systems.md", "docs/guide/cel
          "docs/reference/knobs.md", "docs/guide/moving.md", "docs/reference/noises.md", "docs/guide/random.md", "docs/guide/same-bits.md", "docs/reference/fractals.md",
          "docs/guide/tutorial.md", "docs/guide/uniform.md")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-SINGLE_FILE = re.compile(r"^// here: what tools/pick whole makes of (\w+\.glsl)$", re.MULTILINE)
+SINGLE_FILE = re.compile(r"^// paste the output of tools/pick whole (\w+\.glsl) here$", re.MULTILINE)
 
 
 def blocks(language, pages=PAGES):
@@ -199,7 +199,7 @@ class Numbers(unittest.TestCase):
             status, output = self.check()
         self.assertEqual(status, 1)
         self.assertRegex(output, r"docs/measured/measuring\.md: the table of `[^`]+` is not what it should be")
-        self.assertRegex(output, r"README\.md: it must state \".* a quarter \(0\.36 and ")
+        self.assertRegex(output, r"README\.md: it must state \".* a quarter of FastNoiseLite's \(0\.36 and ")
 
     @unittest.skipIf(is_deleted("measuring"), "measuring was deleted")
     @mock.patch.object(picture, "draw", new=lambda *_: 0)
