@@ -92,7 +92,8 @@ TEST(Page, HasOneTextForTheMakersOfATranslator) {
   EXPECT_FALSE(has(page, "Crashes, timeouts and errors")) << "each is a failure of the step";
   for (const char* part :
        {"<h3>osmesa through spirv-opt 2023.1: r, 4.5</h3>", "Copy a report for the makers of spirv-opt",
-        "<strong>Step 1 of the chain, spirv-opt 2023.1,</strong> makes a right shader wrong: <code>/usr/bin/spirv-opt -O "
+        "<strong>Step 1 of the chain, spirv-opt 2023.1,</strong> makes a right shader wrong: <code>/usr/bin/spirv-opt "
+        "-O "
         "1-spirv-opt.spv -o out.spv</code>",
         "<td class=\"wide\">through <strong>spirv-opt 2023.1</strong><br>on r<br>",
         "<a href=\"ways/bugs.abs/1-spirv-opt.spv\">", "Copy a report for the vendor",

@@ -15,8 +15,10 @@ Line = str | tuple[str, str]
 # a pair stands there as it is while the project has no address.
 LINES: dict[str, tuple[Line, ...]] = {file: lines for file, lines in {
     "CITATION.cff": ("\nversion: VERSION\n", ("\nrepository-code: ADDRESS\nlicense: ", "\nlicense: ")),
-    "docs/guide/build-systems.md": ("GIT_TAG vRELEASED`", "revision = vRELEASED`", "\nhashnoise/VERSION\n", ("ADDRESS.git", "ADDRESS")),
-    "docs/guide/playground.md": (("Open it [on the site](SITE/playground.html), or `playground.html`", "Open `playground.html`"),),
+    "docs/guide/build-systems.md": ("GIT_TAG vRELEASED`", "revision = vRELEASED`", "\nhashnoise/VERSION\n",
+                                    ("ADDRESS.git", "ADDRESS")),
+    "docs/guide/playground.md": (("Open it [on the site](SITE/playground.html), or `playground.html`",
+                                  "Open `playground.html`"),),
     "docs/guide/godot.md": ("hashnoise-godot-VERSION.zip",),
     "docs/guide/javascript.md": ("hashnoise-VERSION.tgz",),
     "docs/reference/frozen.md": ("`hashnoise::vMAJOR_MINOR`", "`hashnoise::vMAJOR`"),

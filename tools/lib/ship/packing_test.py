@@ -213,8 +213,10 @@ It is there.
 {self.PAGE[self.PAGE.index("```cpp") - 1:]}""")
 
     def test_without_an_address_their_words_stay(self) -> None:
-        self.assertIn("\n\nOne, `hn_two`, all, [here](#name), [else](https://example.org/a_(b)).\n\n```cpp", self.made(self.PAGE, ""))
-        for text, there, gone in (("[![A](a.png)](b.md#c)", "[![A](X/a.png)](X/b.md#c)", "A"), ("[a`[`](b)", "[a`[`](X/b)", "a`[`"),
+        self.assertIn("\n\nOne, `hn_two`, all, [here](#name), [else](https://example.org/a_(b)).\n\n```cpp",
+                      self.made(self.PAGE, ""))
+        for text, there, gone in (("[![A](a.png)](b.md#c)", "[![A](X/a.png)](X/b.md#c)", "A"),
+                                  ("[a`[`](b)", "[a`[`](X/b)", "a`[`"),
                                   ("[1] (see [two\nwords](b))", "[1] (see [two\nwords](X/b))", "[1] (see two\nwords)")):
             self.assertEqual((page.relinked(text, "X/{}".format), page.relinked(text, lambda _: "")), (there, gone))
 

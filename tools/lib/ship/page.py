@@ -12,8 +12,8 @@ from base.tree import ROOT, address, version
 # A copy of the repository shows the text behind the comment, and a package the text in it.
 OF_PACKAGES = re.compile(r"^<!-- in a package:\n(.*?)^-->\n.*?^<!-- end -->\n", re.MULTILINE | re.DOTALL)
 # Code has brackets, too. Links into the page itself lead there in a package as well.
-LINK = re.compile(r"^```.*?^```$|!?\[((?:!\[[^]]*\]\([^)]*\)|`[^`\n]*`|[^]`])*)\]\((?![\w+.-]+:|#)([^()\s#]+)(#[^()\s]*)?\)|`[^`\n]*`",
-                  re.MULTILINE | re.DOTALL)
+LINK = re.compile(r"^```.*?^```$|!?\[((?:!\[[^]]*\]\([^)]*\)|`[^`\n]*`|[^]`])*)\]"
+                  r"\((?![\w+.-]+:|#)([^()\s#]+)(#[^()\s]*)?\)|`[^`\n]*`", re.MULTILINE | re.DOTALL)
 
 
 def relinked(text: str, target: Callable[[str], str]) -> str:

@@ -60,6 +60,6 @@ def changes(changelog: str) -> str:
 def beside() -> dict[str, str | bytes]:
     """By the ends of their names."""
     page = of_package(ROOT / "packages" / "godot" / "addons" / "hashnoise" / "README.md").partition("\n\n")[2]
-    form = FORM.format(version=version(), summary=SUMMARY, tags=", ".join(TAGS), address=address() or "the project's", ai=AI, least=LEAST,
-                       description=page, changes=changes((ROOT / "CHANGELOG.md").read_text(encoding="utf-8")))
+    form = FORM.format(version=version(), summary=SUMMARY, tags=", ".join(TAGS), address=address() or "the project's", ai=AI,
+                       least=LEAST, description=page, changes=changes((ROOT / "CHANGELOG.md").read_text(encoding="utf-8")))
     return {"-store.md": form, "-store.jpg": PICTURE.read_bytes()}

@@ -5,8 +5,8 @@ file has which function, the size of all of them in one, and what packages for o
     tools/make pages --check    whether they are up to date, and the README states the costs
 
 A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of
-docs/guide/gallery, and of the tutorial's steps. The typical values are those of 2^16 points. Costs and randomness are from the records of
-docs/measured/results, by the tables() of tools/lib/measure/tables.py.
+docs/guide/gallery, and the sheet of the tutorial. The typical values are those of 2^16 points. Costs and randomness are
+from the records of docs/measured/results, by the tables() of tools/lib/measure/tables.py.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
 compile, or a page cannot be read.

@@ -44,8 +44,8 @@ def of_conan(archive: bytes) -> dict[str, str]:
     """A folder of recipes/ in conan-center-index."""
     found = {f"all/{name}": (PACKAGES / "conan" / name).read_text(encoding="utf-8") for name in OF_CONAN}
     for pattern, by in ((OF_A_COPY, SOURCE), (r'(?s)\A""".*?"""\n\n', ""), ("import re\n", ""), ("import copy, load,", "import get,"),
-                        (r"(?:    url = .*\n    homepage = .*\n)?    topics", '    url = "https://github.com/conan-io/conan-center-index"\n'
-                         f'    homepage = "{address()}"\n    topics')):
+                        (r"(?:    url = .*\n    homepage = .*\n)?    topics",
+                         f'    url = "https://github.com/conan-io/conan-center-index"\n    homepage = "{address()}"\n    topics')):
         found["all/conanfile.py"] = replaced(found["all/conanfile.py"], pattern, by)
     found["all/conandata.yml"] = (f'sources:\n  "{version()}":\n    url: "{archive_address()}"\n'
                                   f'    sha256: "{hashlib.sha256(archive).hexdigest()}"\n')

@@ -120,7 +120,7 @@ class Release:
 
     def snippets(self) -> None:
         """Functions to paste, in each language. Links to other pages lead nowhere from there."""
-        files = {f"snippets/{path.name}": relinked(path.read_text("utf-8"), lambda to: "" if to.startswith("../") else to).encode()
+        files = {f"snippets/{path.name}": relinked(path.read_text("utf-8"), lambda to: to.partition("../")[0]).encode()
                  for path in sorted(snippets.whole().iterdir())}
         (self.folder / f"hashnoise-{self.version}-snippets.zip").write_bytes(zipped(files, self.seconds))
 

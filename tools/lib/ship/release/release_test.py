@@ -274,8 +274,9 @@ class Addresses(unittest.TestCase):
         other = f"{PLACE}/hashnoise"
         for name in ("page.md", "page_test.py"):
             (root / name).write_text(f"{other}.git {address()} {other}_wgsl https://pypi.org/project/hashnoise me@example.com")
-        self.assertEqual(other_addresses(root), [f"{name}: {one} must be {address() or 'no link'}, as of conformance/web/address.js"
-                                                 for name, one in (("page.md", other), ("page.md", "example.com"), ("page_test.py", other))])
+        self.assertEqual(other_addresses(root), [
+            f"{name}: {one} must be {address() or 'no link'}, as of conformance/web/address.js"
+            for name, one in (("page.md", other), ("page.md", "example.com"), ("page_test.py", other))])
 
 
 class Version(unittest.TestCase):
