@@ -54,7 +54,7 @@ def changes(changelog: str) -> str:
     part = re.search(rf"^## {re.escape(version())} .*?(?=^## |\Z)", changelog, re.MULTILINE | re.DOTALL)
     found = [relinked(line, lambda _: "") for line in (part[0] if part else "").splitlines()
              if line.startswith("- ") and "Godot" in line]
-    return "\n".join([*found, *[f"- All changes: {address()}/blob/v{version()}/CHANGELOG.md"] * bool(address())])
+    return "\n".join([*found, f"- All changes: {f'{address()}/blob/v{version()}/' if address() else ''}CHANGELOG.md"])
 
 
 def beside() -> dict[str, str | bytes]:
