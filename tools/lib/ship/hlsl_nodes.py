@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import NamedTuple
 
 from base.tree import GLSL
-from catalog import popular
+from catalog import parameters, popular
 from translate.parsing.syntax import Function
 from translate.pick.command import Choice, picker, read_library
 
@@ -17,6 +18,8 @@ NODES = popular.nodes("graphs")
 # All functions: shaders and scripts also have the short forms of those that take a jitter.
 FORMS = (*NODES, *(form.removesuffix("_jitter") for form in NODES if form.endswith("_jitter")), "hn_tile2")
 PORTS = {"float": "float", "int": "float", "uint": "float", "vec2": "float2", "vec3": "float3", "ivec2": "float2"}
+PERIOD = "after how many cells it repeats along each axis: whole numbers; 0 is never"
+IN_TILE = ": a whole number from 1 to 255 here, since octaves have to fit into the period"
 # A port is a float, and a seed may be any whole number that a float has.
 CONVERTED = {"int": "(int){}", "uint": "(uint)(int){}"}
 
@@ -41,15 +44,34 @@ def port(name: str) -> str:
     return "Position" if name in ("p", "place") else name[0].upper() + name[1:]
 
 
+class Input(NamedTuple):
+    name: str
+    type: str                   # in GLSL
+    default: tuple[float, ...]  # a number for each component; none for a position
+    about: str
+
+
+def inputs(form: str) -> list[Input]:
+    """A node's inputs, in their order."""
+    found = []
+    for one in forms()[form].parameters:
+        name = one.at.text
+        about = parameters.about(form, name, is_fixed=True)
+        if name == "place":
+            found += [Input("Position", "vec2", (), "in cells"), Input("Period", "ivec2", (8, 8), PERIOD)]
+        elif about is None:
+            found.append(Input(port(name), one.type, (), "in cells"))
+        else:
+            axes = "xyz"[:int(one.type[-1])] if one.type[-1].isdigit() else ""
+            of_axes = [parameters.about(form, f"{name}_{axis}", is_fixed=True) for axis in axes]
+            found.append(Input(port(name), one.type, tuple(of.default or 0 for of in of_axes or [about]),
+                               about.what + IN_TILE * (name == "lacunarity" and form.endswith("_place"))))
+    return found
+
+
 def ports(form: str) -> list[tuple[str, str]]:
     """The type and the name of a node's inputs."""
-    taken: list[tuple[str, str]] = []
-    for one in forms()[form].parameters:
-        if one.type == "hn_place2":
-            taken += [("float2", "Position"), ("float2", "Period")]
-        else:
-            taken.append((PORTS[one.type], port(one.at.text)))
-    return taken
+    return [(PORTS[one.type], one.name) for one in inputs(form)]
 
 
 def call(form: str, arithmetic: str) -> str:

@@ -10,20 +10,18 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from functools import cache
-from typing import NamedTuple
 
 from base.tree import GLSL, version
-from catalog import parameters, popular
-from ship.hlsl_nodes import ARITHMETICS, NODES, camel, forms, port
+from catalog import popular
+from ship import hlsl_nodes
+from ship.hlsl_nodes import ARITHMETICS, NODES, Input, camel, forms
 from translate.pick.command import Choice, picker
 from translate.pick.comments import first_sentence
 
-TYPES = {"float": "SCALAR", "int": "SCALAR_INT", "uint": "SCALAR_UINT", "vec2": "VECTOR_2D", "vec3": "VECTOR_3D"}
+TYPES = {"float": "SCALAR", "int": "SCALAR_INT", "uint": "SCALAR_UINT", "vec2": "VECTOR_2D", "ivec2": "VECTOR_2D",
+         "vec3": "VECTOR_3D"}
 SHOWN = {"SCALAR": "float", "SCALAR_INT": "int", "SCALAR_UINT": "uint", "VECTOR_2D": "vec2", "VECTOR_3D": "vec3"}
-VECTORS = {("wave", "vec2"): "Vector2(3.0, 0.0)", ("wave", "vec3"): "Vector3(3.0, 0.0, 0.0)"}
 POSITION = "in cells; where nothing is connected, UV * 8"
-PERIOD = "after how many cells it repeats along each axis: whole numbers; 0 is never"
-IN_TILE = ": a whole number from 1 to 255 here, since octaves have to fit into the period"
 # The menu lacks a script that names another one by a relative path.
 SCRIPT = """\
 # A node of visual shaders, of hashnoise {version}. Made by tools/pack godot.
@@ -50,13 +48,6 @@ TEXT = """\
 """
 
 
-class Input(NamedTuple):
-    name: str
-    type: str     # of a port
-    default: str  # in GDScript
-    about: str
-
-
 def title(form: str) -> str:
     return f"HashNoise{camel(form)}D"
 
@@ -66,22 +57,16 @@ def text(form: str) -> str:
     return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", camel(form)).lower() + "d"
 
 
+def default(one: Input) -> str:
+    """In GDScript."""
+    if len(one.default) > 1:
+        return f"Vector{len(one.default)}({', '.join(str(float(number)) for number in one.default)})"
+    return str((float if one.type == "float" else int)(one.default[0])) if one.default else "null"
+
+
 def inputs(form: str) -> list[Input]:
-    found = []
-    for one in forms()[form].parameters:
-        name = one.at.text
-        if name == "place":
-            found += [Input("position", "VECTOR_2D", "null", POSITION),
-                      Input("period", "VECTOR_2D", "Vector2(8.0, 8.0)", PERIOD)]
-            continue
-        about = parameters.about(form, name, is_fixed=True)
-        if about is None:
-            found.append(Input(port(name).lower(), TYPES[one.type], "null", POSITION))
-            continue
-        write = float if one.type == "float" else int
-        found.append(Input(name, TYPES[one.type], VECTORS.get((name, one.type)) or str(write(about.default or 0)),
-                           about.what + IN_TILE * (name == "lacunarity" and form.endswith("_place"))))
-    return found
+    return [one._replace(name=one.name.lower(), about=one.about if one.default else POSITION)
+            for one in hlsl_nodes.inputs(form)]
 
 
 def call(form: str) -> str:
@@ -97,7 +82,7 @@ def description(form: str) -> str:
 
 
 def script(form: str) -> str:
-    rows = "".join(f'\t\t["{one.name}", PORT_TYPE_{one.type}, {one.default}],\n' for one in inputs(form))
+    rows = "".join(f'\t\t["{one.name}", PORT_TYPE_{TYPES[one.type]}, {default(one)}],\n' for one in inputs(form))
     said = description(form).replace("\n", "\\n")
     return SCRIPT.format(version=version(), title=title(form), text=text(form), call=call(form), inputs=rows,
                          output=TYPES[forms()[form].type], description=said)
@@ -127,5 +112,5 @@ def functions() -> dict[str, str]:
 def interface() -> Iterator[tuple[str, str]]:
     """As of ship.blender."""
     for form in NODES:
-        yield from ((f"{title(form)}.{one.name}", f"{SHOWN[one.type]} {one.default.replace('null', 'UV * 8')}") for one in inputs(form))
+        yield from ((f"{title(form)}.{one.name}", f"{SHOWN[TYPES[one.type]]} {default(one).replace('null', 'UV * 8')}") for one in inputs(form))
         yield f"{title(form)}.value", f"output {forms()[form].type}"
