@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import hashlib
+import re
 from functools import cache
 from typing import NamedTuple
 
@@ -27,6 +29,26 @@ CONVERTED = {"int": "(int){}", "uint": "(uint)(int){}"}
 @cache
 def picked(names: tuple[str, ...], language: str, arithmetic: str) -> str:
     return picker()(names, Choice(language, arithmetic, name=NAMES.get((language, arithmetic), "")))
+
+
+def alone(form: str, language: str, arithmetic: str) -> str:
+    """The text of the function of one node, without comments and macros."""
+    names = ("hn_tile2", form) if form.endswith("_place") else (form,)
+    return re.sub(r"(?m)^ *//.*\n|^#.*\n", "", picked(names, language, arithmetic))
+
+
+def title(form: str, arithmetic: str) -> str:
+    return f"HashNoise{ARITHMETICS[arithmetic]}{camel(form)}"
+
+
+def guid(name: str) -> str:
+    """Of something in an engine's file: each version has the same, so what users link to it stays linked."""
+    return hashlib.md5(name.encode(), usedforsecurity=False).hexdigest()
+
+
+def width(type_: str) -> int:
+    """The components of a port."""
+    return int(type_.removeprefix("float") or 1)
 
 
 @cache

@@ -53,8 +53,8 @@ RECIPES = {name: recipe for name, recipe in {
         "does not call is left out when it is linked."),
     "unity": Recipe(
         "the package for Unity", "com.hashnoise.noise",
-        more="Unity's Package Manager takes the folder. It has functions for HLSL, for the Custom Function nodes of "
-        "Shader Graph, and for C#, of the functions in most use."),
+        more="Unity's Package Manager takes the folder. It has nodes for Shader Graph, HLSL and C#, of the "
+        "functions in most use."),
     "unreal": Recipe(
         "the plugin for Unreal", "hashnoise-unreal",
         more="A project has it in its folder Plugins. It has files of HLSL that materials include, and the text of "

@@ -14,8 +14,7 @@ from functools import cache
 from base.tree import GLSL, version
 from catalog import popular
 from ship import hlsl_nodes
-from ship.hlsl_nodes import ARITHMETICS, NODES, Input, camel, forms
-from translate.pick.command import Choice, picker
+from ship.hlsl_nodes import ARITHMETICS, NODES, Input, alone, camel, forms
 from translate.pick.comments import first_sentence
 
 TYPES = {"float": "SCALAR", "int": "SCALAR_INT", "uint": "SCALAR_UINT", "vec2": "VECTOR_2D", "ivec2": "VECTOR_2D",
@@ -97,13 +96,10 @@ def scripts() -> dict[str, str]:
 def functions() -> dict[str, str]:
     """The files that the nodes include, by their names in the folder. Their names are their own, since a shader may have
     other nodes, and parts of the library."""
-    pick, found = picker(), {}
+    found = {}
     for form in NODES:
-        names = ("hn_tile2", form) if form.endswith("_place") else (form,)
-        code = ""
-        for arithmetic in ARITHMETICS:
-            of_one = re.sub(r"(?m)^ *//.*\n|^#.*\n", "", pick(names, Choice("godot", arithmetic)))
-            code += re.sub(r"\bhn_", f"hn_{text(form)}_{arithmetic}_", of_one)
+        code = "".join(re.sub(r"\bhn_", f"hn_{text(form)}_{arithmetic}_", alone(form, "godot", arithmetic))
+                       for arithmetic in ARITHMETICS)
         found[f"{text(form)}.gdshaderinc"] = TEXT.format(title=title(form), version=version(), code=code,
                                                          guard=f"HN_NODE_{text(form).upper()}")
     return found

@@ -9,15 +9,20 @@ Exit status: as of the tests; 77 Mono or glslang is not here, or nothing failed 
 
 from __future__ import annotations
 
+import copy
 import json
 import re
 import struct
 import subprocess
 import unittest
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
+from unittest import mock
 
 from base.tree import TOOLS, version
 from proof.vectors.files import vectors_folder
+from ship.hlsl_nodes import ARITHMETICS, NODES
 from ship.packing_support import made, run_with_compilers
 from ship.unity import files
 from translate.hlsl.compilers import missing as missing_compilers
@@ -51,12 +56,134 @@ float4x4 unity_ObjectToWorld;
 float4 UnityObjectToClipPos(float4 p) { return mul(unity_ObjectToWorld, p); }
 """
 
+# What docs/reference/frozen.md states, and (8, 8) as the period.
+DEFAULTS = {"Position": (0, 0, 0), "Octaves": (6,), "Lacunarity": (2,), "Gain": (0.5,), "Jitter": (1,), "Metric": (1,),
+            "Amplitude": (1,), "Seed": (0,), "Period": (8, 8), "Wave": (3, 0, 0), "Bandwidth": (0,), "Phase": (0,)}
+Objects = list[dict[str, Any]]
+
+
+def references(one: Any) -> Iterator[str]:
+    """The objects that an object names. A slot's own m_Id is a number."""
+    if isinstance(one, dict):
+        yield from (found for found in [one.get("m_Id")] if isinstance(found, str) and found)
+    for value in one.values() if isinstance(one, dict) else one if isinstance(one, list) else ():
+        yield from references(value)
+
+
+def parsed(text: str) -> Objects:
+    return [json.loads(one) for one in text.split("\n\n") if one]
+
+
+def faults(objects: Objects, hlsl: str, source: str) -> list[str]:
+    """Why a subgraph does not call the function of this text, in the file with this GUID, with each input in its place."""
+    of = {one["m_ObjectId"]: one for one in objects}
+    graph, named = objects[0], {name for one in objects for name in references(one)}
+    if wrong := sorted(named ^ (of.keys() - {graph["m_ObjectId"]})):
+        return [f"{one} is not there, or nothing names it" for one in wrong]
+
+    def followed(names: list[dict[str, str]]) -> Objects:
+        return [of[one["m_Id"]] for one in names]
+    nodes = {one["m_ObjectId"]: one for one in followed(graph["m_Nodes"])}
+    slots = {(node, slot["m_Id"]): slot for node, one in nodes.items() for slot in followed(one["m_Slots"])}
+    sources: dict[tuple[str, int], list[tuple[str, int]]] = {}
+    found = []
+    for edge in graph["m_Edges"]:
+        begin, end = ((side["m_Node"]["m_Id"], side["m_SlotId"]) for side in (edge["m_OutputSlot"], edge["m_InputSlot"]))
+        sources.setdefault(end, []).append(begin)
+        kinds = [(slots[at]["m_SlotType"], slots[at]["m_Type"]) if at in slots else None for at in (begin, end)]
+        if None in kinds or [kind for kind, _ in kinds] != [1, 0] or kinds[0][1] != kinds[1][1]:
+            found.append(f"an edge joins {kinds}")
+    inputs = [at for at, slot in slots.items() if slot["m_SlotType"] == 0]
+    if sorted(sources) != sorted(inputs) or any(len(one) != 1 for one in sources.values()):
+        return [*found, "an input has not one edge"]
+    function, = (one for one in nodes.values() if one["m_Type"].endswith("CustomFunctionNode"))
+    if function["m_FunctionSource"] != source:
+        found.append("the file of the function is another one")
+    if not (signature := re.search(rf"^void {function['m_FunctionName']}_float\((.*), out (\w+) Out\)", hlsl, re.MULTILINE)):
+        return [*found, f"there is no {function['m_FunctionName']}"]
+    wanted = [*(tuple(one.split()) for one in signature[1].split(", ")), (signature[2], "Out")]
+
+    def shown(one: dict[str, Any], name: str) -> tuple[str, str]:
+        return re.sub(r".*Vector(\d)\D+", r"float\1", one["m_Type"]).replace("float1", "float"), one[name]
+    properties = followed(graph["m_Properties"])
+    taken = followed(function["m_Slots"])
+    for what, rows in (("slots", [shown(one, "m_ShaderOutputName") for one in taken]),
+                       ("properties", [*(shown(one, "m_Name") for one in properties), wanted[-1]]),
+                       ("sources", [*(shown(of[nodes[sources[function["m_ObjectId"], one["m_Id"]][0][0]]["m_Property"]["m_Id"]],
+                                            "m_Name") for one in taken[:-1]), wanted[-1]])):
+        if rows != wanted:
+            found.append(f"the {what} are {rows}, and the function takes {wanted}")
+    for one in (*properties, *taken[:-1]):
+        name = one.get("m_Name") or one["m_ShaderOutputName"]
+        value = one["m_Value"]
+        numbers = tuple(value.values()) if isinstance(value, dict) else (value,)
+        if any(a != b for a, b in zip(numbers, (*DEFAULTS[name], 0, 0, 0))):
+            found.append(f"{name} is {numbers}")
+    category, = followed(graph["m_CategoryData"])
+    if category["m_ChildObjectList"] != graph["m_Properties"] or of[graph["m_OutputNode"]["m_Id"]]["m_Type"].find("Output") < 0:
+        found.append("the category or the output is another one")
+    return found
+
 
 class Text(unittest.TestCase):
-    def test_what_unity_imports_is_each_file_and_folder_but_samples(self) -> None:
-        self.assertEqual(files.seen(["a/b.cs", "package.json", "Samples~/c/d.cs"]), ["a", "a/b.cs", "package.json"])
+    def test_what_unity_imports_is_each_file_and_folder_and_what_it_copies_of_samples(self) -> None:
+        self.assertEqual(files.seen(["a/b.cs", "package.json", "Samples~/c/d.cs"]),
+                         ["Samples~/c", "Samples~/c/d.cs", "a", "a/b.cs", "package.json"])
         self.assertRegex(files.meta("a", False), r"\AfileFormatVersion: 2\nguid: [0-9a-f]{32}\n\Z")
         self.assertNotEqual(files.meta("a", False), files.meta("b", False))
+
+    def test_each_subgraph_calls_its_function(self) -> None:
+        for arithmetic, suffix in ARITHMETICS.items():
+            source = files.meta(f"Shaders/HashNoise{suffix}.hlsl", False).split()[-1]
+            for form in NODES:
+                with self.subTest(form, arithmetic=arithmetic):
+                    self.assertEqual(faults(parsed(files.subgraph(form, arithmetic)), files.node(form, arithmetic), source), [])
+
+    def test_what_users_link_keeps_its_guid(self) -> None:
+        path = files.file("hn_fbm2", "fast")
+        self.assertEqual((path, files.own_guid(path)), ("Graphs/HashNoiseFbm2.shadersubgraph", "a8acc3193a2938578812cfb120d16e54"))
+        objects = parsed(files.subgraph("hn_fbm2", "fast"))
+        gain, = (one for one in objects if one.get("m_Name") == "Gain")
+        self.assertEqual(gain["m_Guid"]["m_GuidSerialized"], "6837ea81-f80a-de9e-b82b-a6d616d114a4")
+
+    def test_a_fault_of_a_subgraph_is_found(self) -> None:
+        whole, hlsl = parsed(files.subgraph("hn_fbm2", "fast")), files.node("hn_fbm2", "fast")
+        source = files.own_guid("Shaders/HashNoise.hlsl")
+
+        def of(objects: Objects, kind: str) -> Objects:
+            return [one for one in objects if one["m_Type"].endswith(kind)]
+
+        def swap(rows: list[Any], i: int, j: int) -> None:
+            rows[i], rows[j] = rows[j], rows[i]
+
+        def ports(objects: Objects) -> None:  # Lacunarity and Gain, which are alike
+            a, b = (objects[0]["m_Edges"][i]["m_InputSlot"] for i in (2, 3))
+            a["m_SlotId"], b["m_SlotId"] = b["m_SlotId"], a["m_SlotId"]
+        planted = {
+            "ports": ports,
+            "properties": lambda objects: swap(objects[0]["m_Properties"], 2, 3),
+            "slots": lambda objects: swap(of(objects, "CustomFunctionNode")[0]["m_Slots"], 2, 3),
+            "type": lambda objects: of(objects, "Vector1MaterialSlot")[0].update(m_Type="Vector3MaterialSlot"),
+            "default": lambda objects: of(objects, "Vector1ShaderProperty")[0].update(m_Value=7.0),
+            "name": lambda objects: of(objects, "CustomFunctionNode")[0].update(m_FunctionName="HashNoiseFbm3"),
+            "file": lambda objects: of(objects, "CustomFunctionNode")[0].update(m_FunctionSource="0" * 32),
+            "edge": lambda objects: objects[0]["m_Edges"].pop(),
+            "twice": lambda objects: objects[0]["m_Edges"].append(objects[0]["m_Edges"][0]),
+            **{f"without {one['m_Type']} {i}": lambda objects, i=i: objects.pop(i) for i, one in enumerate(whole) if i}}
+        self.assertEqual(faults(whole, hlsl, source), [])
+        for name, plant in planted.items():
+            wrong = copy.deepcopy(whole)
+            plant(wrong)
+            with self.subTest(name):
+                self.assertNotEqual(faults(wrong, hlsl, source), [])
+        self.assertNotEqual(faults(whole, hlsl.replace("float Lacunarity, float Gain", "float Gain, float Lacunarity"), source), [])
+        self.assertNotEqual(faults(whole, hlsl.replace("float2 Position", "float3 Position"), source), [])
+
+    def test_a_link_needs_an_address(self) -> None:
+        for place, found in (("https://example.com/hashnoise", None),
+                             ("https://github.com/a/b", f"https://github.com/a/b/blob/v{version()}/CHANGELOG.md")):
+            with mock.patch.object(files, "address", return_value=place):
+                self.assertEqual(files.links().get("changelogUrl"), found)
 
 
 @unittest.skipUnless(__name__ == "__main__", "the test unity.package writes all functions")
@@ -85,10 +212,9 @@ class Package(unittest.TestCase):
         self.assertEqual(len(set(guids)), len(guids))
         for path in self.folder.rglob("*.meta"):
             self.assertEqual("folderAsset: yes\nDefaultImporter:\n" in path.read_text(), path.with_suffix("").is_dir())
-        page = (self.folder / "README.md").read_text()
-        shader = (self.folder / "Shaders/HashNoise.hlsl").read_text()
-        named = re.findall(r"^\| `(\w+)`", page, re.MULTILINE)
-        self.assertEqual(named, re.findall(r"^void (\w+)_float\(", shader, re.MULTILINE))
+        shaders = "".join(path.read_text() for path in self.folder.rglob("*.hlsl"))
+        self.assertEqual(sorted(path.stem for path in self.folder.glob("Graphs/*.shadersubgraph")),
+                         sorted(re.findall(r"^void (\w+)_float\(", shaders, re.MULTILINE)))
 
     def test_openupm_gets_each_file(self) -> None:
         """npm packs what OpenUPM takes, and leaves out files with some names."""
