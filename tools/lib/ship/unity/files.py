@@ -41,7 +41,9 @@ def graph(arithmetic: str) -> str:
 
 
 def script(arithmetic: str) -> str:
-    return picked(SCRIPTS, "csharp", arithmetic)
+    """A class in the package's namespace. tools/pick writes it into none, since it is for files of a user."""
+    head, pragma, class_ = picked(SCRIPTS, "csharp", arithmetic).partition("#pragma warning disable 1591\n")
+    return f"{head}{pragma}\nnamespace Hashnoise {{{class_}}}\n"
 
 
 def interface() -> Iterator[tuple[str, str]]:

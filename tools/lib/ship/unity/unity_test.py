@@ -215,6 +215,8 @@ class Package(unittest.TestCase):
         shaders = "".join(path.read_text() for path in self.folder.rglob("*.hlsl"))
         self.assertEqual(sorted(path.stem for path in self.folder.glob("Graphs/*.shadersubgraph")),
                          sorted(re.findall(r"^void (\w+)_float\(", shaders, re.MULTILINE)))
+        namespaces = re.findall(r"(?m)^namespace (\w+) \{$", "".join(path.read_text() for path in self.scripts()))
+        self.assertEqual(namespaces, ["Hashnoise"] * len(self.scripts()))
 
     def test_openupm_gets_each_file(self) -> None:
         """npm packs what OpenUPM takes, and leaves out files with some names."""
@@ -242,7 +244,8 @@ class Package(unittest.TestCase):
             calls += "".join(f"        Show(HashNoiseFixed.{method}({call.format(*row['words'].split())}));\n"
                              for row in of_name)
         (self.root / "engine.cs").write_text(ENGINE)
-        (self.root / "main.cs").write_text(f"""class Run {{
+        (self.root / "main.cs").write_text(f"""using Hashnoise;
+class Run {{
     static float Number(uint bits) {{ return System.BitConverter.ToSingle(System.BitConverter.GetBytes(bits), 0); }}
     static void Show(float x) {{
         System.Console.WriteLine("{{0:x8}}", System.BitConverter.ToUInt32(System.BitConverter.GetBytes(x), 0));
@@ -262,7 +265,8 @@ class Package(unittest.TestCase):
     def test_the_normal_of_the_page_is_that_of_the_land(self) -> None:
         code, = self.blocks("csharp")
         (self.root / "engine.cs").write_text(ENGINE)
-        (self.root / "normal.cs").write_text(f"""using UnityEngine;
+        (self.root / "normal.cs").write_text(f"""using Hashnoise;
+using UnityEngine;
 class Normal {{
     static Vector3 At(float x, float z, out float y) {{
         const float cells = 0.3f, height = 5f;
@@ -339,7 +343,8 @@ class Normal {{
                 "float4 frag(float2 uv : TEXCOORD0) : SV_Target {\n  float n;\n"
                 "  Hybrid3_float(float3(uv, 0.5), 6, 2, 0.5, 7, n);\n  return n + hn_perlin(uv, 7u);\n}\n")
         self.assertEqual(self.refusals("frag", "frag", main), {})
-        (self.root / "both.cs").write_text("""class Both {
+        (self.root / "both.cs").write_text("""using Hashnoise;
+class Both {
     static float At(float x) { return Hybrid.Hybrid3(x, 0f, 0f, 6, 2f, 0.5f, 7u) + HashNoise.Perlin2(x, 0f, 7u); }
 }
 """)
