@@ -57,8 +57,8 @@ RECIPES = {name: recipe for name, recipe in {
         "functions in most use."),
     "unreal": Recipe(
         "the plugin for Unreal", "hashnoise-unreal",
-        more="A project has it in its folder Plugins. It has files of HLSL that materials include, and the text of "
-        "custom nodes, of the functions in most use.",
+        more="A project in C++ has it in its folder Plugins: files of HLSL that materials include. Its folder Nodes "
+        "has texts to paste into the graph of a material, in any project, of the functions in most use.",
         options={"engine": Option("VERSION", "the version of Unreal for which it is, such as 5.6: Fab wants a zip file for each")}),
     "blender": Recipe(
         "the add-on for Blender", "hashnoise-blender",

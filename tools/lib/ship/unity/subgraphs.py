@@ -31,7 +31,7 @@ def file(form: str, arithmetic: str) -> str:
 
 
 class Objects:
-    """Those of a file."""
+    """The objects of a file."""
 
     def __init__(self, path: str) -> None:
         self.path = path

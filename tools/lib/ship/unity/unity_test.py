@@ -23,7 +23,7 @@ from unittest import mock
 from base.tree import TOOLS, version
 from proof.vectors.files import vectors_folder
 from ship.hlsl_nodes import ARITHMETICS, NODES
-from ship.packing_support import made, run_with_compilers
+from ship.packing_support import DEFAULTS, made, run_with_compilers
 from ship.unity import files
 from translate.hlsl.compilers import missing as missing_compilers
 from translate.hlsl.compilers import refusals
@@ -56,9 +56,6 @@ float4x4 unity_ObjectToWorld;
 float4 UnityObjectToClipPos(float4 p) { return mul(unity_ObjectToWorld, p); }
 """
 
-# What docs/reference/frozen.md states, and (8, 8) as the period.
-DEFAULTS = {"Position": (0, 0, 0), "Octaves": (6,), "Lacunarity": (2,), "Gain": (0.5,), "Jitter": (1,), "Metric": (1,),
-            "Amplitude": (1,), "Seed": (0,), "Period": (8, 8), "Wave": (3, 0, 0), "Bandwidth": (0,), "Phase": (0,)}
 Objects = list[dict[str, Any]]
 
 
@@ -117,7 +114,7 @@ def faults(objects: Objects, hlsl: str, source: str) -> list[str]:
         name = one.get("m_Name") or one["m_ShaderOutputName"]
         value = one["m_Value"]
         numbers = tuple(value.values()) if isinstance(value, dict) else (value,)
-        if any(a != b for a, b in zip(numbers, (*DEFAULTS[name], 0, 0, 0))):
+        if any(a != b for a, b in zip(numbers, (*(DEFAULTS[name] or (0,)), 0, 0, 0))):
             found.append(f"{name} is {numbers}")
     category, = followed(graph["m_CategoryData"])
     if category["m_ChildObjectList"] != graph["m_Properties"] or of[graph["m_OutputNode"]["m_Id"]]["m_Type"].find("Output") < 0:

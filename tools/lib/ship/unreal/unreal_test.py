@@ -1,8 +1,8 @@
 """tools/pack unreal: the content of the plugin, and its command line.
 
     python3 -m unittest ship.unreal.unreal_test  names and texts of a few
-    python3 -m ship.unreal.unreal_test           the whole plugin: glslang, DXC and FXC compile its nodes, Clang
-                                                 and Mono its module
+    python3 -m ship.unreal.unreal_test           the whole plugin: glslang, DXC and FXC compile what its nodes include,
+                                                 DXC and FXC the nodes to paste, Clang and Mono its module
 
 Exit status: as of the tests; 77 glslang, Clang or Mono is not here, or nothing failed without Microsoft's compilers.
 """
@@ -17,12 +17,13 @@ from pathlib import Path
 from unittest import mock
 
 from base.tree import TOOLS, version
-from ship.hlsl_nodes import NODES, PORTS, forms, ports
+from ship.hlsl_nodes import ARITHMETICS, NODES, PORTS, forms, ports, title
 from ship.packing import Refused
-from ship.packing_support import made, run_with_compilers
+from ship.packing_support import DEFAULTS, made, run_with_compilers
 from ship.unreal import files
+from translate.hlsl.compilers import compiled, refusals
 from translate.hlsl.compilers import missing as missing_compilers
-from translate.hlsl.compilers import refusals
+from translate.tools import DXC, FXC
 
 NEEDED = {"glslangValidator": "glslang-tools", "clang++": "clang", "mcs": "mono-mcs"}
 # As much of Unreal as the module needs, to compile it: a header each, and what builds it.
@@ -61,21 +62,76 @@ namespace UnrealBuildTool {
 }
 """
 
+COMPILERS = ((DXC, "ps_6_0"), (FXC, "ps_5_0"))
+BLOCK = re.compile(r"^Begin Object Class=/Script/UnrealEd.MaterialGraphNode Name=\"(\w+)\"\n(.*?)^End Object\n", re.M | re.S)
+PIN = re.compile(r'^   CustomProperties Pin \(PinId=(\w{32}),PinName="(\w+)",(.*)\)$', re.MULTILINE)
+
+
+def faults(text: str, form: str) -> list[str]:
+    """Why a text is not a custom node with the inputs of a form, and a constant at each that has a default."""
+    nodes = dict(BLOCK.findall(text))
+    if BLOCK.sub("", text) or not all(len(re.findall("(?m)^   Begin", one)) == len(re.findall("(?m)^   End", one)) == 2
+                                      for one in nodes.values()):
+        return ["it is no list of nodes"]
+    pins = {(node, id_): (name, "EGPD_Output" in more, set(re.findall(r"(\w+) (\w{32}),", more)))
+            for node, one in nodes.items() for id_, name, more in PIN.findall(one)}
+    expressions = {}
+    for node, one in nodes.items():
+        (kind, name), = re.findall(r'^   Begin Object Class=/Script/Engine.(\w+) Name="(\w+)"$', one, re.MULTILINE)
+        if f'   Begin Object Name="{name}"\n' not in one or f"   MaterialExpression=\"/Script/Engine.{kind}'{name}'\"\n" not in one:
+            return [f"{node} has no expression {name}"]
+        expressions[f"/Script/Engine.{kind}'{node}.{name}'"] = one
+    found = [f"{name} is linked in one direction" for at, (name, is_output, linked) in pins.items() for other in linked
+             if other not in pins or pins[other][1] == is_output or at not in pins[other][2]]
+    custom = nodes["MaterialGraphNode_0"]
+    given = [(name, source) for name, source in re.findall(
+        r'^      Inputs\(\d+\)=\(InputName="(\w+)"(?:,Input=\(Expression="(.*)"\))?\)$', custom, re.MULTILINE)]
+    names = [name for _, name in ports(form)]
+    if [name for name, _ in given] != names or [name for _, name, _ in PIN.findall(custom)] != [*names, "Output"]:
+        return [*found, f"the inputs are {given}"]
+    linked = {name: {nodes.get(node) for node, _ in of} for name, is_output, of in pins.values() if not is_output}
+    for (type_, name), (_, source) in zip(ports(form), given):
+        if (linked[name] or {""}) != {expressions.get(source, "")}:
+            found.append(f"the pin of {name} and its input differ")
+        numbers = [float(one) for one in re.findall(r"\b[RGB]=([\d.]+)", expressions.get(source, ""))]
+        if numbers != list(DEFAULTS[name][:int(type_[5:] or 1)]):
+            found.append(f"{name} is {numbers}")
+    if f"      OutputType=CMOT_Float{PORTS[forms()[form].type][5:] or 1}\n" not in custom:
+        found.append("the type of the output is another one")
+    return found
+
 
 class Text(unittest.TestCase):
     def test_it_names_the_engine_that_fab_asks_for(self) -> None:
-        with mock.patch.object(files, "shader", return_value=""):
+        with mock.patch.object(files, "shader", return_value=""), mock.patch.object(files, "alone", return_value=""):
             described = [json.loads(files.package.__wrapped__(engine)[files.DESCRIPTION]) for engine in (None, "5.6")]
             self.assertEqual([one.get("EngineVersion") for one in described], [None, "5.6.0"])
             self.assertIn("Win64", described[0]["Modules"][0]["PlatformAllowList"])
             with self.assertRaisesRegex(Refused, "--engine 5.6.1: write a version of Unreal such as 5.6"):
                 files.package.__wrapped__("5.6.1")
 
-    def test_the_page_has_each_node_once(self) -> None:
-        rows = files.node_table().splitlines()[2:]
-        self.assertEqual(len(rows), len({files.code(form) for form in NODES}))
-        self.assertIn("| `return hn_value(Position, (uint)(int)Seed);` | `Position`, `Seed` | 2 or 3 | CMOT Float 1 |",
-                      rows)
+    def test_what_is_pasted_has_each_input_with_its_default(self) -> None:
+        with mock.patch.object(files, "alone", return_value=""):
+            for form in NODES:
+                with self.subTest(form):
+                    self.assertEqual(faults(files.pasted(form, "fast"), form), [])
+
+    def test_a_fault_of_what_is_pasted_is_found(self) -> None:
+        with mock.patch.object(files, "alone", return_value=""):
+            whole = files.pasted("hn_fbm2", "fast")
+        gain, lacunarity = (re.search(rf'PinId=\w+,PinName="{name}"', whole)[0] for name in ("Gain", "Lacunarity"))
+        for number, plant in enumerate((
+                lambda text: text.replace(gain, "other").replace(lacunarity, gain).replace("other", lacunarity),
+                lambda text: text.replace(gain[:38], "other").replace(lacunarity[:38], gain[:38]).replace("other", lacunarity[:38]),
+                lambda text: re.sub(r'(\(InputName=)"Gain"(.*?)"Seed"', r'\1"Seed"\2"Gain"', text, flags=re.DOTALL),
+                lambda text: text.replace("R=6.0", "R=5.0"), lambda text: text.replace("CMOT_Float1", "CMOT_Float2"),
+                lambda text: text.replace("Expression=\"/Script/Engine.MaterialExpressionConstant'MaterialGraphNode_2", "Expression=\""
+                                          "/Script/Engine.MaterialExpressionConstant'MaterialGraphNode_3"),
+                lambda text: text[:text.rindex("Begin Object Class=/Script/UnrealEd")],
+                lambda text: text.replace("   End Object", "", 1))):
+            with self.subTest(number):
+                self.assertNotEqual(whole, plant(whole))
+                self.assertNotEqual(faults(plant(whole), "hn_fbm2"), [])
 
 
 @unittest.skipUnless(__name__ == "__main__", "the test unreal.plugin writes all functions")
@@ -94,9 +150,7 @@ class Plugin(unittest.TestCase):
         described = json.loads((self.folder / files.DESCRIPTION).read_text())
         self.assertEqual((described["VersionName"], [one["Name"] for one in described["Modules"]]),
                          (version(), ["HashNoise"]))
-        page = (self.folder / "README.md").read_text()
-        for form in NODES:
-            self.assertIn(f"`{files.code(form)}`", page)
+        self.assertIn(f"`{files.code('hn_fbm2')}`", (self.folder / "README.md").read_text())
 
     def refusals(self, text: str) -> dict[str, str]:
         """The refusals of a shader of pixels, in which the paths of includes begin at the top."""
@@ -124,8 +178,26 @@ class Plugin(unittest.TestCase):
         both = "\n".join(texts).replace("CustomExpression", "Other", texts[0].count("CustomExpression"))
         self.assertEqual(self.refusals(both.replace("float4 Main", "float4 First", 1)), {})
 
+    @unittest.skipIf(missing_compilers(), "glslang takes no functions in a struct in a function")
+    def test_each_node_to_paste_compiles(self) -> None:
+        """Each as Unreal writes it: a function around the code."""
+        shaders = []
+        for path in sorted((self.folder / "Nodes").iterdir()):
+            form = next(form for form in NODES if path.stem in (title(form, arithmetic) for arithmetic in ARITHMETICS))
+            code = re.search(r'^      Code="(.*)"$', path.read_text(), re.MULTILINE)[1].replace("\\r\\n", "\n")
+            shaders.append(self.root / f"{path.stem}.hlsl")
+            shaders[-1].write_text(
+                f"{PORTS[forms()[form].type]} Custom({', '.join(map(' '.join, ports(form)))})\n{{\n{code}\n}}\n"
+                "float4 Main(float2 uv : TEXCOORD0) : SV_Target { return Custom("
+                f"{', '.join(f'({of})uv.x' for of, _ in ports(form))}).x; }}\n")
+        self.assertEqual(len(shaders), len(NODES) * len(ARITHMETICS))
+        for tool, profile in COMPILERS:
+            self.assertEqual([one.messages for one in compiled(tool, shaders, profile, "Main") if not one.code], [])
+        shaders[0].write_text(shaders[0].read_text().replace("(uint)(int)Seed", "(uint)(int)Sead"))
+        self.assertEqual([one.code for one in compiled(DXC, shaders[:1], "ps_6_0", "Main")], [b""])
+
     def test_the_page_compiles(self) -> None:
-        block, = re.findall(r"```hlsl\n(.*?)```", (self.folder / "README.md").read_text(), re.DOTALL)
+        block, _ = re.findall(r"```hlsl\n(.*?)```", (self.folder / "README.md").read_text(), re.DOTALL)
         include, _, code = block.partition("\n")
         self.assertEqual(self.refusals(f"{include}\nfloat4 Main(float2 uv : TEXCOORD0) : SV_Target {{\n{code}"
                                        "  return height + tiled;\n}\n"), {})
@@ -146,6 +218,14 @@ class Plugin(unittest.TestCase):
         words = re.search(r"^    tools/pick (.*)$", page, re.MULTILINE)[1].split()
         subprocess.run([TOOLS / "pick", *words], cwd=self.folder, check=True, stdout=subprocess.DEVNULL)
         code = re.search(r"`(return my_.*?)`", page)[1]
+        _, block = re.findall(r"```hlsl\n(.*?)```", page, re.DOTALL)
+        text = re.sub("(?m)^#.*\n", "", (self.folder / "Shaders" / "Hybrid.ush").read_text())
+        shader = self.root / "struct.hlsl"
+        shader.write_text("float Node(float3 Position, float Octaves, float Lacunarity, float Gain, float Seed) {\n"
+                          f"{block.replace('// the functions', text)}}}\n"
+                          "float4 Main(float2 uv : TEXCOORD0) : SV_Target { return Node(float3(uv, 0.5), 6, 2, 0.5, 7); }\n")
+        for tool, profile in () if missing_compilers() else COMPILERS:
+            self.assertTrue(compiled(tool, [shader], profile, "Main")[0].code)
         self.assertEqual(self.refusals(
             '#include "/HashNoise/HashNoise.ush"\n#include "/HashNoise/Hybrid.ush"\n'
             f"float Node(float3 Position, float Octaves, float Lacunarity, float Gain, float Seed) {{\n{code}\n}}\n"
