@@ -16,7 +16,6 @@ HN_CONFORM = ROOT / "build" / "conformance" / "hn-conform"  # where tools/measur
 GOLDEN = CONFORMANCE / "expected" / "golden"
 FROZEN = GOLDEN.parent / "frozen.csv"
 INTERFACE = GOLDEN.parent / "interface.csv"
-STAND_IN = "https://example.com/"  # the address begins so as long as the project has none
 VECTORS = ROOT / "build" / "vectors"  # proof.vectors makes them
 
 

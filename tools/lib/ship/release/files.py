@@ -13,7 +13,7 @@ from datetime import date
 from pathlib import Path
 
 from base.pieces import is_deleted
-from base.tree import HN_CONFORM, ROOT, STAND_IN, TOOLS, address, version
+from base.tree import HN_CONFORM, ROOT, TOOLS, address, version
 from catalog import copies
 from catalog.tables import glsl
 from proof.vectors.files import vectors_folder

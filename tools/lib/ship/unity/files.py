@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 from functools import cache
 from pathlib import PurePosixPath
 
-from base.tree import ROOT, STAND_IN, address, version
+from base.tree import ROOT, address, version
 from ship.hlsl_nodes import ARITHMETICS, FORMS, NODES, PORTS, call, forms, picked, ports, shader, title
 from ship.packing import of_npm, own_files
 from ship.page import of_package
@@ -79,8 +79,7 @@ def seen(paths: Iterable[str]) -> list[str]:
 def links() -> dict[str, str]:
     """For Unity's Package Manager, which takes addresses alone."""
     at = f"{address()}/blob/v{version()}"
-    return {} if address().startswith(STAND_IN) else {"documentationUrl": f"{at}/packages/unity/README.md",
-                                                      "changelogUrl": f"{at}/CHANGELOG.md"}
+    return {"documentationUrl": f"{at}/packages/unity/README.md", "changelogUrl": f"{at}/CHANGELOG.md"} if address() else {}
 
 
 @cache
