@@ -33,8 +33,27 @@ class Made(unittest.TestCase):
                 with mock.patch.object(command, "files", return_value=changed):
                     status, output = self.check()
                 self.assertEqual(status, 1)
-                self.assertRegex(output, rf"{re.escape(path.name)}: it is not what the catalog makes; "
-                                         r"run tools/make catalog$")
+                self.assertRegex(output, rf"{re.escape(path.name)}:\d+: it is not what the catalog makes; run tools/make "
+                                         r"catalog, or if it was edited by hand change catalog/")
+
+    def test_the_lines_that_it_replaces_are_printed(self):
+        path = command.ROOT / "glsl/hashnoise/fbm2d.glsl"
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(command, "ROOT", Path(folder)):
+            edited = Path(folder) / "glsl/hashnoise/fbm2d.glsl"
+            edited.parent.mkdir(parents=True)
+            text = path.read_text(encoding="utf-8")
+            edited.write_text(text.replace("Use it for marble and fire.", "Use it for fire."), encoding="utf-8")
+            line = text[:text.index("Use it for marble")].count("\n") + 1
+            output = io.StringIO()
+            with mock.patch.object(command, "files", return_value={edited: text}):
+                status, said = self.check()
+                with contextlib.redirect_stdout(output):
+                    self.assertEqual(command.main([]), 0)
+            self.assertEqual((status, edited.read_text(encoding="utf-8")), (1, text))
+        place = f"glsl/hashnoise/fbm2d.glsl:{line}"
+        self.assertEqual(said, f"{place}: it is not what the catalog makes; run tools/make catalog, or if it was edited by "
+                               "hand change catalog/sums.toml: tools/make catalog replaces it\n")
+        self.assertEqual(output.getvalue(), f"{place}: replaced by what the catalog makes\n")
 
     def test_what_repeats_the_version_has_the_next_one(self):
         """Whatever the lines are now, they are right in another version and at another address. Without one the files are

@@ -141,8 +141,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 1
     for file, text in sorted(found.items()):
         if options.check:
-            print(f"{file} is not what tools/make dimensions makes")
-        elif text:
+            print(f"{file} is not what tools/make dimensions makes; run it, or if the file was edited by hand change the "
+                  "text of the plane (...2d.glsl): tools/make dimensions replaces the file")
+            continue
+        print(f"{file} is {'replaced' if text else 'removed'}")
+        if text:
             (options.glsl / file).write_text(text, encoding="ascii")
         else:
             (options.glsl / file).unlink()

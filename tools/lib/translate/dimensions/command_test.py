@@ -20,7 +20,8 @@ class Umbrella(Case):
 
     def run_main(self, *arguments: str) -> tuple[int, list[str]]:
         status, printed = called(command.main, *arguments, "--glsl", self.glsl)
-        return status, [line.split()[0] for line in printed.splitlines()]
+        self.replaced = [line for line in printed.splitlines() if status == 0 and line.endswith((" replaced", " removed"))]
+        return status, [line.split()[0] for line in printed.splitlines() if line not in self.replaced]
 
     def includes(self, file: str) -> list[str]:
         return command.INCLUDE.findall((self.glsl / file).read_text())
@@ -96,6 +97,7 @@ class Umbrella(Case):
                 path.write_text(path.read_text() + "\n")
                 self.assertEqual(self.run_main("--check"), (1, [file]))
                 self.assertEqual(self.run_main(), (0, []))
+                self.assertEqual(self.replaced, [f"{file} is replaced"])
 
     def test_bad_usage(self):
         self.glsl = self.glsl / "absent"
