@@ -95,7 +95,8 @@ def package(archive: str | None = None) -> dict[str, str]:
     """All files, by their paths."""
     repository = re.fullmatch(r"https://github\.com/([\w-]+/[\w.-]+)", address())
     if not repository:
-        raise Refused(f"conformance/web/address.js has {address() or 'no address'}, and must have https://github.com/OWNER/NAME")
+        raise Refused(f"conformance/web/address.js has {address() or 'no address'}, and must have https://github.com/OWNER/NAME; "
+                      "docs/develop/publishing.md states what to do the first time")
     content, seconds = checked(archive)
     made = {}
     if (PACKAGES / "conan").is_dir():

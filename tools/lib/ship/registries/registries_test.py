@@ -66,7 +66,7 @@ class Registries(Case):
 
     def test_a_project_elsewhere_is_refused(self, address: mock.Mock) -> None:
         address.return_value = "https://example.com/noise"
-        with self.assertRaisesRegex(Refused, "must have https://github.com/OWNER/NAME"):
+        with self.assertRaisesRegex(Refused, "must have https://github.com/OWNER/NAME; docs/develop/publishing.md"):
             files.package(str(archive(self.folder / "v.tar.gz")))
 
     def test_a_recipe_of_another_form_is_noticed(self, _: mock.Mock) -> None:
