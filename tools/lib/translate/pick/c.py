@@ -27,7 +27,9 @@ typedef unsigned int uint32_t;
 #include <math.h>
 #include <stdint.h>
 #endif
-#if defined(__CUDACC__) || defined(__CUDACC_RTC__) || defined(__HIP__)
+#if defined(__CUDACC_RTC__)  // it warns of functions that nothing calls
+#define HN_INLINE static __attribute__((unused)) __host__ __device__ inline
+#elif defined(__CUDACC__) || defined(__HIP__)
 #define HN_INLINE static __host__ __device__ inline
 #else
 #define HN_INLINE static inline

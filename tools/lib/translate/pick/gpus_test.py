@@ -108,6 +108,8 @@ class Kernels(Case):
             made = {arithmetic: cuda.nvrtc(AS_CUDA + source(arithmetic), f"--gpu-architecture=compute_{one}")
                     for arithmetic in ARITHMETICS}
             self.assert_fused(r"\bfma\.", made["precise"], made["fast"])
+            for arithmetic in ARITHMETICS:  # nothing calls its functions
+                cuda.nvrtc(text(arithmetic), f"--gpu-architecture=compute_{one}")
             for ptx in made.values():
                 written_to(self.folder, {"text.ptx": ptx})
                 self.of_nvidia("ptxas", f"-arch=sm_{one}", "text.ptx")
