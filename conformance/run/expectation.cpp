@@ -4,10 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#define CSV_IO_NO_THREAD
-#include <libfccp/csv.h>
+#include <array>
 
+#include "base/csv.hpp"
 #include "base/file.hpp"
+#include "base/text.hpp"
 #include "run/selection.hpp"
 
 namespace hn {
@@ -24,36 +25,30 @@ std::string bad_statuses() {
 }  // namespace
 
 Result<std::vector<Expectation>> parse_expectations(std::string_view text, const std::string& path) {
-  // The reader ends a line at a NUL and drops the rest. And it looks at the byte behind the text, which is anything,
-  // unless the text ends with a line.
-  if (const auto nul = text.find('\0'); nul != std::string_view::npos) {
-    const auto line = 1 + std::count(text.begin(), text.begin() + nul, '\n');
-    return fail(fmt::format("{}:{}: a table must not contain NUL", path, line));
+  constexpr std::array<std::string_view, 5> kColumns = {"driver", "renderer", "case", "status", "reason"};
+  HN_TRY(const auto rows, parse_csv(text, path));
+  const std::vector<std::string>& header = rows.front().fields;
+  if (!std::ranges::is_permutation(header, kColumns)) {
+    return fail(fmt::format("{}:{}: the columns are {}, and must be {}", path, rows.front().line,
+                            in_quotes(fmt::format("{}", fmt::join(header, ","))), fmt::join(kColumns, ",")));
   }
-  const std::string lines = fmt::format("{}{}", text, text.ends_with('\n') ? "" : "\n");
   std::vector<Expectation> expectations;
-  try {
-    io::CSVReader<5, io::trim_chars<' ', '\t'>, io::double_quote_escape<',', '"'>, io::throw_on_overflow,
-                  io::single_line_comment<'#'>>
-        reader(path, lines.data(), lines.data() + lines.size());
-    reader.read_header(io::ignore_no_column, "driver", "renderer", "case", "status", "reason");
-    Expectation row;
-    std::string status;
-    while (reader.read_row(row.driver, row.renderer, row.id, status, row.reason)) {
-      row.place = fmt::format("{}:{}", path, reader.get_file_line());
-      const auto named = status_named(status);
-      if (!named || !is_bad(*named)) {
-        return fail(fmt::format("{}: the status \"{}\" is not one of {}", row.place, status, bad_statuses()));
-      }
-      if (row.driver.empty() || row.renderer.empty() || row.id.empty()) {
-        return fail(fmt::format("{}: driver, renderer and case must not be empty; * stands for any", row.place));
-      }
-      if (row.reason.empty()) return fail(fmt::format("{}: there must be a reason", row.place));
-      row.status = *named;
-      expectations.push_back(row);
+  for (const CsvRow& row : std::span(rows).subspan(1)) {
+    const std::string place = fmt::format("{}:{}", path, row.line);
+    std::array<std::string, kColumns.size()> fields;  // in the order of kColumns
+    std::ranges::transform(kColumns, fields.begin(), [&](std::string_view name) {
+      return row.fields[static_cast<std::size_t>(std::ranges::find(header, name) - header.begin())];
+    });
+    const auto& [driver, renderer, id, status, reason] = fields;
+    const auto named = status_named(status);
+    if (!named || !is_bad(*named)) {
+      return fail(fmt::format("{}: the status \"{}\" is not one of {}", place, status, bad_statuses()));
     }
-  } catch (const io::error::base& error) {
-    return fail(error.what());
+    if (driver.empty() || renderer.empty() || id.empty()) {
+      return fail(fmt::format("{}: driver, renderer and case must not be empty; * stands for any", place));
+    }
+    if (reason.empty()) return fail(fmt::format("{}: there must be a reason", place));
+    expectations.push_back({driver, renderer, id, *named, reason, place});
   }
   return expectations;
 }

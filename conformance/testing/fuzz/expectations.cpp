@@ -1,30 +1,8 @@
 // The tables of what is expected to fail.
 #include <fmt/format.h>
 
-#include <cstdlib>
-#include <new>
-
 #include "fuzz.hpp"
 #include "run/expectation.hpp"
-
-namespace {
-
-// The CSV reader takes 48 MiB for every table, and to mark them takes the address sanitizer a hundred times as long as
-// the parser takes. There is only one reader at a time, so it gets the same 48 MiB again.
-constexpr std::size_t kReaderBuffer = std::size_t{3} << 24;
-char reader_buffer[kReaderBuffer];
-
-}  // namespace
-
-void* operator new[](std::size_t size) {
-  if (size == kReaderBuffer) return reader_buffer;
-  if (void* const memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete[](void* memory) noexcept {
-  if (memory != reader_buffer) std::free(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept { operator delete[](memory); }
 
 namespace hn::fuzz {
 namespace {

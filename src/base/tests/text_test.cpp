@@ -88,5 +88,59 @@ TEST(Csv, AnEmptyFieldAloneIsNoEmptyLine) {
   EXPECT_EQ(to_csv(Cells{"a"}, std::vector<Cells>{{""}, {"x"}}), "a\n\"\"\nx\n");
 }
 
+// "a|b/c|d": the fields of rows, or the error.
+std::string table_of(std::string_view text) {
+  const auto rows = parse_csv(text, "t.csv");
+  if (!rows) return rows.error().text();
+  std::string all;
+  for (const CsvRow& row : *rows) {
+    for (const std::string& field : row.fields) all += field + (&field == &row.fields.back() ? "/" : "|");
+  }
+  return all;
+}
+
+TEST(Csv, IsReadAsProgramsWriteIt) {
+  const struct {
+    const char* about;
+    std::string text;
+    const char* table;
+  } rows[] = {
+      {"a plain one", "p.x,p.y\n1,2\n", "p.x|p.y/1|2/"},
+      {"no end of the last line", "p\n1", "p/1/"},
+      {"ends of lines of Windows and of old spreadsheets", "p,q\r\n1,2\r\n\r\n3,4\r\n", "p|q/1|2/3|4/"},
+      {"only carriage returns", "p\r1\r", "p/1/"},
+      {"a byte order mark, and a comment behind it", "\xEF\xBB\xBF# from a spreadsheet\np\n1\n", "p/1/"},
+      {"a byte order mark and quotes", "\xEF\xBB\xBF\"p\"\n\"1\"\n", "p/1/"},
+      {"PowerShell's Export-Csv", "#TYPE System.Management\r\n\"p.x\",\"p.y\"\r\n\"0.5\",\"0.25\"\r\n",
+       "p.x|p.y/0.5|0.25/"},
+      {"a comment that a spreadsheet completed", "\"# by a, b\",\np,q\n# more,,\n1,2\n", "p|q/1|2/"},
+      {"blanks and tabs around fields", " p ,\t\"q\" \n 1 , 2\t\n \t\n", "p|q/1|2/"},
+      {"quotes in quotes, and commas", "a,b\n\"1\"\"2\",\"3,4\"\n", "a|b/1\"2|3,4/"},
+      {"quotes in a field", "a\n5\"\n", "a/5\"/"},
+      {"empty fields behind the header's", "p,q,,\n1,2,,\n3,,\n", "p|q/1|2/3|/"},
+      {"an empty field in quotes", "p\n\"\"\n", "p//"},
+  };
+  for (const auto& [about, text, table] : rows) EXPECT_EQ(table_of(text), table) << about;
+}
+
+TEST(Csv, ThatIsWrongIsRefusedWithItsPlace) {
+  const std::pair<std::string, const char*> rows[] = {
+      {"", "t.csv: it has no header"},
+      {"# nothing\n\n", "t.csv: it has no header"},
+      {"p,q\n1\n", "t.csv:2: it has 1 fields, and the header has 2"},
+      {"p\n\n0,5\n", "t.csv:3: it has 2 fields, and the header has 1; numbers have a point and no comma"},
+      {"p,q\n1,\"2\n", "t.csv:2:2: the field has a quote that its line does not close"},
+      {"p,q\n\"1\" 2,3\n", "t.csv:2:1: the field has \"2\" behind its closing quote"},
+      {"p.x;p.y\n0,5;0,25\n", "t.csv:1: it has semicolons between its fields; write commas, and points in numbers"},
+      {"#\n\"p.x\";\"p.y\"\n", "t.csv:2: it has semicolons"},
+      {"p.x\tp.y\n", "t.csv:1: it has tabs between its fields"},
+      {"p\n1\0\n"s, "t.csv:2: a table must not contain NUL"},
+      {"\xFF\xFEp\0\n\0"s, "t.csv: it is UTF-16, as > in PowerShell 5 writes; write UTF-8"},
+      {"\xFE\xFF\0p\0\n"s, "t.csv: it is UTF-16"},
+      {"p\0\n\0"s, "t.csv: it is UTF-16"},
+  };
+  for (const auto& [text, message] : rows) EXPECT_EQ(table_of(text).find(message), 0u) << table_of(text);
+}
+
 }  // namespace
 }  // namespace hn
