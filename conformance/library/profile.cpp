@@ -84,8 +84,8 @@ std::string unsupported_reason(const Profile& profile, const LanguageSupport& su
   const int highest = profile.es ? support.es_version : support.gl_version;
   if (profile.version == 130 && highest >= 130 && !support.gl130) return "this context does not accept GLSL 1.30";
   if (profile.version <= highest) return {};
+  if (highest == 0) return fmt::format("this context does not compile {}", profile.es ? "GLSL ES" : "desktop GLSL");
   const std::string_view language = profile.es ? "GLSL ES" : "GLSL";
-  if (highest == 0) return fmt::format("this context does not compile {}", language);
   return fmt::format("{} {}.{:02} is beyond this context's {}.{:02}", language, profile.version / 100,
                      profile.version % 100, highest / 100, highest % 100);
 }

@@ -43,7 +43,7 @@ TEST(Profile, APlatformRunsItsOwnProfilesAlone) {
   EXPECT_EQ(unsupported_to_run(profile_named("vulkan"), vulkan), "");
   EXPECT_EQ(unsupported_to_run(profile_named("hlsl60"), vulkan), "");
   EXPECT_NE(unsupported_reason(profile_named("hlsl50"), vulkan), "");
-  EXPECT_EQ(unsupported_reason(profile_named("gl330"), vulkan), "this context does not compile GLSL");
+  EXPECT_EQ(unsupported_reason(profile_named("gl330"), vulkan), "this context does not compile desktop GLSL");
   EXPECT_TRUE(vulkan.has_stage(Stage::compute));
   EXPECT_FALSE(vulkan.has_stage(Stage::fragment));
 }

@@ -68,7 +68,7 @@ TEST(Browser, CasesHaveTheirVerdictsInTheirOrder) {
   EXPECT_EQ(story.outcome(kHash).samples, 16448u);
   EXPECT_GT(story.outcome(kNoise).max_abs, 0.0);
   EXPECT_EQ(story.outcome(kDesktop).status, Status::unsupported);
-  EXPECT_EQ(story.outcome(kDesktop).message, "this context does not compile GLSL");
+  EXPECT_EQ(story.outcome(kDesktop).message, "this context does not compile desktop GLSL");
 }
 
 TEST(Browser, WgslHasItsValuesInWebGpu) {

@@ -114,7 +114,8 @@ TEST_F(Vulkan, SaysWhatItIsAndWhatItDoesNotDo) {
   EXPECT_EQ(evaluator_->unsupported(profile_named("vulkan"), Stage::compute), "");
   EXPECT_EQ(evaluator_->unsupported(profile_named("hlsl60"), Stage::compute), "");
   EXPECT_NE(evaluator_->unsupported(profile_named("vulkan"), Stage::fragment), "");
-  EXPECT_EQ(evaluator_->unsupported(profile_named("gl330"), Stage::compute), "this context does not compile GLSL");
+  EXPECT_EQ(evaluator_->unsupported(profile_named("gl330"), Stage::compute),
+            "this context does not compile desktop GLSL");
   EXPECT_FALSE(evaluator_->is_lost());
   EXPECT_EQ(evaluator_->context(), nullptr);
 }
