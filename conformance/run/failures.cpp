@@ -138,15 +138,29 @@ std::string success_of(const Rows& rows, std::string_view which, std::string_vie
   return good == 1 ? fmt::format("the {} passes", one) : fmt::format("all {} {} pass", good, which);
 }
 
+// The places in Facets of what the layers are known by.
+constexpr std::size_t kKind = 0;
+constexpr std::size_t kDimension = 1;
+constexpr std::size_t kPeriod = 5;
+constexpr std::size_t kFunction = 9;
+constexpr std::size_t kCheck = 10;
+constexpr std::array kOfFunctions = {kKind, kDimension, kPeriod, kFunction};
+
 // It counts all others, so that it is true whatever the other lines are.
-std::string sentence_of(const Trait& trait, const Rows& others, const Texts& texts) {
+std::string sentence_of(const Trait& trait, const Rows& failed, const Rows& others, const Texts& texts) {
   Rows apart;
   for (const Row* row : others) {
     if (!trait.has(*row)) apart.push_back(row);
   }
+  const auto is_of_failed = [&](const Row* row) {
+    return std::ranges::count(failed, row->values[kFunction], [](const Row* one) { return one->values[kFunction]; });
+  };
+  // A trait of functions themselves is that of other functions elsewhere.
+  const bool by_function = std::ranges::count(kOfFunctions, trait.facet) != 0;
+  const std::string_view whose = by_function || std::ranges::any_of(apart, is_of_failed) ? "" : " (of other functions)";
   if (trait.by_absence) {
-    return fmt::format("No failing case is {}; {}.", texts.listed(trait.values),
-                       success_of(apart, "such cases", "one such case"));
+    return fmt::format("No failing case is {}; {}{}.", texts.listed(trait.values),
+                       success_of(apart, "such cases", "one such case"), whose);
   }
   Values good = values_in(apart, trait.facet);
   good.erase(0);
@@ -157,13 +171,9 @@ std::string sentence_of(const Trait& trait, const Rows& others, const Texts& tex
     which = texts.listed(good);
     one = "one " + which;
   }
-  return fmt::format("Every failing case is {}; {}.", texts.listed(trait.values), success_of(apart, which, one));
+  return fmt::format("Every failing case is {}; {}{}.", texts.listed(trait.values), success_of(apart, which, one),
+                     whose);
 }
-
-// The places in Facets of what the layers are known by.
-constexpr std::size_t kKind = 0;
-constexpr std::size_t kDimension = 1;
-constexpr std::size_t kCheck = 10;
 
 // Each layer is made of those before it. Files as a whole and settings are in none.
 enum class Layer { driver, hashes, gradients, noises, sums };
@@ -205,7 +215,7 @@ class Sorter {
     const std::vector<Trait> traits = traits_of(failed_, others_, kSeparatedOfAll);
     const Rows lowest = lowest_layer();
     if (auto sentence = beginning(lowest); !sentence.empty()) failures.common.push_back(std::move(sentence));
-    for (const Trait& trait : traits) failures.common.push_back(sentence_of(trait, others_, texts_));
+    for (const Trait& trait : traits) failures.common.push_back(sentence_of(trait, failed_, others_, texts_));
     for (const Rows& rows : grouped()) failures.groups.push_back(group_of(rows, traits));
     std::stable_partition(failures.groups.begin(), failures.groups.end(), [&](const FailureGroup& group) {
       return std::ranges::any_of(lowest, [&](const Row* row) { return function_of(row->result->id) == group.title; });
