@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -55,7 +56,7 @@ std::string comments(const SourceSet& sources, const Evaluation& evaluation, con
   const bool is_given = facts.id.starts_with("check.");
   return fmt::format(
       R"(// {}
-// fails on {}{}{}.
+// {} on {}{}{}.
 //
 // rule      {}
 // at        {}
@@ -68,10 +69,11 @@ std::string comments(const SourceSet& sources, const Evaluation& evaluation, con
 //
 // It is made of the functions of {}.
 )",
-      facts.id, one_line(facts.renderer), sources.transform() ? ", made to have a fault" : "",
-      is_fragment ? "" : ", and so does this fragment shader", fmt::join(split(rule, ';'), ";\n//          "),
-      describe_inputs(function, facts.inputs), describe_outputs(function, facts.got),
-      describe_outputs(function, facts.expected), facts.every_bit ? "" : describe_allowed(function, facts.allowed),
+      facts.id, is_given ? "differs" : "fails", one_line(facts.renderer),
+      sources.transform() ? ", made to have a fault" : "", is_fragment ? "" : ", and so does this fragment shader",
+      fmt::join(split(rule, ';'), ";\n//          "), describe_inputs(function, facts.inputs),
+      describe_outputs(function, facts.got), describe_outputs(function, facts.expected),
+      facts.every_bit ? "" : describe_allowed(function, facts.allowed),
       one_line(is_given ? sources.find(function.file)->path
                         : fmt::format("{}; MIT License", library_text(sources.edited()))));
 }
@@ -91,7 +93,11 @@ std::string main_of(const Evaluation& evaluation, const ShaderFacts& facts) {
   std::string right;
   for (std::size_t i = 0; i < function.outputs.size(); ++i) {
     if (i > 0) right += " &&\n               ";
-    if (facts.every_bit || function.is_name(i)) {
+    const auto expected = std::bit_cast<float>(facts.expected[i]);
+    const bool is_float = function.outputs[i].type == WordType::f32;
+    if (is_float && std::isnan(expected)) {
+      right += fmt::format("(got.{} & 0x7FFFFFFFu) > 0x7F800000u", kParts[i]);
+    } else if (facts.every_bit || function.is_name(i) || (is_float && std::isinf(expected))) {
       right += fmt::format("got.{0} == expected.{0}", kParts[i]);
     } else {
       right += fmt::format("abs(uintBitsToFloat(got.{0}) - uintBitsToFloat(expected.{0})) <= {1:.9e}", kParts[i],

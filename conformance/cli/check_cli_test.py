@@ -12,6 +12,7 @@ FUNCTIONS = """#version 120
 uint mixed(ivec2 cell, uint seed) { return (uint(cell.x) * 0x7FEB352Du ^ uint(cell.y)) + seed; }
 vec3 swapped(vec3 a) { return a.zyx; }
 float twice(float x) { return 2.0 * x; }
+float root(float x) { return sqrt(x); }
 """
 
 
@@ -22,7 +23,7 @@ class Check(ProgramTest):
 
     def write(self, name, text):
         path = self.folder / name
-        path.write_text(text)
+        path.write_bytes(text if isinstance(text, bytes) else text.encode())
         return path
 
     def check(self, expression, points, *arguments, drivers=("osmesa",)):
@@ -77,27 +78,93 @@ class Check(ProgramTest):
         self.assertIn("got value.y=16777216 (4b800000), expected 16777218 (4b800001) within 0, 1 unit in the last",
                       case["message"])
 
+    def test_equal_bits_are_equal_and_so_are_any_two_nan(self):
+        words = "inf\n-inf\n-1\n1\nnan\n"
+        for drivers in (("osmesa",), ("osmesa", "softpipe-gles"), ("osmesa", "webgl2"), ("osmesa", "vulkan:0")):
+            with self.subTest(drivers=drivers):
+                done = self.check("root(x)", "x\n" + words, drivers=drivers)
+                if "is not here" in done.stderr:
+                    continue
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                ran = {id: case for id, case in self.cases().items() if case["status"] != "unsupported"}
+                self.assertEqual({id[0] for id in ran}, {*drivers, "osmesa"})
+                for id, case in ran.items():
+                    self.assertEqual((case["status"], case["mismatches"], case["samples"]), ("warning", 0, 5), id)
+                    self.assertRegex(case["message"], r"NaN, as expected, at 3 of 5 points, first at x=-[iI]nf(inity)? "
+                                     r"\(ff800000\)\. GLSL leaves NaN open: .* those of osmesa in gl330$")
+        self.assertEqual(self.check("1.0 / x", "x\n0\n").returncode, 0)
+        for points, right, message in (("x\n-1\n", "y\n1\n", "got -?nan \\([f7]fc00000\\), expected 1 \\(3f800000\\) within 1e-05, and at 1"),
+                                       ("x\n1\n", "y\nnan\n", "got 1 \\(3f800000\\), expected nan \\(7fc00000\\), and at 1"),
+                                       ("x\n1\n", "y\n-inf\n", "got 1 \\(3f800000\\), expected -inf \\(ff800000\\), and at 1")):
+            done = self.check("root(x)", points, "--expect", self.write("right.csv", right))
+            self.assertEqual(done.returncode, 1, right)
+            case = self.cases()["osmesa", "check.root.any.fast.fragment.gl330.same"]
+            self.assertRegex(case["message"], message)
+            self.assertIn("red on this driver", case["evidence"]["note"])
+
+    def test_infinities_and_nan_are_written_read_and_passed_on(self):
+        self.glsl.write_text("uint bits(float x) { return floatBitsToUint(x); }\nfloat same(float x) { return x; }\n")
+        spellings = ("inf", "+inf", "Infinity", "INF", "+1.0e+0", "-inf", "-Infinity", "1e-50", "nan", "NaN", "-nan(ind)")
+        points = "x\n" + "".join(f"{one}\n" for one in spellings)
+        values = self.folder / "values.csv"
+        self.assertEqual(self.check("same(x)", points, "--record", values).returncode, 0)
+        self.assertEqual(re.sub("-nan", "nan", values.read_text()).split()[-12:], ["value:float", *["inf"] * 4, "1",
+                         "-inf", "-inf", "0", *["nan"] * 3])
+        self.assertEqual(self.check("same(x)", points, "--expect", values).returncode, 0)
+        words = "value\n" + "".join(f"{one}\n" for one in [0x7F800000] * 4 + [0x3F800000, 0xFF800000, 0xFF800000, 0])
+        for drivers in (("osmesa",), ("softpipe",), ("webgl2",), ("vulkan:0",)):
+            done = self.check("bits(x)", "\n".join(points.split()[:9]), "--expect", self.write("words.csv", words), drivers=drivers)
+            self.assertTrue("is not here" in done.stderr or done.returncode == 0, done.stdout + done.stderr)
+
+    def test_a_table_may_be_one_of_a_spreadsheet(self):
+        for text in (b'\xef\xbb\xbf# from a spreadsheet,\r\n"x"\r\n"0.5"\r\n', b"x,,\n0.5,,\n\n"):
+            done = self.check("twice(x)", text, "--expect", self.write("right.csv", b'\xef\xbb\xbf"y"\r\n"1"\r\n'))
+            self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_a_translator_that_takes_another_form_gets_one_that_is_written(self):
+        for through in (("naga",), ("spirv-cross",)):
+            done = self.check("twice(x)", "x\n1\n", *(word for one in through for word in ("--through", one)), drivers=("egl-gles",))
+            if "cannot be run" in done.stderr or "is not here" in done.stderr:
+                continue
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(self.results()["runs"][0]["way"][0]["takes"], "spirv")
+
+    def test_the_page_is_about_the_function(self):
+        self.check("twice(x)", "x\n1\n", "--expect", self.write("right.csv", "y\n3\n"))
+        page = (self.out / "index.html").read_text()
+        self.assertIn(f"Check of <strong>{self.glsl}:twice(x)</strong>", page)
+        self.assertIn(f"compared with the right ones in {self.folder}/right.csv", page)
+        self.assertEqual(self.results()["runs"][0]["check"], {"function": f"{self.glsl}:twice(x)", "right_values": f"{self.folder}/right.csv"})
+
     def test_bad_input_is_refused_with_its_place(self):
         points, own = self.folder / "points.csv", self.glsl
         values = self.write("values.csv", "value\n1\n")
         for expression, text, arguments, parts in (
-                ("twice(x)", "x\n1\ntwo\n", (), (f'{points}:3:1: "two" is no finite float',)),
-                ("twice(x)", "x\nnan\n", (), (f"{points}:2:1", "nan")),
+                ("twice(x)", "x\n1\ntwo\n", (), (f'{points}:3:1: "two" is no float, as 0.5, -1e-3, inf and nan are (column x, float)',)),
+                ("twice(x)", "x\n1e39\n", (), (f'{points}:2:1: "1e39" is beyond the largest float',)),
+                ("twice(x)", "x\n+-1\n", (), (f'{points}:2:1: "+-1" is no float',)),
+                ("twice(x)", 'x\n"0,5"\n', (), (f'{points}:2:1: "0,5" is no float; write a point in place of the comma',)),
+                ("twice(x)", "x,y\n,1\n", (), (f'{points}:2:1: "" is no float; write nan where there is no number',)),
+                ("twice(float(i))", "i:int\n7.0\n", (), (f'{points}:2:1: "7.0" is no whole number in decimal digits (column i, int)',)),
+                ("twice(float(i))", "i:uint\n4294967296\n", (), (f'{points}:2:1: "4294967296" is out of the range of its type',)),
+                ("twice(x)", "x\np 1\n", (), (f'{points}:2:1: "p 1" is no float',)),
+                ("twice(x)", "# x\n0.5\n1\n", (), (f'{points}:2:1: "0.5" is no name of an argument; the first line that',)),
+                ("twice(x)", ",x\n0,0.5\n", (), (f'{points}:1:1: "" has no name',)),
+                ("twice(x)", "x;y\n0,5;1\n", (), (f"{points}:1: it has semicolons between its fields",)),
+                ("twice(x)", "x\n1\n".encode("utf-16"), (), (f"{points}: it is UTF-16",)),
                 ("twice(x)", "x\n1,2\n", (), (f"{points}:2: it has 2 fields, and the header has 1",)),
                 ("twice(x)", "x\n", (), (f"{points}: there must be a header, and 1 to 1048576 rows",)),
                 ("twice(x)", "p.x,p.z\n1,2\n", (), (f'{points}:1:2: "p.z" does not follow',)),
                 ("twice(x)", "x:half\n1\n", (), (f'{points}:1:1: "x:half" has no type',)),
                 ("twice(y)", "x\n1\n", (), ("the expression of twice:1", "'y'", "of the points' float x")),
                 ("bvec2(x)", "x\n1\n", (), ("the expression must be a float",)),
-                ("twice(x)", "x\n1\n2\n", ("--expect", values), (f"{values}: it has 1 columns and 1 rows; the function returns 1 numbers at each of 2",)),
-                ("vec2(x)", "x\n1\n", ("--expect", values), ("1 rows; the function returns 2 numbers",)),
+                ("twice(x)", "x\n1\n2\n", ("--expect", values), (f"{values}: it has 1 columns and 1 rows below its header; the function returns 1 numbers at each of 2",)),
+                ("vec2(x)", "x\n1\n", ("--expect", values), ("1 rows below its header; the function returns 2 numbers",)),
                 ("twice(x)", "x\n1\n", ("--driver", "gpu"), ('there is no driver "gpu"',))):
             with self.subTest(text=text, expression=expression):
                 self.assert_refused(self.check(expression, text, *arguments, drivers=()), *parts)
         own.write_text("float twice(float x) {\n  return wrong;\n}\n")
         self.assert_refused(self.check("twice(x)", "x\n1\n"), f"{own}:2", "'wrong'")
-        own.write_text("float f(float x) { return log(x); }\n")
-        self.assertRegex(self.check("f(x)", "x\n1\n-1\n").stdout, r"first at x=-1 .*got -?nan .*expected -?nan")
 
 
 if __name__ == "__main__":

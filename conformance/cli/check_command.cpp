@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <optional>
+#include <type_traits>
 
 #include "base/csv.hpp"
 #include "base/file.hpp"
@@ -47,58 +49,60 @@ std::string type_name(const Scalar& scalar, std::size_t components) {
 
 // --- Tables ---
 
-struct Row {
-  std::string place;  // "grid.csv:7"
-  std::vector<std::string> fields;
+struct Table {
+  std::string path;
+  std::vector<CsvRow> rows;  // the header, then the others
+
+  std::string place(const CsvRow& row) const { return fmt::format("{}:{}", path, row.line); }
 };
 
-// The header, then the others. Lines that begin with # are comments, as in a record.
-Result<std::vector<Row>> read_table(const std::string& path) {
+Result<Table> read_table(const std::string& path) {
   HN_TRY(const auto text, read_file(path));
-  std::vector<Row> rows;
-  std::size_t number = 0;
-  for (const std::string_view line : split(text, '\n')) {
-    ++number;
-    if (line.find_first_not_of(" \t\r") == line.npos || line.starts_with('#')) continue;
-    Row& row = rows.emplace_back(Row{fmt::format("{}:{}", path, number), {}});
-    for (const std::string_view field : split(line, ',')) {
-      row.fields.emplace_back(field);
-      std::erase_if(row.fields.back(), [](char c) { return c == ' ' || c == '\t' || c == '\r'; });
-    }
-    if (row.fields.size() == rows.front().fields.size()) continue;
-    return fail(fmt::format("{}: it has {} fields, and the header has {}", row.place, row.fields.size(),
-                            rows.front().fields.size()));
-  }
-  if (rows.size() > 1 && rows.size() <= kMostRows + 1) return rows;
+  HN_TRY(auto rows, parse_csv(text, path));
+  if (rows.size() > 1 && rows.size() <= kMostRows + 1) return Table{path, std::move(rows)};
   return fail(fmt::format("{}: there must be a header, and 1 to {} rows below it", path, kMostRows));
 }
 
+// A float is the nearest one, as a compiler takes a literal. Infinities and NaN are as most languages print them: inf,
+// Infinity, NaN, -nan(ind), in any case.
 template <typename Number>
-std::optional<std::uint32_t> word_of(std::string_view field) {
+Result<std::uint32_t> word_of(std::string_view field) {
+  const std::string_view digits = field.substr(field.starts_with('+') ? 1 : 0);
   Number number{};
-  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), number);
-  if (error != std::errc() || end != field.data() + field.size()) return std::nullopt;
-  return std::bit_cast<std::uint32_t>(number);
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  const bool is_whole = end == digits.data() + digits.size() && !(digits.size() < field.size() && digits[0] == '-');
+  if (error == std::errc() && is_whole) return std::bit_cast<std::uint32_t>(number);
+  if constexpr (std::is_same_v<Number, float>) {
+    if (error == std::errc::result_out_of_range && is_whole) {
+      const float nearest = std::strtof(std::string(field).c_str(), nullptr);
+      if (std::isfinite(nearest)) return std::bit_cast<std::uint32_t>(nearest);
+      return fail("is beyond the largest float, 3.40282347e+38; write inf if it shall be infinite");
+    }
+    if (field.empty()) return fail("is no float; write nan where there is no number");
+    if (field.find(',') != field.npos) return fail("is no float; write a point in place of the comma");
+    return fail("is no float, as 0.5, -1e-3, inf and nan are");
+  }
+  return fail(error == std::errc::result_out_of_range && is_whole ? "is out of the range of its type"
+                                                                  : "is no whole number in decimal digits");
 }
 
-Result<std::uint32_t> word_of(const Row& row, std::size_t i, const GivenColumn& column) {
+Result<std::uint32_t> word_of(const Table& table, const CsvRow& row, std::size_t i, const GivenColumn& column) {
   const std::string& field = row.fields[i];
   const auto word = column.type == WordType::f32   ? word_of<float>(field)
                     : column.type == WordType::i32 ? word_of<std::int32_t>(field)
                                                    : word_of<std::uint32_t>(field);
-  if (word && (column.type != WordType::f32 || std::isfinite(std::bit_cast<float>(*word)))) return *word;
-  return fail(fmt::format("{}:{}: {} is no finite {} (column {})", row.place, i + 1, in_quotes(field),
-                          scalar_of(column.type).name, column.name));
+  if (word) return *word;
+  return fail(fmt::format("{}:{}: {} {} (column {}, {})", table.place(row), i + 1, in_quotes(field),
+                          word.error().message, column.name, scalar_of(column.type).name));
 }
 
 // The rows below the header.
-Result<std::vector<std::vector<std::uint32_t>>> words_of(std::span<const Row> rows,
-                                                         const std::vector<GivenColumn>& columns) {
+Result<std::vector<std::vector<std::uint32_t>>> words_of(const Table& table, const std::vector<GivenColumn>& columns) {
   std::vector<std::vector<std::uint32_t>> words;
-  for (const Row& row : rows.subspan(1)) {
+  for (const CsvRow& row : std::span(table.rows).subspan(1)) {
     std::vector<std::uint32_t>& of_row = words.emplace_back();
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      HN_TRY(const auto word, word_of(row, i, columns[i]));
+      HN_TRY(const auto word, word_of(table, row, i, columns[i]));
       of_row.push_back(word);
     }
   }
@@ -129,8 +133,12 @@ Result<void> add_argument(std::vector<Argument>& arguments, std::string_view fie
   const auto scalar = parts.size() == 1 ? kScalars.begin() : std::ranges::find(kScalars, parts[1], &Scalar::name);
   if (parts.size() > 2 || scalar == kScalars.end()) return wrong("has no type of float, int and uint behind its colon");
   const auto names = split(parts[0], '.');
+  if (names[0].empty()) return wrong("has no name; the header names the arguments, as in p.x,p.y");
   // glslang refuses other words that are no names.
-  if (names[0].find_first_of("0123456789-.") == 0 || names[0].empty()) return wrong("is no name of an argument");
+  const bool is_name = std::ranges::all_of(names[0], [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+  if (!is_name || std::isdigit(static_cast<unsigned char>(names[0][0]))) {
+    return wrong("is no name of an argument; the first line that is no comment is the header, as in p.x,p.y");
+  }
   const std::string name(names[0]);
   const bool first = names.size() == 1 || (names.size() == 2 && names[1] == "x");
   const auto continues = [&](const Argument& last) {
@@ -149,14 +157,16 @@ Result<void> add_argument(std::vector<Argument>& arguments, std::string_view fie
   return {};
 }
 
-Result<std::vector<Argument>> arguments_in(const Row& header) {
+Result<std::vector<Argument>> arguments_in(const Table& points) {
+  const CsvRow& header = points.rows.front();
+  const std::string place = points.place(header);
   std::vector<Argument> arguments;
   for (std::size_t i = 0; i < header.fields.size(); ++i) {
-    HN_DO(add_argument(arguments, header.fields[i], fmt::format("{}:{}", header.place, i + 1)));
+    HN_DO(add_argument(arguments, header.fields[i], fmt::format("{}:{}", place, i + 1)));
   }
   if (header.fields.size() <= kInputWords) return arguments;
-  return fail(fmt::format("{}: there are {} columns; a function gets at most {} numbers", header.place,
-                          header.fields.size(), kInputWords));
+  return fail(fmt::format("{}: there are {} columns; a function gets at most {} numbers", place, header.fields.size(),
+                          kInputWords));
 }
 
 void add_columns(std::vector<GivenColumn>& columns, const Argument& argument) {
@@ -241,12 +251,13 @@ Result<Argument> result_of(const SourceSet& sources, const Foreign& foreign, con
 
 Result<GivenFunction> read_function(const CheckCommand& command) {
   HN_TRY(const auto points, read_table(command.points));
-  HN_TRY(const auto arguments, arguments_in(points.front()));
+  HN_TRY(const auto arguments, arguments_in(points));
   SourceSet sources = SourceSet::embedded();
   HN_TRY(const auto foreign, read_foreign(command.function, sources, "check"));
   HN_TRY(const auto value, result_of(sources, foreign, arguments));
   GivenFunction function{
       .id = fmt::format("check.{}", foreign.name),
+      .text = command.function,
       .file = fmt::format("against/{}/check", foreign.name),
       .body = body_of(arguments, value),
       // A text of a later version hardly compiles as ES.
@@ -267,18 +278,26 @@ Result<GivenFunction> read_function(const CheckCommand& command) {
 
 Result<void> read_expected(const std::string& path, GivenFunction& function) {
   HN_TRY(const auto table, read_table(path));
-  if (table.front().fields.size() != function.outputs.size() || table.size() != function.points.size() + 1) {
-    return fail(fmt::format("{}: it has {} columns and {} rows; the function returns {} numbers at each of {} points",
-                            path, table.front().fields.size(), table.size() - 1, function.outputs.size(),
-                            function.points.size()));
+  const std::size_t columns = table.rows.front().fields.size();
+  if (columns != function.outputs.size() || table.rows.size() != function.points.size() + 1) {
+    return fail(
+        fmt::format("{}: it has {} columns and {} rows below its header; the function returns {} numbers at "
+                    "each of {} points",
+                    path, columns, table.rows.size() - 1, function.outputs.size(), function.points.size()));
   }
   HN_TRY(const auto words, words_of(table, function.outputs));
   for (std::size_t i = 0; i < words.size(); ++i) function.points[i].expected = words[i];
   function.expected_from = path;
+  function.expected_right = true;
   return {};
 }
 
 // --- The values of a driver ---
+
+// The forms of the function's shaders at the beginning of a way.
+std::vector<std::string> written_forms() {
+  return {std::string(name_of(Form::spirv)), std::string(name_of(Form::glsl))};
+}
 
 // Expects the values of the first driver that has some, and returns its context.
 Result<ContextInfo> record(const CheckCommand& command, const DriverChoice& choice, int stop_fd,
@@ -339,7 +358,9 @@ tl::expected<GivenFunction, int> prepare(const CheckCommand& command, int stop_f
     if (!read) return tl::unexpected(usage_error(read.error().text()));
     return *std::move(function);
   }
-  const auto choice = choose_drivers(command.run.selection.drivers, command.run.execution.suite.way, stop_fd);
+  WayOptions way = command.run.execution.suite.way;
+  way.written = written_forms();
+  const auto choice = choose_drivers(command.run.selection.drivers, way, stop_fd);
   if (!choice) return tl::unexpected(usage_error(choice.error().text()));
   const auto info = record(command, *choice, stop_fd, *function);
   if (can_be_read(stop_fd)) return tl::unexpected(0);
@@ -368,6 +389,7 @@ int run(const CheckCommand& command, Interruption& interruption) {
   }
   if (!function) return function.error();
   RunCommand cases = command.run;
+  cases.execution.suite.way.written = written_forms();
   if (cases.selection.filters.empty()) cases.selection.filters = {fmt::format("{}.*", function->id)};
   give(*function);
   cases.execution.suite.given = *std::move(function);

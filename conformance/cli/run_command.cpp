@@ -408,6 +408,9 @@ int run_to_the_end(const RunPlan& plan, const RunOutput& output, const RunInputs
     run.date = now();
     run.library = inputs.sources.edited();
     run.commands = {output.line};
+    if (const GivenFunction& given = plan.suite.given; !given.id.empty()) {
+      run.checked = {given.text, given.expected_from, given.expected_right};
+    }
     apply_expectations(plan.expectations, run);
   }
   const auto missing = missing_drivers(runs, choice.named);
@@ -458,7 +461,7 @@ int run(const DriversCommand&, Interruption& interruption) {
   fmt::print("\nTranslators, for run --through:\n");
   for (const KnownTranslator& one : known_translators()) {
     fmt::print("{:<18} {}\n{:<18} {}\n", one.name, one.forms, "",
-               one.version ? fmt::format("{} {}", one.program, *one.version)
+               one.version ? fmt::format("{} {}", one.program, one.version->empty() ? "version unknown" : *one.version)
                            : fmt::format("not here: {}", one.version.error().text()));
   }
   return usable ? 0 : kNoDriver;

@@ -70,7 +70,9 @@ void Comparison::number(std::span<const std::uint32_t> inputs, float got, double
   note_difference(got, expected, allowed);
   // Written so that a NaN difference fails.
   if (std::fabs(static_cast<double>(got) - expected) <= allowed) return;
-  note(inputs, column, describe(got), fmt::format("{} within {:.3g}", describe(static_cast<float>(expected)), allowed));
+  // Nothing is near an infinity or NaN.
+  const std::string within = std::isfinite(expected) ? fmt::format(" within {:.3g}", allowed) : "";
+  note(inputs, column, describe(got), describe(static_cast<float>(expected)) + within);
 }
 
 void Comparison::word(std::span<const std::uint32_t> inputs, std::uint32_t got, double expected,

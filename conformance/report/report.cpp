@@ -46,12 +46,12 @@ std::string indented(std::string_view text) {
 }
 
 // "FAIL 3 of 7 cases of noise2d.perlin (only with HN_FIXED)", an example, and what there is to report of it.
-std::string group_lines(const FailureGroup& group) {
+std::string group_lines(const Run& run, const FailureGroup& group) {
   const CaseResult& example = *group.cases.front();
   const bool alone = group.cases.size() == 1;
   std::string text = fmt::format("{:<7} {}\n", in_upper_case(name_of(group.status)), alone ? example.id : group.text());
   if (!alone) text += fmt::format("  such as {}\n", example.id);
-  if (group.of_function()) text += fmt::format("  {}\n", measure_of(example.outcome));
+  if (group.of_function()) text += fmt::format("  {}\n", run.measure(example.outcome));
   std::string_view message = example.outcome.message;
   // The heading has the first line.
   if (!alone && !group.of_function()) message.remove_prefix(std::min(group.title.size() + 1, message.size()));
@@ -65,13 +65,13 @@ std::string failure_lines(const Run& run) {
   const bool only_errors = std::all_of(failures.groups.begin(), failures.groups.end(),
                                        [](const FailureGroup& group) { return group.status == Status::error; });
   std::string text = fmt::format("{} of {} cases {} on {}.\n", failures.failed, failures.ran,
-                                 only_errors ? "could not be checked" : "are wrong", run.name());
+                                 only_errors ? "could not be checked" : run.wrong(), run.name());
   for (const std::string& sentence : failures.common) text += fmt::format("{}\n", sentence);
   std::vector<std::string> rest;
   for (std::size_t i = 0; i < failures.groups.size(); ++i) {
     const FailureGroup& group = failures.groups[i];
     if (i < kMostGroupsShown) {
-      text += group_lines(group);
+      text += group_lines(run, group);
     } else {
       rest.push_back(fmt::format("{} ({})", shortened(group.title, kMostOfTitle), group.cases.size()));
     }
@@ -102,7 +102,9 @@ std::string unsupported_lines(const Run& run) {
     if (result.outcome.status == Status::unsupported) ++reasons[result.outcome.message];
   }
   std::string text;
-  for (const auto& [reason, count] : reasons) text += fmt::format("Unsupported, {} cases: {}\n", count, reason);
+  for (const auto& [reason, count] : reasons) {
+    text += fmt::format("Unsupported, {} {}: {}\n", count, count == 1 ? "case" : "cases", reason);
+  }
   return text;
 }
 
@@ -147,12 +149,12 @@ std::string summary(const Run& run) {
   for (const Status status : kStatuses) {
     if (const std::size_t count = run.count(status); count != 0 || status == Status::pass) {
       counts += fmt::format("{}{} {}", counts.empty() ? "" : ", ", count, name_of(status));
+      const auto excused = std::ranges::count_if(run.cases, [&](const CaseResult& result) {
+        return result.outcome.status == status && is_bad(status) && !result.excuse.empty();
+      });
+      if (excused != 0) counts += fmt::format(" ({} excused)", excused);
     }
   }
-  const auto excused = std::count_if(run.cases.begin(), run.cases.end(), [](const CaseResult& result) {
-    return is_bad(result.outcome.status) && !result.excuse.empty();
-  });
-  if (excused != 0) counts += fmt::format(" ({} of these excused)", excused);
   if (run.not_run != 0) counts += fmt::format(", {} not run", run.not_run);
   text += fmt::format("{}; {} values compared in {:.1f} s\n", counts, samples, seconds);
   return text;

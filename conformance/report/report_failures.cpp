@@ -41,14 +41,16 @@ std::string cleaned(std::string_view text, std::size_t most = kMostOfMessage) {
   return clean_text(shortened(text, most));
 }
 
-Json examples_of(const Outcome& outcome) {
+Json examples_of(const Run& run, const Outcome& outcome) {
   Json rows = Json::array();
   for (std::size_t i = 0; i < std::min(outcome.examples.size(), kMostExamples); ++i) {
     const Mismatch& mismatch = outcome.examples[i];
-    rows.push_back({{"pixel", fmt::format("{}, {}", mismatch.point % kGridSide, mismatch.point / kGridSide)},
-                    {"inputs", clean_text(mismatch.inputs)},
-                    {"got", clean_text(mismatch.got)},
-                    {"expected", clean_text(mismatch.expected)}});
+    rows.push_back(
+        {{"place", run.checked ? fmt::format("{}", mismatch.point + 1)
+                               : fmt::format("{}, {}", mismatch.point % kGridSide, mismatch.point / kGridSide)},
+         {"inputs", clean_text(mismatch.inputs)},
+         {"got", clean_text(mismatch.got)},
+         {"expected", clean_text(mismatch.expected)}});
   }
   return rows;
 }
@@ -70,14 +72,15 @@ const Step* faulty_step(const Run& run, const CaseResult& result) {
   return number != 0 && number <= run.way.steps.size() ? &run.way.steps[number - 1] : nullptr;
 }
 
-std::string_view fault_of_step(const Outcome& outcome) {
+std::string_view fault_of_step(const Run& run, const Outcome& outcome) {
   if (outcome.status == Status::crash) return "crashes";
   if (outcome.status == Status::timeout) return "does not end in time";
-  return outcome.mismatches != 0 ? "makes a right shader wrong" : "refuses a valid shader, or writes an invalid one";
+  if (outcome.mismatches == 0) return "refuses a valid shader, or writes an invalid one";
+  return run.has_right_values() ? "makes a right shader wrong" : "changes values";
 }
 
 // The rule that a case breaks, the place and the values.
-std::string findings_of(const CaseResult& result) {
+std::string findings_of(const Run& run, const CaseResult& result) {
   const Outcome& outcome = result.outcome;
   const std::string rule = outcome.mismatches == 0 ? "" : rule_of(result.id);
   std::string text = rule.empty() ? "" : fmt::format("rule      {}\n", rule);
@@ -85,7 +88,7 @@ std::string findings_of(const CaseResult& result) {
     text += fmt::format("at        {}\ngot       {}\nexpected  {}\n", wrong.inputs, wrong.got, wrong.expected);
     if (&wrong - outcome.examples.data() + 1 == kMostExamples) break;
   }
-  if (outcome.samples != 0) text += fmt::format("\n{}.\n", measure_of(outcome));
+  if (outcome.samples != 0) text += fmt::format("\n{}.\n", run.measure(outcome));
   if (outcome.examples.empty()) text += fmt::format("{}\n", shortened(outcome.message, kMostOfMessage));
   return text;
 }
@@ -127,8 +130,8 @@ std::string renderer_of(const ContextInfo& info) {
 std::string report_of_step(const Run& run, const CaseResult& result, const Step& step) {
   const FaultyStep& fault = *result.outcome.step;
   std::string text = fmt::format("{} {}.\n\ncommand   {}\nrun on    {}\n{}\nTo see it: {}, of {}.\n", step.text(),
-                                 fault_of_step(result.outcome), command_of(step, fault), renderer_of(run.info),
-                                 findings_of(result), rerun_of(run, result), library_text(run.library));
+                                 fault_of_step(run, result.outcome), command_of(step, fault), renderer_of(run.info),
+                                 findings_of(run, result), rerun_of(run, result), library_text(run.library));
   const std::string& message = result.outcome.message;
   const auto lines = message.find('\n');  // of a known bug the message has its few lines
   if (result.id.starts_with("bugs.") && lines != message.npos) {
@@ -148,8 +151,9 @@ std::string report_of_step(const Run& run, const CaseResult& result, const Step&
 // One text for those who write the driver: a shader that stands alone begins with all of it.
 std::string report_of(const Run& run, const CaseResult& result, bool with_shader) {
   if (with_shader && !result.evidence->shader.empty()) return result.evidence->shader;
-  return fmt::format("{}\nfails on {}.\n\n{}\nTo see it: {}, of {}.\n", result.id, renderer_of(run.info),
-                     findings_of(result), rerun_of(run, result), library_text(run.library));
+  return fmt::format("{}\n{} on {}.\n\n{}\nTo see it: {}, of {}.\n", result.id,
+                     run.has_right_values() ? "fails" : "differs", renderer_of(run.info), findings_of(run, result),
+                     rerun_of(run, result), library_text(run.library));
 }
 
 std::size_t bytes_of(const Evidence& evidence) {
@@ -169,7 +173,7 @@ Json page_case(const Run& run, const CaseResult& result, PageBudget& shown) {
   Json step = false;
   if (faulty) {
     step = {{"text", clean_text(fmt::format("Step {} of the chain, {},", outcome.step->number, faulty->text()))},
-            {"fault", fault_of_step(outcome)},
+            {"fault", fault_of_step(run, outcome)},
             {"command", clean_text(command_of(*faulty, *outcome.step))},
             {"input", outcome.step->input.empty() ? Json(false) : Json({{"file", clean_text(outcome.step->input)}})}};
   }
@@ -184,19 +188,25 @@ Json page_case(const Run& run, const CaseResult& result, PageBudget& shown) {
       left_out = "Its pictures and its shader are in results.json only, since this page shows only a limited number.";
     }
   }
-  const Json examples = examples_of(outcome);
+  const Json examples = examples_of(run, outcome);
   // With examples the message only repeats the first of them, or also states that the driver is wrong without a way.
   const bool without_way = !run.way.empty() && !faulty;
+  // No specification states what a driver should return that differs from another one.
+  const bool for_readers = run.has_right_values() || outcome.mismatches == 0;
+  const bool has_shader = !faulty && evidence.is_object() && !result.evidence->shader.empty();
+  const std::string readers = faulty ? "the makers of " + clean_text(faulty->name) : "the vendor";
   return {{"id", result.id},
-          {"measure", outcome.samples == 0 ? "" : measure_of(outcome) + "."},
+          {"measure", outcome.samples == 0 ? "" : run.measure(outcome) + "."},
           {"message", examples.empty() || without_way ? Json({{"text", cleaned(outcome.message)}}) : Json(false)},
           {"has_examples", !examples.empty()},
           {"examples", examples},
           {"step", std::move(step)},
-          {"readers", faulty ? "the makers of " + clean_text(faulty->name) : "the vendor"},
+          {"place_name", run.checked ? "point" : "pixel"},
+          {"readers", for_readers ? Json({{"text", readers}}) : Json(false)},
+          {"details", fmt::format("{}{}", for_readers ? "The report" : "The values",
+                                  has_shader ? ": a shader that shows it alone" : "")},
           {"report",
            clean_text(faulty ? report_of_step(run, result, *faulty) : report_of(run, result, evidence.is_object()))},
-          {"has_shader", !faulty && evidence.is_object() && !result.evidence->shader.empty()},
           {"evidence", std::move(evidence)},
           {"left_out", left_out}};
 }

@@ -67,7 +67,16 @@ std::string verdict_of(const std::vector<const Run*>& here, bool good) {
 
 // --- Drivers ---------------------------------------------------------------------------------------------------------
 
-Json page_driver(const Run& run) {
+// The columns of the table of drivers: of a check, those in which some driver has a number.
+std::vector<Status> statuses_of(const std::vector<const Run*>& here, bool is_check) {
+  std::vector<Status> statuses(kStatuses.begin(), kStatuses.end());
+  std::erase_if(statuses, [&](Status status) {
+    return is_check && std::ranges::all_of(here, [&](const Run* run) { return run->count(status) == 0; });
+  });
+  return statuses;
+}
+
+Json page_driver(const Run& run, const std::vector<Status>& statuses) {
   double seconds = 0.0;
   std::size_t excused = 0;
   for (const CaseResult& result : run.cases) {
@@ -75,7 +84,7 @@ Json page_driver(const Run& run) {
     excused += is_bad(result.outcome.status) && !result.excuse.empty() ? 1 : 0;
   }
   Json counts = Json::array();
-  for (const Status status : kStatuses) {
+  for (const Status status : statuses) {
     const std::size_t count = run.count(status);
     counts.push_back({{"text", std::to_string(count)},
                       {"label", name_of(status)},
@@ -83,7 +92,9 @@ Json page_driver(const Run& run) {
                                 : is_bad(status) ? "bad"
                                                  : ""}});
   }
-  counts.push_back({{"text", std::to_string(excused)}, {"label", "excused"}, {"class", excused == 0 ? "faint" : ""}});
+  if (!run.checked) {
+    counts.push_back({{"text", std::to_string(excused)}, {"label", "excused"}, {"class", excused == 0 ? "faint" : ""}});
+  }
   const std::size_t unexpected = unexpected_in(run);
   const bool nothing = unexpected == 0 && run.is_complete() && !run.as_expected();
   return {{"driver", run.driver},
@@ -142,6 +153,17 @@ Json page_errors(const std::vector<const Run*>& here) {
   return {{"any", !rows.empty()}, {"drivers", names_of(measured)}, {"rows", rows}};
 }
 
+Json page_check(const CheckedFunction& checked) {
+  constexpr std::string_view kOther =
+      "The values are compared with those of {}, which may be wrong itself. GLSL promises the bits of integers, and of "
+      "few functions of floats; --expect compares with values that are right.";
+  const std::string expected = clean_text(checked.expected);
+  return {
+      {"function", clean_text(checked.function)},
+      {"compared", checked.expected_right ? fmt::format("The values are compared with the right ones in {}.", expected)
+                                          : fmt::format(kOther, expected)}};
+}
+
 // --- Counts ----------------------------------------------------------------------------------------------------------
 
 using Counts = std::map<Status, std::size_t>;
@@ -197,18 +219,23 @@ Json page_origin(const Run& run) {
 Result<std::string> report_page(const std::vector<Run>& runs, const std::vector<std::string>& problems) {
   const auto here = runs_here(runs);
   const bool good = problems.empty() && all_as_expected(runs);
+  const auto* const checked = !here.empty() && here.front()->checked ? &*here.front()->checked : nullptr;
+  const std::vector<Status> shown = statuses_of(here, checked != nullptr);
   Json drivers = Json::array();
   Json origins = Json::array();
   for (const Run* run : here) {
-    drivers.push_back(page_driver(*run));
+    drivers.push_back(page_driver(*run, shown));
     origins.push_back(page_origin(*run));
   }
   Json statuses = Json::array();
-  for (const Status status : kStatuses) statuses.push_back(name_of(status));
+  for (const Status status : shown) statuses.push_back(name_of(status));
+  if (!checked) statuses.push_back("excused");
   Json clean_problems = Json::array();
   for (const std::string& problem : problems) clean_problems.push_back(clean_text(problem));
   const Json data = {{"style", text_of(kOutputFiles, "style.mustache")},
                      {"library", clean_text(libraries_of(here))},
+                     {"subject", checked ? clean_text(checked->function) : "hashnoise"},
+                     {"check", checked ? page_check(*checked) : Json(false)},
                      {"class", good ? "good" : "bad"},
                      {"verdict", verdict_of(here, good)},
                      {"problems", clean_problems},

@@ -77,6 +77,38 @@ To see it: hn-conform run --driver osmesa --filter noise2d.perlin.lattice.precis
   EXPECT_FALSE(has(page, "rule  "));
 }
 
+// Nobody promises that two drivers return the same, so there is no report of it for a vendor.
+TEST(Page, OfACheckIsAboutTheFunction) {
+  hn::Run run =
+      run_of({failed("check.hash.any.fast.fragment.gl330.same"), result("check.hash.x", Status::unsupported)});
+  run.checked = {"hash.glsl:hash(p)", "osmesa in gl330", false};
+  run.way = short_way();
+  run.cases[1].outcome.step = {1, "", ""};
+  const std::string page = page_of({run});
+  for (const char* part :
+       {"<title>hash.glsl:hash(p): Not as expected", "Check of <strong>hash.glsl:hash(p)</strong>, by hashnoise ",
+        "compared with those of osmesa in gl330, which may be wrong itself.", "4 of 10 values differ",
+        "<th>point</th><th>at</th>", "data-label=\"point\">3090<", "<summary>The values: a shader that shows it alone",
+        "<th class=\"number\">fail</th><th class=\"number\">unsupported</th><th class=\"number\">time</th>",
+        "<th>command</th><th>date</th>"}) {
+    EXPECT_TRUE(has(page, part));
+  }
+  for (const char* part :
+       {"Conformance of", "Copy a report", "are wrong", ">excused<", "Every case", "points are random"}) {
+    EXPECT_FALSE(has(page, part));
+  }
+  run.checked = {"hash.glsl:hash(p)", "right.csv", true};
+  const std::string of_right = page_of({run});
+  for (const char* part : {"compared with the right ones in right.csv.", "4 of 10 values are wrong",
+                           "Copy a report for the vendor", "<summary>The report: a shader that shows it alone"}) {
+    EXPECT_TRUE(has(of_right, part));
+  }
+  run.checked->expected_right = false;
+  run.cases[0].outcome.step = {1, "", ""};
+  EXPECT_TRUE(has(page_of({run}), "changes values: <code>/usr/bin/spirv-opt"));
+  EXPECT_FALSE(has(page_of({run}), "Copy a report"));
+}
+
 TEST(Page, HasOneTextForTheMakersOfATranslator) {
   CaseResult wrong = failed("bugs.abs_of_int.any.exact.compute.vulkan.defined");
   wrong.outcome.step = {1, "ways/bugs.abs/1-spirv-opt.spv", "%1 = OpTypeVoid"};

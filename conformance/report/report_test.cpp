@@ -26,8 +26,12 @@ TEST(Summary, NamesWhatFailedAndWhatIsUnsupported) {
   const auto text = summary(run_of({result("a.b.golden", Status::pass), result("c.d.golden", Status::fail),
                                     result("e.f.golden", Status::unsupported)}));
   EXPECT_NE(text.find("FAIL    c.d.golden\n  why"), std::string::npos) << text;
-  EXPECT_NE(text.find("Unsupported, 1 cases: why"), std::string::npos) << text;
+  EXPECT_NE(text.find("Unsupported, 1 case: why"), std::string::npos) << text;
   EXPECT_NE(text.find("1 pass, 1 fail, 1 unsupported"), std::string::npos) << text;
+  CaseResult known = result("g.h.golden", Status::fail);
+  known.excuse = "known";
+  const auto excused = summary(run_of({known, result("c.d.golden", Status::fail), result("a.b", Status::unsupported)}));
+  EXPECT_NE(excused.find("0 pass, 2 fail (1 excused), 1 unsupported;"), std::string::npos) << excused;
 }
 
 // An error is the suite's, not the driver's.

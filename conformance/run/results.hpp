@@ -19,6 +19,15 @@ namespace hn {
 // This stands in place of an OpenGL driver for the cases that ask only glslang.
 inline constexpr std::string_view kReferenceCompiler = "glslang";
 
+// Somebody's own function, which hn-conform check ran in place of the suite.
+struct CheckedFunction {
+  std::string function;        // as the command named it: "noise.glsl:snoise(p)"
+  std::string expected;        // the origin of its values: "values.csv", "osmesa in gl330"
+  bool expected_right = true;  // they were given as the right ones; else another driver returned them
+
+  bool operator==(const CheckedFunction&) const = default;
+};
+
 struct Run {
   std::string driver;
   std::string absent;  // why the driver cannot be used here; then it has no cases
@@ -38,13 +47,19 @@ struct Run {
   // Only of a run of all cases that there are by default, without an option that changes what they do: the checksum of
   // the golden files.
   std::string golden = {};
+  std::optional<CheckedFunction> checked = {};
 
-  std::string name() const;  // "vulkan:0 through spirv-opt 2023.1"
+  // Whether its values are held against right ones.
+  bool has_right_values() const { return !checked || checked->expected_right; }
+  std::string_view wrong() const { return has_right_values() ? "are wrong" : "differ"; }
+  std::string measure(const Outcome& outcome) const;  // measure_of, in these words
+  std::string name() const;                           // "vulkan:0 through spirv-opt 2023.1"
   bool is_reference() const { return driver == kReferenceCompiler; }
   std::size_t count(Status status) const;
   // No case was left out at the end of the run, or with a shard.
   bool is_complete() const { return not_run == 0 && missing == 0; }
-  // Everything that could run ran, and was right or is excused; at least one case passed.
+  // Everything that could run ran, and was right or is excused; at least one case passed, with or without a
+  // warning.
   bool as_expected() const;
 };
 

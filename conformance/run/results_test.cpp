@@ -54,6 +54,7 @@ TEST(Run, InWhichNothingPassedIsNoneThatFailed) {
   EXPECT_TRUE(nothing_passed({unsupported}));
   EXPECT_FALSE(nothing_passed({unsupported, run_of({result("a", Status::pass)})}));
   EXPECT_FALSE(nothing_passed({unsupported, run_of({result("a", Status::fail)})}));
+  EXPECT_TRUE(run_of({result("a", Status::warning)}).as_expected());
   hn::Run unfinished = unsupported;
   unfinished.not_run = 1;
   EXPECT_FALSE(nothing_passed({unfinished}));
@@ -107,6 +108,7 @@ TEST(Json, IsReadAgain) {
   run.date = "2026-11-20T10:00:00Z";
   run.commands = {"hn-conform run", "hn-conform run --shard 2/2"};
   run.golden = "89abcdef";
+  run.checked = {"f.glsl:f(p)", "osmesa in gl330", false};
   run.way = short_way();
   run.info.system = "Linux";
   run.info.browser = "Firefox 140";

@@ -96,8 +96,9 @@ class Comparison {
     ++this.outcome.samples;
     this.noteDifference(got, expected, allowed);
     if (Math.abs(got - expected) <= allowed) return;
-    const within = `${Number(expected.toPrecision(9))} (${hex(bitsOf(expected))}) within ${shortNumber(allowed)}`;
-    this.note(point, describeFloat(got), within);
+    // Nothing is near an infinity or NaN.
+    const within = Number.isFinite(expected) ? ` within ${shortNumber(allowed)}` : "";
+    this.note(point, describeFloat(got), `${describeFloat(expected)}${within}`);
   }
 
   noteDifference(got, expected, allowed) {
@@ -164,8 +165,35 @@ async function checkDigest(renderer, suite, test, outcome) {
   return outcome;
 }
 
+const areNaN = (a, b) => Number.isNaN(floatOf(a)) && Number.isNaN(floatOf(b));
+
+function distanceOf(got, expected, type) {
+  const [a, b] = [floatOf(got), floatOf(expected)];
+  if (isWhole(type) || !Number.isFinite(a) || !Number.isFinite(b)) return "";
+  const units = ulpDistance(a, b);
+  return `, ${units} ${units === 1 ? "unit" : "units"} in the last place away`;
+}
+
+// The outcome of somebody's own function, in the words of judge_bug in cases/bugs/bugs.cpp.
+function givenOutcome(outcome, test, columns, inputs, wrongPoints, nanPoints) {
+  const points = `of ${inputs.length / kInputWords} points`;
+  if (outcome.status === "fail") {
+    const [{ inputs: at, got, expected }] = outcome.examples;
+    outcome.message = `differs first at ${at}: got ${got}, expected ${expected}, and at ${wrongPoints.size} ${points}. ` +
+                      test.note;
+  } else if (nanPoints.size) {
+    const [first] = nanPoints;
+    const at = describeInputs(columns.inputs, inputs.subarray(first * kInputWords));
+    outcome.status = "warning";
+    outcome.message = `NaN, as expected, at ${nanPoints.size} ${points}, first at ${at}. GLSL leaves NaN open: a driver ` +
+                      `may return a number there. ${test.note}`;
+  }
+  return outcome;
+}
+
 // Against expected values: words if every bit counts or a bug is looked for, else exact values as 64-bit floats. A wrong
-// value that a specification leaves open is a warning.
+// value that a specification leaves open is a warning. Of somebody's own function (given) equal bits are equal, and
+// so are any two NaN.
 async function checkValues(renderer, suite, test) {
   const isBug = test.check === "bug";
   const columns = suite.columns(test.columns);
@@ -176,16 +204,31 @@ async function checkValues(renderer, suite, test) {
   const expected = test.exact || isBug ? suite.words(test.expected) : suite.doubles(test.expected);
   const allowed = suite.allowed(test);
   const words = new Uint32Array(expected.length);
+  const wrongPoints = new Set();
+  const nanPoints = new Set();
   for (let i = 0; i < expected.length; ++i) {
     const point = Math.floor(i / width);
     const got = outputs[point * kOutputWords + (i % width)];
     words[i] = got;
     const { type } = columns.outputs[i % width];
-    if (test.exact || isWhole(type)) comparison.bits(point, got, expected[i] >>> 0, type);
-    else comparison.number(point, floatOf(got), isBug ? floatOf(expected[i]) : expected[i], allowed(i));
+    const before = comparison.outcome.mismatches;
+    if (test.exact || isWhole(type)) {
+      comparison.bits(point, got, expected[i] >>> 0, type);
+    } else if (test.given && (got === expected[i] || areNaN(got, expected[i]))) {
+      ++comparison.outcome.samples;
+      if (areNaN(got, expected[i])) nanPoints.add(point);
+    } else {
+      comparison.number(point, floatOf(got), isBug ? floatOf(expected[i]) : expected[i], allowed(i));
+    }
+    if (comparison.outcome.mismatches === before) continue;
+    wrongPoints.add(point);
+    if (test.given && before < kMostExamples) {
+      comparison.outcome.examples.at(-1).expected += distanceOf(got, expected[i], type);
+    }
   }
   const outcome = comparison.finish();
   if (test.exact) outcome.checksum = hex(crc32(words));
+  if (test.given) return givenOutcome(outcome, test, columns, inputs, wrongPoints, nanPoints);
   if (isBug && outcome.status === "fail") {
     outcome.status = test.defined ? "fail" : "warning";
     outcome.message = `${test.defined ? "wrong" : "not the usual value, but allowed"}: ${outcome.message}. ${test.note}`;

@@ -199,9 +199,11 @@ class SuiteWriter {
       inputs.insert(inputs.end(), point.inputs.begin(), point.inputs.end());
       expected.insert(expected.end(), point.expected.begin(), point.expected.end());
     }
-    return Json{{"check", "bug"},          {"program", evaluated},           {"columns", columns_of(bug.function)},
-                {"inputs", data(inputs)},  {"expected", data(expected)},     {"allowed", rule.allowed},
-                {"defined", rule.defined}, {"note", bug.note(*kind.profile)}};
+    Json json = {{"check", "bug"},          {"program", evaluated},           {"columns", columns_of(bug.function)},
+                 {"inputs", data(inputs)},  {"expected", data(expected)},     {"allowed", rule.allowed},
+                 {"defined", rule.defined}, {"note", bug.note(*kind.profile)}};
+    if (bug.given) json["given"] = true;
+    return json;
   }
 
   // The words that the function's columns use.

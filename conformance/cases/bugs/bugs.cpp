@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "base/text.hpp"
 #include "cases/bugs/given.hpp"
@@ -52,7 +53,12 @@ void add_cases(std::vector<Case>& cases, const Bug& bug) {
   }
 }
 
+bool are_nan(std::uint32_t got, std::uint32_t expected) {
+  return std::isnan(number_of(got)) && std::isnan(number_of(expected));
+}
+
 std::string distance_of(std::uint32_t got, std::uint32_t expected) {
+  if (!std::isfinite(number_of(got)) || !std::isfinite(number_of(expected))) return "";
   const auto units = ulp_distance(std::bit_cast<float>(got), std::bit_cast<float>(expected));
   return fmt::format(", {} {} in the last place away", units, units == 1 ? "unit" : "units");
 }
@@ -137,15 +143,21 @@ Outcome judge_bug(const Bug& bug, const Profile& profile, std::span<const std::u
   Comparison comparison(bug.function, grid);
   std::vector<std::string> distances;  // of the examples from the right values
   std::size_t wrong_points = 0;
+  std::size_t nan_points = 0;
+  std::string first_nan;
   for (std::size_t i = 0; i < bug.points.size(); ++i) {
     const auto inputs = std::span(grid).subspan(i * kInputWords, kInputWords);
     const std::uint64_t wrong_before = comparison.mismatches();
+    bool has_nan = false;
     for (std::size_t column = 0; column < bug.function.outputs.size(); ++column) {
       const std::uint64_t before = comparison.mismatches();
       const std::uint32_t got = outputs[i * kOutputWords + column];
       const std::uint32_t expected = bug.points[i].expected[column];
       const bool is_float = bug.function.outputs[column].type == WordType::f32;
-      if (is_float) {
+      if (is_float && bug.given && (got == expected || are_nan(got, expected))) {
+        comparison.require(true, inputs, {}, {});
+        has_nan = has_nan || are_nan(got, expected);
+      } else if (is_float) {
         comparison.number(inputs, std::bit_cast<float>(got), number_of(expected), rule.allowed, column);
       } else {
         comparison.bits(inputs, got, expected, column);
@@ -154,8 +166,16 @@ Outcome judge_bug(const Bug& bug, const Profile& profile, std::span<const std::u
       if (is_example) distances.push_back(is_float ? distance_of(got, expected) : "");
     }
     wrong_points += comparison.mismatches() != wrong_before ? 1 : 0;
+    if (has_nan && nan_points++ == 0) first_nan = describe_inputs(bug.function, inputs);
   }
   Outcome outcome = comparison.finish();
+  if (outcome.status == Status::pass && nan_points != 0) {
+    outcome.status = Status::warning;
+    outcome.message = fmt::format(
+        "NaN, as expected, at {} of {} points, first at {}. GLSL leaves NaN open: a driver may return a number there. "
+        "{}",
+        nan_points, bug.points.size(), first_nan, bug.note(profile));
+  }
   if (outcome.status != Status::fail) return outcome;
   if (bug.given) {
     for (std::size_t i = 0; i < outcome.examples.size(); ++i) outcome.examples[i].expected += distances[i];

@@ -27,7 +27,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BugPoint, inputs, expected)
 
 // Everything that another process needs to run it.
 struct GivenFunction {
-  std::string id = {};  // "check.snoise"; empty: there is none
+  std::string id = {};    // "check.snoise"; empty: there is none
+  std::string text = {};  // as the command names it: "noise.glsl:snoise(p)"
   std::vector<GivenFile> files = {};
   std::string file = {};  // of these, to include
   std::string body = {};  // as of a row of the library's functions
@@ -37,9 +38,10 @@ struct GivenFunction {
   std::vector<BugPoint> points = {};  // without expected values, until they are known
   double tolerance = 0.0;             // of floats
   std::string expected_from = {};     // "values.csv", "osmesa in gl330"
+  bool expected_right = false;        // somebody states that these are right
 };
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GivenFunction, id, files, file, body, inputs, outputs, profiles, points, tolerance,
-                                   expected_from)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(GivenFunction, id, text, files, file, body, inputs, outputs, profiles, points,
+                                   tolerance, expected_from, expected_right)
 
 // The rest of this process has it in all_bugs(). Call it once, before there is a case.
 const Bug& give(const GivenFunction& function);

@@ -168,7 +168,11 @@ const Result<std::string>& printed_version(const std::string& program, std::stri
 Result<std::string> version_of(const Translator& translator, const std::string& program) {
   const auto& text = printed_version(program, translator.version);
   if (!text) return fail(fmt::format("{} cannot be run: {}", program, text.error().message));
-  return translator.printed == Printed::line ? text->substr(0, text->find('\n')) : version_number(*text);
+  if (translator.printed == Printed::line) return text->substr(0, text->find('\n'));
+  const std::string number = version_number(*text);
+  if (!number.empty() || program != translator.program || text->find("Debian package") == text->npos) return number;
+  // Debian's spirv-cross prints no version, and its package has the name of the program.
+  return output_of("dpkg-query", {"-W", "-f=${Version}", program}).value_or("");
 }
 
 bool is_at_least(const std::string& version, std::string_view least) {
@@ -276,15 +280,22 @@ Result<std::vector<Choice>> choices_of(const WayOptions& options) {
                           commands == 1 ? "1 command" : fmt::format("{} commands", commands)));
 }
 
+// The forms at both ends of a way: those of the suite's shaders, and those that the driver takes. Empty: any.
+struct Ends {
+  std::vector<Form> written;
+  std::span<const Form> driver;
+};
+
 // The first conversions that fit, from a step on; how far any came is in `reached`.
-bool fit(const std::vector<Choice>& choices, std::size_t at, std::span<const Form> ends,
-         std::vector<const Conversion*>& found, std::size_t& reached) {
+bool fit(const std::vector<Choice>& choices, std::size_t at, const Ends& ends, std::vector<const Conversion*>& found,
+         std::size_t& reached) {
   reached = std::max(reached, at);
   if (at == choices.size()) {
-    return ends.empty() || std::ranges::find(ends, found.back()->gives) != ends.end();
+    return ends.driver.empty() || std::ranges::count(ends.driver, found.back()->gives) != 0;
   }
   for (const Conversion& conversion : choices[at].conversions) {
     if (at > 0 && found.back()->gives != conversion.takes) continue;
+    if (at == 0 && !ends.written.empty() && std::ranges::count(ends.written, conversion.takes) == 0) continue;
     found.push_back(&conversion);
     if (fit(choices, at + 1, ends, found, reached)) return true;
     found.pop_back();
@@ -292,16 +303,50 @@ bool fit(const std::vector<Choice>& choices, std::size_t at, std::span<const For
   return false;
 }
 
-Error misfit(const std::vector<Choice>& choices, std::size_t reached, std::span<const Form> ends) {
+// "--through spirv-cross:hlsl --through dxc": the choices with one of the translators that are here before them, behind
+// them, or at both ends, so that they fit. Empty if none does.
+std::string chain_around(const std::vector<Choice>& choices, const Ends& ends) {
+  std::vector<std::vector<Choice>> others = {{}};
+  for (const Translator& translator : translators()) {
+    if (auto choice = known(translator.name)) {
+      choice->step.spec = translator.name;
+      others.push_back({*std::move(choice)});
+    }
+  }
+  for (const auto& before : others) {
+    for (const auto& after : others) {
+      std::vector<Choice> chain = before;
+      chain.insert(chain.end(), choices.begin(), choices.end());
+      chain.insert(chain.end(), after.begin(), after.end());
+      std::vector<const Conversion*> found;
+      std::size_t reached = 0;
+      if (!fit(chain, 0, ends, found, reached)) continue;
+      std::vector<std::string> words;
+      for (const Choice& choice : chain) words.push_back("--through " + choice.step.spec);
+      return fmt::format("{}", fmt::join(words, " "));
+    }
+  }
+  return "";
+}
+
+Error misfit(const std::vector<Choice>& choices, std::size_t reached, const Ends& ends) {
+  const std::string chain = chain_around(choices, ends);
+  const std::string better = chain.empty() ? "" : fmt::format("; this chain works: {}", chain);
+  if (reached == 0) {
+    return {fmt::format("step 1, {}, takes {}, and there are shaders in {}{}", choices[0].step.name,
+                        fmt::join(names_of(choices[0], &Conversion::takes), ", "),
+                        fmt::join(names_of(ends.written), ", "), better),
+            {}};
+  }
   const Choice& giver = choices[reached - 1];
   const auto gives = fmt::format("step {}, {}, gives {}", reached, giver.step.name,
                                  fmt::join(names_of(giver, &Conversion::gives), ", "));
   if (reached == choices.size()) {
-    return {fmt::format("{}, and the driver takes {}", gives, fmt::join(names_of({ends.begin(), ends.end()}), ", ")),
-            {}};
+    const std::vector<Form> driver(ends.driver.begin(), ends.driver.end());
+    return {fmt::format("{}, and the driver takes {}{}", gives, fmt::join(names_of(driver), ", "), better), {}};
   }
-  return {fmt::format("{}, and step {}, {}, takes {}", gives, reached + 1, choices[reached].step.name,
-                      fmt::join(names_of(choices[reached], &Conversion::takes), ", ")),
+  return {fmt::format("{}, and step {}, {}, takes {}{}", gives, reached + 1, choices[reached].step.name,
+                      fmt::join(names_of(choices[reached], &Conversion::takes), ", "), better),
           {}};
 }
 
@@ -371,10 +416,15 @@ std::string Way::contracts() const {
 
 Result<Way> find_way(const WayOptions& options, std::span<const Form> driver_takes) {
   HN_TRY(auto choices, choices_of(options));
+  Ends ends{{}, driver_takes};
+  for (const std::string& name : options.written) {
+    HN_TRY(const Form form, form_of(name));
+    ends.written.push_back(form);
+  }
   std::vector<const Conversion*> found;
   std::size_t reached = 0;
-  if (!choices.empty() && !fit(choices, 0, driver_takes, found, reached)) {
-    return tl::unexpected(misfit(choices, reached, driver_takes));
+  if (!choices.empty() && !fit(choices, 0, ends, found, reached)) {
+    return tl::unexpected(misfit(choices, reached, ends));
   }
   Way way;
   for (std::size_t i = 0; i < choices.size(); ++i) {

@@ -33,8 +33,10 @@ struct WayOptions {
   // The forms that the commands take and give, one of each for each command.
   std::vector<std::string> takes = {};
   std::vector<std::string> gives = {};
+  // The forms in which there are shaders; empty: all that the suite writes.
+  std::vector<std::string> written = {};
 };
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WayOptions, through, takes, gives)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WayOptions, through, takes, gives, written)
 
 // A translation by one program.
 struct Step {
