@@ -23,6 +23,8 @@ import pyopencl
 from documents_test import FENCE
 
 from base import cuda
+from base.debian import Missing
+from base.testing import check_opencl
 
 TEXT = (golden.ROOT / "docs" / "guide" / "gpu-computing.md").read_text(encoding="utf-8")
 QUICK = ("cupy", "jax", "pyopencl")
@@ -32,9 +34,9 @@ HEADER, ARRAYS, HOUDINI = re.findall(r"(?m)^    (tools/pick .*)$", TEXT)
 
 def setUpModule() -> None:
     try:
-        pyopencl.get_platforms()
-    except pyopencl.Error:
-        raise unittest.SkipTest("there is no driver of OpenCL: apt-get install pocl-opencl-icd") from None
+        check_opencl(sys.executable)
+    except Missing as reason:
+        raise unittest.SkipTest(str(reason)) from None
 
 
 @functools.cache
@@ -96,6 +98,11 @@ class Programs(unittest.TestCase):
         for name in ("cupy", "pyopencl"):
             with self.subTest(name), self.assertRaises(AssertionError):
                 self.run_program(program(name).replace("7u)", "8u)"))
+
+    def test_a_driver_that_cannot_start_is_a_reason_to_skip(self) -> None:
+        """hwloc, by which pocl finds the processor, reads /sys in that folder: there is none."""
+        with mock.patch.dict(os.environ, HWLOC_FSROOT=os.getcwd()), self.assertRaisesRegex(unittest.SkipTest, "hwloc.*sysfs"):
+            setUpModule()
 
     def test_the_kernel_for_houdini_moves_points(self) -> None:
         kernel, = re.findall(r"(?ms)^```c\n(.*?)^```$", TEXT)

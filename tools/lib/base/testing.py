@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import functools
 import io
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -37,6 +38,17 @@ def called(main: Callable[[Sequence[str]], int], *arguments: object) -> tuple[in
         except SystemExit as end:
             status = end.code
     return status, printed.getvalue()
+
+
+def check_opencl(python: str | Path) -> None:
+    """Raises Missing if pyopencl, of that Python, has no device. It is asked in a process of its own: where pocl cannot
+    start, as without /sys, it aborts."""
+    devices = "import pyopencl; assert any(one.get_devices() for one in pyopencl.get_platforms())"
+    done = subprocess.run([python, "-c", devices], capture_output=True, text=True, check=False)
+    if done.returncode < 0:
+        raise Missing(f"the driver of OpenCL cannot start: {' '.join(done.stderr.splitlines())}")
+    if done.returncode:
+        raise Missing("there is no driver of OpenCL: apt-get install pocl-opencl-icd python3-pyopencl")
 
 
 @contextlib.contextmanager

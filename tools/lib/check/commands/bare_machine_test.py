@@ -33,8 +33,9 @@ ARCHIVES = "/var/cache/apt/archives"
 # pairs of a folder here and its place there.
 OUTSIDE = ('top=$1 inside=$2; shift 2; while [ "$1" != -- ]; do mkdir -p "$1" "$top$2" && '
            'mount --bind "$1" "$top$2" && shift 2; done; exec chroot "$top" bash -c "$0" "$inside" "$@"')
-INSIDE = ('mount -t proc proc /proc && mount -t devpts devpts /dev/pts -o ptmxmode=0666 && mkdir -p /dev/shm && '
-          'mount -t tmpfs tmpfs /dev/shm && cd "$0" && shift && exec "$@"')
+# As in a container: without /sys pocl cannot start. debootstrap has made the nodes of /dev.
+INSIDE = ('mount -t proc proc /proc && mount -t sysfs sysfs /sys -o ro && mount -t devpts devpts /dev/pts -o ptmxmode=0666 && '
+          'mkdir -p /dev/shm && mount -t tmpfs tmpfs /dev/shm && cd "$0" && shift && exec "$@"')
 
 
 def named(page: str) -> set[str]:

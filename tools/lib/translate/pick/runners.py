@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 from base.debian import Missing
 from base.pypi import environment
+from base.testing import check_opencl
 from base.thorough import THOROUGH
 from base.tree import ROOT, TOOLS
 from translate.names import wgsl_name
@@ -356,8 +357,7 @@ __device__ inline float sqrtf(float x) { return __nvvm_sqrt_rn_f(x); }
 
     def check(self, lints: bool = False) -> None:
         super().check(lints)
-        if subprocess.run(["/usr/bin/python3", "-c", "import pyopencl; pyopencl.get_platforms()"], check=False).returncode:
-            raise Missing(f"there is no driver of OpenCL: apt-get install {self.packages}")
+        check_opencl("/usr/bin/python3")
 
     def kernels(self, calls: Sequence[str]) -> str:
         return "".join(self.KERNEL.format(number=i, calls="\n".join(calls[i:i + self.IN_KERNEL]))
