@@ -37,6 +37,7 @@ case "$*" in
      echo Setting up cmake ... || exit 100;;
 esac"""
 CMAKE = "case \"$*\" in *--build*) echo '[1/2] first'; SLOW; echo '[2/2] second'; SLOW;; *) SLOW;; esac"
+DEBIANS = "c++ (Debian 12.2.0-14+deb12u1) 12.2.0"
 CONFORM = "conformance/hn-conform"
 # The program behind each, in build/, and its arguments; but not of what was deleted.
 COMMANDS = {"bake": ("bake/bin/python", "-I -m hashnoise bake --help"), "conform": (CONFORM, "run --help"),
@@ -144,6 +145,31 @@ class Setup(Machine):
                 self.assertEqual((done.returncode, done.stdout), (4, ""))
                 self.assertIn(said, done.stderr)
                 self.assertRegex(done.stderr, end)
+
+    def test_a_second_command_compiles_nothing_again(self) -> None:
+        """Each configures this tree, in one folder, and prints how it would compile the suite."""
+        self.program("cmake", f"""case "$1" in
+  --build) ninja -C "$2" -t commands hn-conform >{self.root}/lines;;
+  -S) shift 2; exec {shutil.which("cmake")} -S {ROOT} "$@";;
+esac""")
+        lines = []
+        for command in ("conform", "test"):
+            self.call(command)
+            lines.append((self.root / "lines").read_text().splitlines())
+        self.assertGreater(len(lines[0]), 50)
+        self.assertEqual(*lines)
+
+    def test_warnings_are_errors_of_debians_compiler_alone(self) -> None:
+        """It is c++, or the one of the build, if that is configured."""
+        (self.root / "build").mkdir()
+        cache = f"CMAKE_CXX_COMPILER:FILEPATH={self.programs}/second\n"
+        for first, second, known in ((DEBIANS, "", True), ("c++ (GCC) 12.2.0", "", False), ("", DEBIANS, True),
+                                     ("Debian clang version 14.0.6", "", False), (DEBIANS, "clang version 22.1", False)):
+            with self.subTest(first, second=second):
+                self.program("c++", f"echo '{first}'")
+                self.program("second", f"echo '{second}'")
+                (self.root / "build" / "CMakeCache.txt").write_text(cache * bool(second))
+                self.assertEqual(self.bash("knows_compiler").returncode == 0, known)
 
     def test_the_compiler_of_hlsl_is_fetched_from_debian(self) -> None:
         for name in ("debian", "tree"):
