@@ -4,4 +4,4 @@ package_test(bake bake_test bluenoise_test WITH bake.txt PROPERTIES FIXTURES_REQ
 # The command builds the package for itself.
 add_test(NAME bake.command CONFIGURATIONS Thorough
          COMMAND ${PROJECT_SOURCE_DIR}/tools/bake cellular --size 64x64 -o ${PROJECT_BINARY_DIR}/bake.exr)
-set_tests_properties(bake.command PROPERTIES TIMEOUT 3600)
+set_tests_properties(bake.command PROPERTIES RESOURCE_LOCK python_objects TIMEOUT 3600)

@@ -8,7 +8,8 @@ set_tests_properties(python.wheel PROPERTIES FIXTURES_SETUP python_wheel FIXTURE
                      TIMEOUT 3600)
 # As users have it, with kernels of its own for all instruction sets. tools/pack python holds it to its vectors.
 add_test(NAME python.wheel_of_users CONFIGURATIONS Thorough COMMAND ${environment} make ${package_environment}-of-users)
-set_tests_properties(python.wheel_of_users PROPERTIES SKIP_RETURN_CODE 77 COST 400 TIMEOUT 3600)
+set_tests_properties(python.wheel_of_users PROPERTIES SKIP_RETURN_CODE 77 RESOURCE_LOCK python_objects COST 400
+                     TIMEOUT 3600)
 
 # package_test(NAME MODULE... [WITH FILE] [THOROUGH] [PROPERTIES ...])
 # runs modules of tests in the environment, and packages that a file names, which are kept beside it.

@@ -9,6 +9,7 @@ import os
 import pty
 import re
 import shlex
+import shutil
 import signal
 import subprocess
 import sys
@@ -25,6 +26,8 @@ import hashnoise
 import numpy
 import png
 from hashnoise import _bake, _bake_values, _grids
+
+from ship.python import metadata
 
 PAGE = golden.ROOT / "docs" / "guide" / "bake.md"
 JAVASCRIPT = golden.ROOT / "tools" / "lib" / "base" / "javascript" / "environment.py"
@@ -464,3 +467,46 @@ class Ranges(unittest.TestCase):
     def test_settings_change_them(self):
         self.assertEqual(self.ranges("cellular", 2, metric="manhattan"), {"f1": None, "f2": None})
         self.assertEqual(self.ranges("warp", 2, amplitude=2.5), {"x": (-2.5, 2.5), "y": (-2.5, 2.5)})
+
+
+class Command(unittest.TestCase):
+    """tools/bake, in a copy of what it is made of."""
+
+    def setUp(self):
+        self.root = Path(self.enterContext(tempfile.TemporaryDirectory()), "root")
+        for name in (*metadata.SOURCES, *(f"tools/{one}" for one in ("bake", "lib/base", "lib/ship/page.py", "lib/ship/python"))):
+            path = self.root / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            copy = shutil.copytree if (golden.ROOT / name).is_dir() else shutil.copy
+            copy(golden.ROOT / name, path)
+        # There is no virtual environment, so that a build ends at once, with status 4.
+        python = self.root.with_name("python3")
+        python.write_text(f'#!/bin/sh\n[ "$2" != venv ] && exec {sys.executable} "$@"\n', encoding="ascii")
+        python.chmod(0o755)
+
+    def status(self, file="value.png"):
+        variables = {**os.environ, "PATH": f"{self.root.parent}:{os.environ['PATH']}"}
+        variables.pop("PYTHONPATH", None)  # it has OpenImageIO
+        done = subprocess.run([self.root / "tools" / "bake", "value", "--size=8x8", "-o", self.root.with_name(file)],
+                              env=variables, capture_output=True, text=True, check=False)
+        self.assertEqual("about 2 minutes" in done.stderr, done.returncode == 4, done.stderr)
+        return done.returncode
+
+    def test_a_package_that_is_installed_is_taken(self):
+        self.assertEqual(self.status(), 0)
+        self.assertTrue(self.root.with_name("value.png").is_file())
+        self.assertEqual(self.status("value.exr"), 4)
+
+    def test_one_of_other_sources_is_not(self):
+        for name, status in (("CMakeLists.txt", 4), ("glsl/hashnoise/value2d.glsl", 4), ("include/hashnoise/field.hpp", 4),
+                             ("packages/python/core.cpp", 4), ("packages/python/hashnoise/_bake.py", 4), ("pyproject.toml", 4),
+                             ("src/CMakeLists.txt", 4), ("src/grid/plan.cpp", 4), ("src/grid/new.hpp", 4),
+                             ("src/grid/tests/new.cpp", 0), ("packages/python/tests/new_test.py", 0), ("docs/new.md", 0)):
+            with self.subTest(name):
+                path = self.root / name
+                path.parent.mkdir(exist_ok=True)
+                before = path.read_bytes() if path.exists() else None
+                path.write_bytes((before or b"") + b"\n")
+                self.assertEqual(self.status(), status)
+                path.unlink() if before is None else path.write_bytes(before)
+        self.assertEqual(self.status(), 0)

@@ -3,6 +3,7 @@ the parts compiled into it, which the source distribution does not have. Both ha
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import subprocess
@@ -103,6 +104,22 @@ class Source(unittest.TestCase):
         pinned = re.findall(r'"(scikit-build-core==\S+)"', project)
         self.assertEqual(len(pinned), 1)
         self.assertIn(pinned[0], (TESTS / "requirements.txt").read_text(encoding="utf-8").split())
+
+    def test_its_digest_is_that_of_the_clone_and_of_the_wheel(self):
+        installed = distribution("hashnoise").locate_file("hashnoise/sources.sha256").read_text(encoding="ascii")
+        self.assertEqual(metadata.digest(), installed)
+        with mock.patch.object(metadata, "ROOT", self.root):
+            self.assertEqual(metadata.digest(), installed)
+
+    def test_an_object_is_kept_while_ninja_sees_what_changes(self):
+        path, objects = self.root / "src" / "grid" / "plan.cpp", self.root / "build" / "python"
+        with mock.patch.multiple(metadata, ROOT=self.root, DIGEST=objects.with_name("sources.sha256"), OBJECTS=objects):
+            metadata.note_digest()
+            for change, kept in ((lambda: None, True), (path.touch, True), (lambda: os.utime(path, (1, 1)), False)):
+                objects.mkdir(exist_ok=True, parents=True)
+                change()
+                metadata.note_digest()
+                self.assertEqual(objects.exists(), kept)
 
     def test_its_license_is_ours_alone(self):
         said = message_from_string((self.root / "PKG-INFO").read_text(encoding="utf-8"))

@@ -41,7 +41,7 @@ def called(main: Callable[[Sequence[str]], int], *arguments: object) -> tuple[in
 
 
 def check_opencl(python: str | Path) -> None:
-    """Raises Missing if pyopencl, of that Python, has no device. It is asked in a process of its own: where pocl cannot
+    """Raises Missing if pyopencl, of that Python, has no device. The question needs a process of its own: where pocl cannot
     start, as without /sys, it aborts."""
     devices = "import pyopencl; assert any(one.get_devices() for one in pyopencl.get_platforms())"
     done = subprocess.run([python, "-c", devices], capture_output=True, text=True, check=False)

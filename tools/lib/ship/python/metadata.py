@@ -1,8 +1,12 @@
 """The metadata of the Python package that pyproject.toml cannot have. scikit-build-core calls this where it builds, in a
-clone and in a source distribution."""
+clone and in a source distribution.
+
+    python3 -B -m ship.python.metadata    prints the digest of the package's sources, for tools/bake
+"""
 
 from __future__ import annotations
 
+import hashlib
 import re
 import shutil
 import subprocess
@@ -18,6 +22,10 @@ PAGE = ROOT / "docs" / "guide" / "python.md"
 # through this folder, since a path among license-files is one below the root.
 LICENSES = ROOT / "build" / "licenses"
 ARRAYS = ROOT / "build" / "arrays"
+# The package is made of these. CMake installs their digest, by which tools/bake knows a package of its own sources.
+SOURCES = ("CMakeLists.txt", "glsl", "include", "packages/python", "pyproject.toml", "src/CMakeLists.txt", "src/grid")
+DIGEST = ROOT / "build" / "sources.sha256"
+OBJECTS = ROOT / "build" / "python"  # build-dir of pyproject.toml
 HEADER = "nanobind/ext/robin_map/include/tsl/robin_map.h"
 
 
@@ -52,6 +60,30 @@ def take_along(is_source: bool) -> None:
         subprocess.run([sys.executable, "-B", "-m", "ship.python.arrays"], cwd=TOOLS / "lib", check=True)
 
 
+def sources() -> list[Path]:
+    """The files, without those of tests."""
+    found = [file for name in SOURCES for file in (ROOT / name, *(ROOT / name).rglob("*")) if file.is_file()]
+    return sorted(file for file in found if not {"tests", "__pycache__"} & {*file.relative_to(ROOT).parts})
+
+
+def digest() -> str:
+    """A source distribution has that of its clone."""
+    of_all = hashlib.sha256()
+    for file in sources():
+        of_all.update(file.relative_to(ROOT).as_posix().encode() + hashlib.sha256(file.read_bytes()).digest())
+    return of_all.hexdigest()
+
+
+def note_digest() -> None:
+    """Before a build. ninja compiles what is later than its object. A file that replaced another since the last build may
+    have an earlier time, as one of an archive has; then no object is kept."""
+    last = DIGEST.stat().st_mtime_ns if DIGEST.exists() else 0
+    if any(status.st_mtime_ns < last <= status.st_ctime_ns for status in map(Path.stat, sources())):
+        shutil.rmtree(OBJECTS, ignore_errors=True)
+    DIGEST.parent.mkdir(exist_ok=True)
+    DIGEST.write_text(digest(), encoding="ascii")
+
+
 class Provider:
     """The interface of dynamic-metadata 0.3."""
 
@@ -63,6 +95,8 @@ class Provider:
     def dynamic_metadata(self, settings: dict[str, object], project: dict[str, object]) -> dict[str, object]:
         names = ["LICENSE"]
         take_along(self.is_source)
+        if not self.is_source:
+            note_digest()
         for name, text in {} if self.is_source else of_nanobind().items():
             LICENSES.mkdir(parents=True, exist_ok=True)
             (LICENSES / name).write_text(text, encoding="utf-8")
@@ -72,3 +106,7 @@ class Provider:
     def dynamic_wheel(self, settings: dict[str, object]) -> dict[str, bool]:
         """A source distribution has nothing of others, and a wheel that is built from it has."""
         return {"license-files": True}
+
+
+if __name__ == "__main__":
+    print(digest())

@@ -41,9 +41,7 @@ if [[ -n $sdist ]]; then
   echo "$folder/${archives[0]##*/}"
   exit
 fi
-# Objects are kept, so that the next wheel takes less time. Others may have any set.
-settings=("--config-settings=build-dir=$build/python/{wheel_tag}"
-  "--config-settings=cmake.define.HASHNOISE_INSTRUCTION_SETS=all")
+settings=("--config-settings=cmake.define.HASHNOISE_INSTRUCTION_SETS=all")  # others may have any
 if [[ -n $library ]]; then
   settings=("--config-settings=build-dir=$build/python/linked/{wheel_tag}"
     "--config-settings=cmake.define.HASHNOISE_LIBRARY=$(realpath "$library")"
