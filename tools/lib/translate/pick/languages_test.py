@@ -52,7 +52,7 @@ SPECIAL = ("hn_next2", "hn_fbm2", "hn_cellular2_nearest", "hn_cell_border2_neare
 
 ALL_RUNNERS = {**RUNNERS, "osl": OslRunner, "opencl": OpenClRunner, **ARRAYS, "gdscript": GDScriptRunner}
 # Changes of the one text in C that some compiler refuses.
-REFUSED = (("static __host__ __device__ inline", "static inline"), ("#if defined(__OPENCL_VERSION__) ||", "#if 0 &&"),
+REFUSED = (("__host__ __device__ inline", "inline"), ("#if defined(__OPENCL_VERSION__) ||", "#if 0 &&"),
            ("uint32_t seed)", "uint32_t or)"), ("{\n  hn_vec2 made = {x, y};\n  return made;", "{\n  return (hn_vec2){x, y};"))
 # Functions with slopes of their own, which JAX finds as well.
 SLOPES = ("perlin2", "cellular2", "perlin4", *(("value2", "simplex2", "simplex4", "fbm2") if THOROUGH else ()))
