@@ -34,8 +34,8 @@
 //   HN_I_HIGHP_HERE    makes highp the default precision of floats to the end of the function it begins (word.glsl)
 //
 // begin.hlsl and begin.metal name their languages. __VERSION__ is read only where it is a number: DXC defines a string,
-// and a compiler without it counts as a new one. In glslang, which defines the GL_GOOGLE name, it has a value although
-// it is not "defined".
+// and so do the preprocessors of GCC and Clang (for an older GLSL: cpp -undef -D__VERSION__=130). A compiler without it
+// counts as a new one. In glslang, which defines the GL_GOOGLE name, it has a value although it is not "defined".
 
 #ifdef __cplusplus
 #define HN_I_BITCAST 1
@@ -70,7 +70,7 @@
 #define HN_I_NEW(type, name) type name
 #define HN_I_MADE(type)
 #define HN_I_KEYWORD precise
-#if (!defined(__VERSION__) && !defined(GL_GOOGLE_cpp_style_line_directive)) || defined(HN_I_HLSL)
+#if (!defined(__VERSION__) && !defined(GL_GOOGLE_cpp_style_line_directive)) || defined(__GNUC__) || defined(HN_I_HLSL)
 #define HN_I_VERSION 460
 #else
 #define HN_I_VERSION __VERSION__

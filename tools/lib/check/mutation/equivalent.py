@@ -201,10 +201,11 @@ EQUIVALENT: tuple[Equivalence, ...] = (
            ("HN_I_VERSION >= 330", "HN_I_VERSION >= 331", "HN_I_VERSION > 330"),
            ("#define HN_I_BITCAST 1", "#define HN_I_BITCAST 0", "#define HN_I_BITCAST 2")),
 
-    # No driver is without __VERSION__, or speaks HLSL. (The test text.shims does.)
+    # No driver is without __VERSION__, speaks HLSL, or is GCC's preprocessor. (Tests of the text are.)
     *alike("config.glsl",
            ("#define HN_I_VERSION 460", "", "#define HN_I_VERSION 461", "#define HN_I_VERSION 459"),
-           (") || defined(HN_I_HLSL)", ") && defined(HN_I_HLSL)")),
+           ("|| defined(__GNUC__) ||", "&& defined(__GNUC__) ||"),
+           ("|| defined(HN_I_HLSL)", "&& defined(HN_I_HLSL)")),
 
     # A file included twice then has only macros, and these may be defined twice if they are the same; or
     # nothing but #include, of files with guards of their own.

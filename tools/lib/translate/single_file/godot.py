@@ -17,7 +17,7 @@ from translate.parsing.preprocessor import CONDITIONAL, DEFINE, DIRECTIVE, Condi
 
 # Functions that Godot does not define. Its language has the built-in functions of GLSL ES 3.00.
 UNDEFINED = ("__cplusplus", "HN_I_HLSL", "HN_I_FXC", "HN_I_METAL", "HN_I_OWN_SQUARES", "GL_ES",
-             "GL_GOOGLE_cpp_style_line_directive", "__VERSION__", "_MSC_VER", "VULKAN")
+             "GL_GOOGLE_cpp_style_line_directive", "__GNUC__", "__VERSION__", "_MSC_VER", "VULKAN")
 # It has no `precise` either, whatever its version is.
 NO_PRECISE = "HN_I_HAS_PRECISE"
 # The macros of the library's own. Macros that users write stay: knobs, their values, metrics.

@@ -4,6 +4,7 @@ import functools
 import itertools
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -66,11 +67,24 @@ class SingleFile(unittest.TestCase):
                     right, log = compile_shader(shader)
                     self.assertTrue(right, log)
 
-    def test_a_directive_has_one_hash_sign(self):
+    def test_the_preprocessors_of_c_take_it(self):
+        # Their __VERSION__ is a string, but for one that is passed.
+        text = '#include "hashnoise.glsl"\nout vec4 o;\nvoid main() { o = vec4(hn_clouds(vec3(1.5), 5, 2.0, 0.5)); }\n'
+        for program, version, options in (("gcc", "330", ()), ("clang", "330", ()), ("gcc", "130", ("-undef", "-D__VERSION__=130"))):
+            if shutil.which(program):
+                with self.subTest(program=program, version=version):
+                    done = subprocess.run([program, "-E", "-P", "-xc", f"-I{GLSL}", *options, "-"], input=text,
+                                          capture_output=True, text=True, check=False)
+                    self.assertEqual((done.returncode, done.stderr), (0, ""))
+                    right, log = compile_shader(f"#version {version}\n{done.stdout}")
+                    self.assertTrue(right, log)
+
+    def test_a_directive_has_one_hash_sign_and_no_line_a_backtick(self):
         # glslang 14.0 to 14.3 (Godot 4.6, Ubuntu 24.04) refuses a second one, also in the text of an #error in a branch
-        # that is not taken.
+        # that is not taken. A backtick ends a template of JavaScript, into which people paste the text.
         for name, path in glsl_files().items():
             for number, line in enumerate(path.read_text(encoding="ascii").splitlines(), 1):
+                self.assertNotIn("`", line, f"{name}: line {number}")
                 if line.lstrip().startswith("#"):
                     self.assertEqual(line.count("#"), 1, f"{name}: line {number}: {line}")
 
