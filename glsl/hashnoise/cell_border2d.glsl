@@ -8,8 +8,8 @@
 #include "detail/feature_points2d.glsl"
 
 // The distance to the border between the cells of two points P and Q is (q - p) / (2 |P - Q|), where p and q are the
-// squares of the distances to them. hn_i_border compares the borders of a row of cells with the nearest one so far:
-// `from` is the offset from P, and `nearest` has p and the code of its cell.
+// squares of the distances to them. hn_i_border compares the borders of a row of cells with the nearest one so far.
+// The offset from P is from, and nearest has p and the code of its cell.
 HN_FN hn_i_rank hn_i_border(hn_i_rank best, hn_uvec3 hashes, hn_i_num3 x, hn_i_num3 y, hn_i_num jitter, hn_int code,
                             hn_int step, hn_i_num2 from, hn_i_rank4 nearest) {
   hn_i_num3 from_x = hn_i_from_x(hashes, x, jitter);

@@ -150,8 +150,8 @@ HN_FN hn_vec3 hn_ball(hn_uint h) {
 // ---------------------------------------------------------------------------------------------------------------------
 // Orders, and points one after the other.
 
-// A round permutes the numbers of as many bits as `most` has, which are all set: it folds the high ones onto the low
-// ones, and multiplies by an odd number.
+// A round permutes the numbers of as many bits as the number most has, which are all set: it folds the high ones onto
+// the low ones, and multiplies by an odd number.
 HN_FN hn_uint hn_i_shuffle_round(hn_uint x, hn_uint shift, hn_uint key, hn_uint most) {
   hn_uint a = hn_i_scramble(key);
   return ((x ^ (x >> shift)) * (a | 1u) + (a >> 16u)) & most;
@@ -180,7 +180,7 @@ HN_FN hn_uint hn_shuffle(hn_uint i, hn_uint n, hn_uint seed) {
   hn_uint s = hn_i_scramble(seed);
   hn_uint x = i - i / size * size;
   hn_uint value = 0xFFFFFFFFu;  // beyond, until there is one
-  // A step permutes the numbers up to `most`. Its cycle through a number below `size` comes back to one, so this ends.
+  // A step permutes the numbers up to most. Its cycle through a number below size comes back to one, so this ends.
   // In C++ x may be many points: those that have a value go on for nothing.
   do {
     hn_uint key = s;

@@ -12,7 +12,7 @@
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
 // The share of two corners of a cell along x in the noise: the interpolated ramp, its derivative along x, and what the
-// gradients' y adds. `rest` is what their z and w add. h are the hashes of the corners, and x, y, z and w the offsets
+// gradients' y adds. Their z and w add rest. h are the hashes of the corners, and x, y, z and w the offsets
 // from the first; x1 is that from the second along x.
 HN_FN hn_i_num3 hn_i_lerp_ramps_d(hn_uvec2 h, hn_float x, hn_float x1, hn_float y, hn_float z, hn_float w,
                                   hn_i_num2 along, HN_I_OUT(hn_i_num2) rest) {
@@ -80,7 +80,7 @@ HN_FN hn_derivatives4 hn_i_perlin_d(hn_i_cell_corners4 corners, hn_i_num4 f, hn_
 //   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   example  hn_derivatives4 n = hn_perlin_d(vec4(uv * 8.0, 0.5, 0.25), 7u);
-//   returns  `value` and, in `gradient`, its derivatives along x, y, z and w. A derivative is per cell, in
+//   returns  value and, in gradient, its derivatives along x, y, z and w. A derivative is per cell, in
 //            [-3.62, 3.62], once continuously differentiable (HN_FIXED: in steps of 2^-19)
 //   error    hn_perlin's, and of a derivative at most 3.28e-5 against the exact value, in any rounding mode
 //            (docs/measured/accuracy.md). HN_FIXED 3.18e-4. From a cell at most 3.15e-5

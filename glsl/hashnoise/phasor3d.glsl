@@ -46,9 +46,9 @@ HN_FN hn_vec2 hn_phasor(hn_vec3 p, hn_vec3 wave, hn_float phase, hn_uint seed) {
 // Phasor noise in space whose waves differ from point to point of the lattice, as in Gabor noise. Without a
 // wave, at vec3(0.0), the layers have all directions, and the bandwidth is the number of waves per cell.
 //   (other parameters as for hn_phasor above)
-//   bandwidth  how far the wave of each point is from `wave`, in a direction of its own, in waves per cell: usually up
-//              to the length of the wave. Outside [0, 16] it counts as the nearer end. With 0 it has the bits
-//              of hn_phasor without one
+//   bandwidth  how far the wave of each point is from the argument wave, in a direction of its own, in waves per cell:
+//              usually up to the length of the wave. Outside [0, 16] it counts as the nearer end. With 0 it has the
+//              bits of hn_phasor without one
 //   example  vec2 n = hn_phasor(vec3(uv * 8.0, 0.5), vec3(4.0, 0.0, 0.0), 1.0, 0.25, 7u);
 //   returns  a value and its quadrature, the value a quarter of a turn of the phase earlier, each in [-1, 1] (proven
 //            bound 0.99932), mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)

@@ -81,8 +81,8 @@ HN_FN hn_derivatives2x2 hn_phasor_d(hn_vec2 p, hn_vec2 wave, hn_float phase, hn_
 
 // Phasor noise with a bandwidth and its slopes: the value and the quadrature of hn_phasor with their derivatives.
 //   (other parameters as for hn_phasor in phasor2d.glsl)
-//   bandwidth  how far the wave of each point is from `wave`, in a direction of its own, in waves per cell. Outside
-//              [0, 16] it counts as the nearer end
+//   bandwidth  how far the wave of each point is from the argument wave, in a direction of its own, in waves per cell.
+//              Outside [0, 16] it counts as the nearer end
 //   example  hn_derivatives2x2 n = hn_phasor_d(uv * 8.0, vec2(4.0, 0.0), 1.0, 0.25, 7u);
 //   returns  value, and in dx and dy the derivatives of both along x and y, per cell, at a constant wave, bandwidth
 //            and phase: in [-100.6, 100.6] for the largest waves, once continuously differentiable (HN_FIXED: in

@@ -95,8 +95,8 @@ HN_FN hn_derivatives2x3 hn_phasor_d(hn_vec3 p, hn_vec3 wave, hn_float phase, hn_
 // Phasor noise with a bandwidth in space and its slopes: the value and the quadrature of hn_phasor with their
 // derivatives.
 //   (other parameters as for hn_phasor in phasor3d.glsl)
-//   bandwidth  how far the wave of each point is from `wave`, in a direction of its own, in waves per cell. Outside
-//              [0, 16] it counts as the nearer end
+//   bandwidth  how far the wave of each point is from the argument wave, in a direction of its own, in waves per cell.
+//              Outside [0, 16] it counts as the nearer end
 //   example  hn_derivatives2x3 n = hn_phasor_d(vec3(uv * 8.0, 0.5), vec3(4.0, 0.0, 0.0), 1.0, 0.25, 7u);
 //   returns  value, and in dx, dy and dz the derivatives of both along x, y and z, per cell, at a constant wave,
 //   bandwidth

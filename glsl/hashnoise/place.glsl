@@ -51,7 +51,7 @@ HN_FN hn_i_num4 hn_i_to_num(hn_vec4 f) {
 
 // From here place.glsl is generated from detail/cell2d.glsl, in 1, 3 and 4 dimensions.
 
-// Where a noise is evaluated. Make it by hn_place and hn_tile; only `cell` may be read.
+// Where a noise is evaluated. Make it by hn_place and hn_tile; only its cell may be read.
 //   cell      the cell; cells wrap at 2^32
 //   fraction  where in the cell it is, in the numbers of HN_ARITHMETIC
 //   rest      what is beyond those numbers, in units of 2^-24 of a cell. Only fractals with HN_FIXED need it

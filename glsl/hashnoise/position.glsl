@@ -34,7 +34,7 @@ HN_FN hn_float hn_i_fraction_of_units(hn_uint rest, hn_int units) {
   return HN_I_NOT_WHOLE(hn_i_float((high << 12u) | low) * (1.0f / HN_I_FLOAT_UNITS_POSITION));
 }
 
-// The cell of a position that is a whole number of units, in a world where `cells` cells are `units` units long.
+// The cell of a position that is a whole number of units, in a world where so many cells are so many units long.
 //   position  a whole number of units: int, ivec2, ivec3 or ivec4
 //   cells     how many, 1 to 65536, usually 1; numbers outside count as the nearer end
 //   units     how many units they are long, 1 to 65536; numbers outside count as the nearer end
@@ -58,8 +58,8 @@ HN_FN hn_ivec4 hn_cell(hn_ivec4 position, hn_int cells, hn_int units) {
                hn_cell(position.w, cells, units));
 }
 
-// The fraction within its cell of a position that is a whole number of units, in a world where `cells` cells are
-// `units` units long.
+// The fraction within its cell of a position that is a whole number of units, in a world where so many cells are
+// so many units long.
 //   (parameters as for hn_cell)
 //   example   vec2 f = hn_fraction(ivec2(640, -320), 1, 64);
 //   returns   position * cells / units less its floor, cut off to a multiple of 2^-24, in [0, 1)
@@ -82,7 +82,7 @@ HN_FN hn_vec4 hn_fraction(hn_ivec4 position, hn_int cells, hn_int units) {
               hn_fraction(position.z, cells, units), hn_fraction(position.w, cells, units));
 }
 
-// The place of a position that is a whole number of units, in a world where `cells` cells are `units` units long.
+// The place of a position that is a whole number of units, in a world where so many cells are so many units long.
 //   (parameters, error and source as for hn_cell and hn_fraction)
 //   example   float n = hn_perlin(hn_place(ivec2(640, -320), 1, 64), 7u);
 //   returns   hn_place(hn_cell(position, cells, units), hn_fraction(position, cells, units))

@@ -35,8 +35,8 @@ HN_FN hn_uint hn_i_square_below_cell(hn_int d) {
   return size * size;
 }
 
-// The square of the distance to the nearest rival so far, and to one more, which has the hash `rival` and the square
-// `other`. A rival whose hash is smaller than h does not count.
+// The square of the distance to the nearest rival so far, and to one more, which has the hash rival and the square
+// other. A rival whose hash is smaller than h does not count.
 HN_FN hn_uint hn_i_nearest_rival(hn_uint square, hn_uint h, hn_uint rival, hn_uint other) {
   return hn_i_select(rival < h, square, min(square, other));
 }

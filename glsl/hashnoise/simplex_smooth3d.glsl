@@ -14,9 +14,8 @@
 HN_FN hn_i_num hn_i_scaled_smooth3(hn_i_num n) { return hn_i_scaled(n, 4279); }
 
 // The share of a neighbour of the nearest point in the noise: the one along an axis, or the opposite end of its
-// diagonal. `one` are the spread coordinates and d the offsets of the first, `others` and e those of the second. `size`
-// is the magnitude of the offset along the axis, and `total` that along all three. q is the square of the distance of
-// the nearest point.
+// diagonal. The first has the spread coordinates one and the offsets d, the second others and e. The magnitude of
+// the offset is size along the axis, and total along all three. q is the square of the distance of the nearest point.
 HN_FN hn_i_num hn_i_neighbour(hn_uvec3 one, hn_uvec3 others, hn_i_num3 d, hn_i_num3 e, hn_i_num size, hn_i_num total,
                               hn_i_square_number q, hn_uint join, hn_uint sum) {
   hn_i_num twice = hn_i_plus(size, size);
@@ -34,7 +33,7 @@ HN_FN hn_i_num hn_i_neighbour(hn_uvec3 one, hn_uvec3 others, hn_i_num3 d, hn_i_n
 }
 
 // The share of the four points of a kind in the noise. The nearest has the spread coordinates n and the offsets d;
-// along each axis the next ones are m and e. `size` are the magnitudes of the offsets.
+// along each axis the next ones are m and e. The offsets have the magnitudes size.
 HN_FN hn_i_num hn_i_cube(hn_uvec3 n, hn_uvec3 m, hn_i_num3 d, hn_i_num3 e, hn_i_num3 size, hn_i_square_number q,
                          hn_uint join, hn_uint sum) {
   hn_i_num total = hn_i_plus(hn_i_plus(size.x, size.y), size.z);

@@ -38,7 +38,7 @@ HN_FN hn_derivatives4 hn_i_value_d(hn_i_cell_corners4 corners, hn_i_num4 f, hn_u
 //   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   example  hn_derivatives4 n = hn_value_d(vec4(uv * 8.0, 0.5, 0.25), 7u);
-//   returns  `value` and, in `gradient`, its derivatives along x, y, z and w. A derivative is per cell, in
+//   returns  value and, in gradient, its derivatives along x, y, z and w. A derivative is per cell, in
 //            [-3.76, 3.76], once continuously differentiable (HN_FIXED: in steps of 2^-19)
 //   error    hn_value's, and of a derivative at most 2.71e-5 against the exact value, in any rounding mode
 //            (docs/measured/accuracy.md). HN_FIXED 3.65e-4. From a cell at most 2.59e-5

@@ -51,7 +51,7 @@ HN_FN hn_i_num2 hn_i_to_num(hn_vec2 f) { return hn_i_vector(hn_i_to_num(f.x), hn
 
 // From here place.glsl is generated from detail/cell2d.glsl, in 1, 3 and 4 dimensions.
 
-// Where a noise is evaluated. Make it by hn_place and hn_tile; only `cell` may be read.
+// Where a noise is evaluated. Make it by hn_place and hn_tile; only its cell may be read.
 //   cell      the cell; cells wrap at 2^32
 //   fraction  where in the cell it is, in the numbers of HN_ARITHMETIC
 //   rest      what is beyond those numbers, in units of 2^-24 of a cell. Only fractals with HN_FIXED need it
@@ -163,8 +163,8 @@ HN_FN hn_uint hn_i_wrap(hn_int c, hn_int period) {
   return hn_i_select((size & mask) == 0u, uint(c) & mask, rest);
 }
 
-// The spread coordinate of an upper corner. In the last cell of a period that is the spread coordinate of 0, which is
-// `zero`; in any other it is `upper`.
+// The spread coordinate of an upper corner. In the last cell of a period it is the argument zero, the spread
+// coordinate of 0; in any other it is upper.
 HN_FN hn_uint hn_i_upper_at_seam(hn_uint upper, hn_uint c, hn_int period, hn_uint zero) {
   return hn_i_select(c + 1u == uint(max(period, 0)), zero, upper);
 }
@@ -180,9 +180,9 @@ HN_FN hn_uvec2 hn_i_upper(hn_uvec2 lower, hn_uvec2 c, hn_ivec2 period) {
 }
 
 // The hashes of the corners 00, 10, 01, 11 of a square. c0 and c1 are the spread coordinates of its lower and upper
-// corner. Other axes and the seed add `join` to the exclusive or. `odd` is the odd number of the first corner, and
-// `more` is added to all four (it is even). Without a period `more` and the steps along x and y are constants, so they
-// are added first.
+// corner. Other axes and the seed add join to the exclusive or. The first corner has the odd number odd, and all
+// four add the even number more. Without a period that number and the steps along x and y are constants, so they are
+// added first.
 HN_FN hn_uvec4 hn_i_corner_hashes(hn_uvec2 c0, hn_uvec2 c1, hn_uint join, hn_uint odd, hn_uint more) {
   hn_uvec2 a = hn_i_high(c0);
   hn_uvec2 b = hn_i_high(c1);

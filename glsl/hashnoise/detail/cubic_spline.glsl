@@ -53,8 +53,8 @@ HN_FN hn_int hn_i_blend(hn_ivec4 n, hn_ivec4 w) {
 
 #endif
 
-// The spread coordinates of the points -1, 0, 1 and 2 along one axis of a place. `step` is the factor that spreads the
-// axis, and `zero` is the spread coordinate of 0.
+// The spread coordinates of the points -1, 0, 1 and 2 along one axis of a place. The factor step spreads the axis,
+// and zero is the spread coordinate of 0.
 HN_FN hn_uvec4 hn_i_line(hn_int cell, hn_int period, bool tiled, hn_uint step, hn_uint zero) {
   hn_uint first = uint(cell) * step + zero;
   hn_uvec4 coordinates = uvec4(first - step, first, first + step, first + 2u * step);
@@ -74,8 +74,8 @@ HN_FN hn_uvec4 hn_i_high_of_line(hn_uvec4 v, hn_uint shift) {
   return uvec4(v.x >> shift, v.y >> shift, v.z >> shift, v.w >> shift);
 }
 
-// The numbers of four points along x, blended with the weights w. The other axes and the seed add `join` to the
-// exclusive or. `odd` is the odd number of the second point.
+// The numbers of four points along x, blended with the weights w. The other axes and the seed add join to the
+// exclusive or. The second point has the odd number odd.
 HN_FN hn_i_num hn_i_cubic_row(hn_uvec4 x, hn_uint join, hn_uint odd, hn_i_num4 w) {
   hn_uvec4 a = hn_i_high_of_line(x, 12u);
   hn_uvec4 h =
@@ -85,7 +85,7 @@ HN_FN hn_i_num hn_i_cubic_row(hn_uvec4 x, hn_uint join, hn_uint odd, hn_i_num4 w
   return hn_i_blend(hn_i_numbers(h), w);
 }
 
-// Four rows along y. `odd` is the odd number of the second point of the second row.
+// Four rows along y. The second point of the second row has the odd number odd.
 HN_FN hn_i_num hn_i_cubic_square(hn_uvec4 x, hn_uvec4 y, hn_uint join, hn_uint odd, hn_i_num4 wx, hn_i_num4 wy) {
   hn_uvec4 b = hn_i_high_of_line(y, 11u);
   hn_i_num4 rows =

@@ -230,8 +230,8 @@ HN_FN hn_uvec3 hn_i_odds_x(hn_uvec3 x) {
 HN_FN hn_uvec3 hn_i_odds_y(hn_uvec3 y) { return uvec3(hn_i_odd_y(y.x - y.y, 0u), 0u, hn_i_odd_y(y.z - y.y, 0u)); }
 HN_FN hn_uvec3 hn_i_odds_z(hn_uvec3 z) { return uvec3(hn_i_odd_z(z.x - z.y, 0u), 0u, hn_i_odd_z(z.z - z.y, 0u)); }
 
-// The hashes of three cells in a row. Their coordinates add `joins` and `odds` to the two joins of a hash, and all else
-// adds `join` and `odd`.
+// The hashes of three cells in a row. Their coordinates add joins and odds to the two joins of a hash, and all else
+// adds join and odd.
 HN_FN hn_uvec3 hn_i_row_hashes(hn_uvec3 joins, hn_uvec3 odds, hn_uint join, hn_uint odd) {
   joins = hn_i_xor(joins, join);
   odds = odds + odd;
@@ -245,7 +245,7 @@ HN_FN hn_i_rank4 hn_i_insert(hn_i_rank4 best, hn_i_rank rank, hn_int code) {
                     hn_i_select(rank < best.x, hn_i_rank_of_code(code), best.w));
 }
 
-// Inserts the ranks of a row. `code` is for the cell in the middle, and the others are a step from it.
+// Inserts the ranks of a row. The cell in the middle has the code, and the others are a step from it.
 HN_FN hn_i_rank4 hn_i_insert(hn_i_rank4 best, hn_i_rank3 ranks, hn_int code, hn_int step) {
   best = hn_i_insert(best, ranks.x, code - step);
   best = hn_i_insert(best, ranks.y, code);

@@ -142,8 +142,8 @@ HN_FN hn_uvec3 hn_i_joins_z(hn_i_neighbourhood3 cells) {
 }
 
 // Inserts the ranks of nine cells in a slab across z into the three smallest so far. x and y are the offsets of the
-// place from their centres along these axes, and z is that along z. `join` and `odd` are what z and the seed add to the
-// joins of a hash. `code` is for the cell in the middle.
+// place from their centres along these axes, and z is that along z. To the joins of a hash z and the seed add join
+// and odd. The cell in the middle has the code.
 HN_FN hn_i_rank4 hn_i_visit_slab(hn_i_rank4 best, hn_i_neighbourhood3 cells, hn_uint join, hn_uint odd, hn_i_num3 x,
                                  hn_i_num3 y, hn_i_num z, hn_i_num jitter, hn_int metric, hn_int code) {
   hn_uvec3 joins = hn_i_joins_x(cells);
@@ -183,8 +183,8 @@ HN_FN hn_i_rank4 hn_i_nearest(hn_i_neighbourhood3 cells, hn_i_num3 d, hn_i_num j
 
 // ---------------------------------------------------------------------------------------------------------------------
 // A slab of nine cells may lie across any axis: 0 is x, 1 is y and 2 is z. Its rows run along x, but a slab across x
-// has rows along y. They follow each other along y, but in a slab across x or y along z. `at` is the spread coordinate
-// along the axis.
+// has rows along y. They follow each other along y, but in a slab across x or y along z. The spread coordinate
+// along the axis is at.
 
 HN_FN hn_uvec3 hn_i_if_axis(hn_int axis, hn_int which, hn_uvec3 a, hn_uvec3 b) {
   return uvec3(hn_i_select(axis == which, a.x, b.x), hn_i_select(axis == which, a.y, b.y),

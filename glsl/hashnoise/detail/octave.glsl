@@ -259,7 +259,7 @@ HN_FN hn_ivec2 hn_i_times_ratio(hn_ivec2 x, hn_uint ratio) {
   return ivec2(int(((high << 9u) | (low >> 23u)) + (rest >> 24u)), int(rest & 16777215u));
 }
 
-// along / 32 * a + across / 32 * b, where `along` and `across` are small. The cell is taken apart, so that each product
+// along / 32 * a + across / 32 * b, of small numbers along and across. The cell is taken apart, so that each product
 // has 32 bits.
 HN_FN hn_ivec2 hn_i_rotated_axis(hn_ivec2 a, hn_ivec2 b, hn_int along, hn_int across) {
   hn_int rest = along * a.y + across * b.y;

@@ -9,7 +9,7 @@
 //   hn_i_angle(turns)          the angle of a number of turns, in units of 2^-32 turns
 //   hn_i_quarter_sine(q)       sin(x pi / 2) of a uint in [0, 2^30] that stands for x in [0, 1]
 //   hn_i_wave(angle, sign)     the sine of an angle in units of 2^-32 turns, or its negative if the highest bit of the
-//                              uint `sign` is set
+//                              uint sign is set
 //
 // They are numbers of HN_ARITHMETIC. With every HN_ARITHMETIC there are also those of HN_FIXED, in units of 2^-16:
 //

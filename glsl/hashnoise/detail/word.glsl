@@ -177,7 +177,7 @@ HN_FN hn_uint hn_i_point_hash(hn_uint join, hn_uint odd) {
 }
 #endif
 
-// The hash of a point, from its spread coordinates. The seed and all else add `join` to the exclusive or, and `sum` to
+// The hash of a point, from its spread coordinates. The seed and all else add join to the exclusive or, and sum to
 // the sum.
 HN_FN hn_uint hn_i_point_hash(hn_uvec2 c, hn_uint join, hn_uint sum) {
   hn_uvec2 j = hn_i_high(c);

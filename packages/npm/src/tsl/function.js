@@ -23,9 +23,9 @@ function checked(what, type, value) {
 }
 
 /**
- * Makes the nodes of a function. `declared` are its parameters in GLSL, and `called` is its name there; `inWgsl`
- * and `inGlsl` return the node of the text that it needs. The seed is the last parameter, and may be left out where
- * GLSL lets it: elsewhere it would be taken for what was forgotten before it.
+ * Makes the nodes of a function from its parameters and its name in GLSL, and two functions that return the node of
+ * the text that it needs, in WGSL and in GLSL. The seed is the last parameter, and may be left out where GLSL lets it:
+ * elsewhere it would be taken for what was forgotten before it.
  */
 export function nodesOf(name, type, declared, called, inWgsl, inGlsl, mayLackSeed = false) {
   const parameters = declared.split(", ").map((one) => one.split(" "));

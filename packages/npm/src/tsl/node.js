@@ -21,7 +21,7 @@ const checked = (arithmetic, text) => `#ifndef HN_CONFIG_GLSL
 ${text}`;
 const textNode = (arithmetic, text) => once(`${arithmetic}\n${text}`, () => glsl(checked(arithmetic, text)));
 
-/** Makes the nodes of a function. `text` is what it needs in GLSL, and `definition` is the function in WGSL. */
+/** Makes the nodes of a function from the text that it needs in GLSL, and from the function in WGSL. */
 export const node = (name, type, declared, called, text, definition, arithmetic, mayLackSeed) =>
   nodesOf(name, type, declared, called, () => definitionNode(definition), () => textNode(arithmetic, text),
     mayLackSeed);

@@ -108,7 +108,7 @@ class AsText(unittest.TestCase):
         for name in ("", "Terrain"):
             shown = command.picked(["hn_perlin2"], command.Choice("gdscript", "fixed", name=name))
             self.assertEqual(shown.count("\nclass_name Terrain\n"), bool(name))
-            self.assertIn(f"Example: `{'Terrain.' * bool(name)}perlin2(", shown)
+            self.assertIn(f"Example: {'Terrain.' * bool(name)}perlin2(", shown)
 
 
 if __name__ == "__main__":

@@ -376,9 +376,10 @@ class Nodes(unittest.TestCase):
 
 
 class Comments(unittest.TestCase):
-    """They stand alone, in every language: by default of some functions, in each language of others."""
+    """They stand alone, and may stand in a template of JavaScript, which a backtick ends. In every language: by default
+    of some functions, in each language of others."""
     REFERENCE = re.compile(r"\b(?:above|below)\b(?!,? (?:-?\d|the first|a whole|a thresh))"
-                           r"|docs/|\.md\b|\.glsl\b|in place of (?:p|the cell)\b")
+                           r"|docs/|\.md\b|\.glsl\b|in place of (?:p|the cell)\b|`")
     LANGUAGES = (*LANGUAGES, *command.SYNTAXES, command.TSL)
     pick = staticmethod(command.picker())
 
@@ -402,7 +403,7 @@ class Comments(unittest.TestCase):
 
     def test_a_reference_would_be_noticed(self) -> None:
         for line in ("returns as above, in the metric", "error docs/measured/accuracy.md", "as of the sums in fbm2d.glsl",
-                     "the functions below use those"):
+                     "the functions below use those", "returns `value`"):
             self.assertRegex(line, self.REFERENCE)
 
     def test_all_is_explained(self) -> None:
@@ -726,7 +727,7 @@ class Command(unittest.TestCase):
         for language, name, begins, example in here((
                 ("csharp", "Terrain", "public static class Terrain {", "<code>Terrain.Lattice2(3, -5, 7u)</code>"),
                 ("java", "Terrain", "public final class Terrain {", "Example: Terrain.lattice2(3, -5, 7)"),
-                ("go", "terrain", "package terrain\n", "Example: `terrain.Lattice2(3, -5, 7)`"))):
+                ("go", "terrain", "package terrain\n", "Example: terrain.Lattice2(3, -5, 7)"))):
             with self.subTest(language):
                 shown = self.call("hn_lattice2", "--language", language, "--name", name)[1]
                 self.assertIn(f"by: tools/pick hn_lattice2 --language {language} --arithmetic fast --name {name}\n",

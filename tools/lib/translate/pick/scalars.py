@@ -343,7 +343,7 @@ class Syntax(Notation):
         listed = [line for names, text in facts.parameters.items() if names not in facts.sets
                   for line in paragraph_lines(f"{names}: {text}.", begin=self.item, indent=" " * len(self.item))]
         paragraphs = [paragraph_lines(facts.what), listed,
-                      paragraph_lines(f"Example: `{facts.call}`" if facts.call else ""),
+                      paragraph_lines(f"Example: {facts.call}" if facts.call else ""),
                       paragraph_lines(f"Returns {facts.all_returns}." if facts.all_returns else ""),
                       paragraph_lines(f"Error: {facts.error}." if facts.error else "")]
         return [line for paragraph in paragraphs if paragraph for line in ("", *paragraph)][1:]
