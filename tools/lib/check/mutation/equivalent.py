@@ -124,6 +124,11 @@ EQUIVALENT: tuple[Equivalence, ...] = (
 
     # So is a falloff's, modulo 2^32: uint(-t) is 2^32 - t.
     *alike("detail/falloff.glsl", ("square(t)", "square(-t)")),
+    *(each for file in ("simplex3d.glsl", "simplex_phase3d.glsl") for each in alike(
+        file, *((f"z, t, {turned})", f"z, -t, {turned})") for turned in ("false", "true")))),
+
+    # HLSL alone has these. (Its thorough tests, hlsl.dxc and hlsl.fxc, compare golden values.)
+    *alike("detail/word.glsl", ("n | 0)", "n | 1)"), ("n | 0u)", "n | 1u)")),
 
     # Only the first component is taken.
     *alike("detail/arithmetic.glsl", ("vec2(floor(p), 0.0f)", "vec2(floor(p), 0.015625f)")),
@@ -135,8 +140,9 @@ EQUIVALENT: tuple[Equivalence, ...] = (
            ("(square + 32768u)", "(square + 32767u)", "(square + 32769u)")),
 
     # Only the highest bit of the second argument counts.
-    *(each for file in ("detail/phasor.glsl", "detail/direction_turning.glsl")
-      for each in alike(file, ("0x40000000u, 0u)", "0x40000000u, 1u)"), ("(angle, 0u)", "(angle, 1u)"))),
+    *(each for file in ("detail/phasor.glsl", "detail/direction_turning.glsl", "detail/sphere.glsl")
+      for each in alike(file, ("0x40000000u, 0u)", "0x40000000u, 1u)"), ("(angle, 0u)", "(angle, 1u)"),
+                        ("(h, 0u)", "(h, 1u)"))),
 
     # The three smallest ranks of a neighbourhood take the places of these.
     *alike("detail/feature_points.glsl",
@@ -180,7 +186,7 @@ EQUIVALENT: tuple[Equivalence, ...] = (
            # With numbers in place of words it is called with 0 alone.
            ("hn_i_vector(hn_i_select(axis == which", "hn_i_vector(hn_i_select(-axis == which")),
     *alike("detail/feature_points.glsl", ("(d == 0", "(-d == 0")),
-    *alike("cellular_three2d.glsl", ("(axis == 0", "(-axis == 0")),
+    *alike("cellular_three2d.glsl", ("(axis == 0", "(-axis == 0"), ("hn_i_if_axis(axis", "hn_i_if_axis(-axis")),
 
     # A remainder by 1 is taken by the mask, since 1 is a power of two; and so is no period, whose size is 0.
     *alike("detail/cell2d.glsl", ("max(size, 1u)", "max(size, 2u)", "max(size, 0u)")),
