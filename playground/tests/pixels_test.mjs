@@ -328,8 +328,7 @@ test("a changed library is noticed", async () => {
   await broken.evaluate(() => {
     const { library } = window.hashnoise;
     const changed = (text) => text.replaceAll("0x9E3779B9u", "0x9E3779B8u");
-    const { pieces } = library;
-    for (const at of pieces.keys()) pieces[at] = changed(pieces[at]);
+    for (const piece of library.pieces) piece.text = changed(piece.text);
   });
   await setState(broken, pictures[0]);
   await setState(page, pictures[0]);

@@ -126,8 +126,14 @@ class Picks(unittest.TestCase):
     def test_each_piece_is_there_once(self):
         one, other = picks.Piece("one", "1"), picks.Piece("other", "2")
         made = picks.data({"glsl fast lattice 2": [other, one], "glsl fixed lattice 2": [one]})
-        self.assertEqual(made["pieces"], ["one", "1", "other", "2"])
+        self.assertEqual(made["pieces"], "~one\n1\n~other\n2")
         self.assertEqual(made["modules"], {"glsl fast lattice 2": [1, -1], "glsl fixed lattice 2": [0]})
+
+    def test_lines_that_repeat_are_there_once(self):
+        a, b = "a" * picks.LEAST_REPEATED, "b"
+        self.assertEqual(picks.without_repeats([a, b, a, b, b, a, b, a]), [a, b, "~2 2", "~3 3", "~2 1"])
+        with self.assertRaisesRegex(ValueError, "begins with ~ and a number: ~1"):
+            picks.without_repeats(["~1"])
 
     def test_a_text_is_compressed(self):
         self.assertEqual(unpacked(picks.compressed("abc" * 999)), b"abc" * 999)
