@@ -1,10 +1,11 @@
 // The picture as lines for tools/bake and for Python, which compute grids.
 import { edgeOf, kStepBeside, shapes } from "./code.js";
 import { combined } from "./combine.js";
+import { fileState } from "./files.js";
 import { kAxes } from "./scalar.js";
 import { kNoises, kSums } from "./tables.js";
 import { isLeaning, numbersOfTinted, rangeOf, remapOf, shownLayers, uses } from "./model.js";
-import { cellsAcross, kPartsOfCell, leaningNumbers } from "./view.js";
+import { cellsAcross, kPartsOfCell, leaningNumbers, originOf, stepOf } from "./view.js";
 
 // Which number of the results of a noise is shown, in Python and by tools/bake.
 const kShown = { cellular: 0, cellular_second: 1, cellular_third: 2, curl: 0 };
@@ -51,15 +52,16 @@ const isOneLine = (state) => {
 export function bakeParts(state) {
   const { width, height, dimensions } = state;
   if (!isOneLine(state) && !isInPython(state)) return undefined;
-  const cell = cellsAcross(state) / Math.min(width, height);
-  const across = [width * cell, height * cell].map((cells) => Number(cells.toPrecision(7)));
-  const corner = [state.x, state.y].map((middle, axis) => Number(middle) / kPartsOfCell - across[axis] / 2);
-  const origin = [...corner, state.z, state.w].slice(0, dimensions).map((part) => Number(part.toFixed(6)));
+  // The places of the page's files, exactly, with the upper row first.
+  const file = fileState(state);
+  const corner = originOf(file, width, height).map((parts) => Number(parts) / kPartsOfCell);
+  const origin = [...corner, state.z, state.w].slice(0, dimensions);
   const place = [
-    "--size", [width, height, 1, 1].slice(0, dimensions).join("x"), "--cells", String(across[0]), `--origin=${origin.join("x")}`,
+    "--size", [width, height, 1, 1].slice(0, dimensions).join("x"), "--cells", String((width * stepOf(file, width, height)) / kPartsOfCell),
+    `--origin=${origin.join("x")}`, ...(dimensions > 1 ? ["--y-up"] : []),
     ...(state.period ? ["--period", Array(dimensions).fill(state.period).join("x")] : []), "--arithmetic", state.arithmetic,
   ];
-  const range = rangeOf(state).map((end) => Number(end.toFixed(4))).join(":");
+  const range = rangeOf(state).map((end) => Number(end.toFixed(6))).join(":");
   if (!isOneLine(state)) {
     const { lines, call } = patternOf(state, kAxes);
     const masks = numbersOfTinted(state).map((number) => ["0:1", `mask_${number}`]);

@@ -98,7 +98,8 @@ OPTIONS = {
         ("--cells", "X[xY...]", axes(float, 0, MOST_CELLS, "8x4"), "along each axis, by default 8; one number is for x, "
          "and cells are as large along the others"),
         ("--origin", "X[xY...]", axes(float, -MOST_CELLS, MOST_CELLS, "1000000x-3.5"), "the first point, in cells"),
-        ("--tile", None, None, "make the cells the period, so that the file repeats without a seam")),
+        ("--tile", None, None, "make the cells the period, so that the file repeats without a seam"),
+        ("--y-up", None, None, "begin with the row of the greatest y, so that y grows upwards in a picture")),
     "the file": (
         ("--out", "FILE", Path, "its name"),
         ("--format", "NAME", tuple(FORMATS), "png (16 bits), exr (floats), f32 or r16 (planes of floats or of 16 bits, "
@@ -194,6 +195,8 @@ def _find_places(given):
     if not all(0 < cells <= MOST_CELLS for cells in given.cells):
         raise Stop(2, f"--cells: {' x '.join(map(str, given.cells))} are not all more than 0 and at most {MOST_CELLS}")
     given.origin = _along(given, "origin") if given.origin else (0.0,) * len(size)
+    if given.y_up and len(size) == 1:
+        raise Stop(2, "--y-up is for a --size of two axes or more")
     if given.wave:
         given.options["wave"] = _along(given, "wave")
     if given.period:
@@ -275,6 +278,8 @@ def record_of(given, values):
     record = {"function": given.function, "dimensions": len(given.size), "settings": values.source.settings,
               "size": given.size, "cells": given.cells, "origin": given.origin, "tile": given.tile,
               "format": given.format, "version": __version__, "components": components}
+    if given.y_up:
+        record["y-up"] = True
     if given.format in PICTURES and len(given.size) > 2:
         record.update(slices=math.prod(given.size[2:]), columns=0 if given.layout == "slices" else given.columns)
     return record

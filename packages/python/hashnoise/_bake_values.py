@@ -55,7 +55,7 @@ def places(origin, cells, size, index):
 
 def block(given, rows, columns):
     """The places of some points along each axis, as arrays that broadcast to (rows, columns); of a line to (columns,).
-    Rows are numbered along y, then z and w."""
+    Rows are numbered along y, from its end if that is wanted, then along z and w."""
     if len(given.size) == 1:
         indexes = [np.arange(*columns, dtype=np.int64)]
     else:
@@ -64,6 +64,8 @@ def block(given, rows, columns):
         for points in given.size[1:]:
             indexes.append(row % points)
             row = row // points
+        if given.y_up:
+            indexes[1] = given.size[1] - 1 - indexes[1]
     return [places(*along) for along in zip(given.origin, given.cells, given.size, indexes)]
 
 

@@ -30,6 +30,7 @@ from hashnoise import _bake, _bake_values, _grids
 from ship.python import metadata
 
 PAGE = golden.ROOT / "docs" / "guide" / "bake.md"
+PLAYGROUND = golden.ROOT / "playground"
 JAVASCRIPT = golden.ROOT / "tools" / "lib" / "base" / "javascript" / "environment.py"
 COMMAND = [sys.executable, "-m", "hashnoise", "bake"]
 # CRC-32 of files that the program in C++ wrote, which was there before, and of masks.
@@ -82,7 +83,7 @@ USAGE = (
     ("fbm -o a.png --layout slices", "volumes"), ("fbm -o a.r16 --size 4x4x4 --columns 2", "volumes"),
     ("fbm -o a.png --size 4x4x4 --columns 2 --layout slices", "--layout atlas"),
     ("fbm -o a.png --size 4x4x4 --columns 0", "--columns: 0 is not"),
-    ("fbm -o a.png --size 20000000x4", "16777216 pixels"), ("cellular -o a.png --components f3", '"f3"', "f1, f2"),
+    ("fbm -o a.png --size 20000000x4", "16777216 pixels"), ("fbm -o a.png --size 9 --y-up", "two axes or more"), ("cellular -o a.png --components f3", '"f3"', "f1, f2"),
     ("cellular -o a.png --components f1,f1", "twice"),
     ("cellular -o a.png --metric manhattan", "--range", "--normalize"),
     ("value_d -o a.png --size 2x2x2x2", "at most 4", "--components"),
@@ -125,6 +126,15 @@ class Bake(unittest.TestCase):
 
     def planes(self, name, shape, kind="<f4"):
         return numpy.fromfile(name, kind).reshape(shape)
+
+    def node(self, *command):
+        """The output of a program in JavaScript."""
+        run = [sys.executable, "-B", JAVASCRIPT, "run", os.environ["HASHNOISE_JAVASCRIPT"], "node"]
+        done = subprocess.run([*run, *command], capture_output=True, text=True, check=False)
+        if done.returncode == 77:
+            self.skipTest(done.stdout)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done.stdout
 
     def read_png(self, name):
         data = Path(name).read_bytes()
@@ -186,13 +196,7 @@ class Files(Bake):
             self.bake(f"{line} -o {name} {'' if words or name[2:] == 'exr' else '--format ktx2-float'}")
             self.bake(f"{line} -o raw.{'r16' if words else 'f32'}")
             raw[name] = numpy.fromfile(f"raw.{'r16' if words else 'f32'}", "<u2" if words else "<f4"), count, form
-        readers = Path(__file__).with_name("bake_readers.mjs")
-        node = [sys.executable, "-B", JAVASCRIPT, "run", os.environ["HASHNOISE_JAVASCRIPT"], "node"]
-        done = subprocess.run([*node, readers, self.folder], capture_output=True, text=True, check=False)
-        if done.returncode == 77:
-            self.skipTest(done.stdout)
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        found = json.loads(done.stdout)
+        found = json.loads(self.node(Path(__file__).with_name("bake_readers.mjs"), self.folder))
         self.assertEqual(found.keys(), raw.keys())
         for name, (values, count, form) in raw.items():
             with self.subTest(name):
@@ -277,6 +281,17 @@ class Files(Bake):
             one, of_one = _bake_values.places(0.0, float(cells), size, index[:size])
             self.assertEqual(cell[size:].tolist(), (one + cells).tolist())
             self.assertEqual(fraction[size:].tolist(), of_one.tolist())
+
+    def test_y_up_turns_the_rows(self):
+        for name in ("fbm --size 9x7", "fbm --size 9x7x4 --layout slices", "fbm --size 9x7x2x2"):
+            self.bake(f"{name.partition(' --layout')[0]} -o a.f32")
+            self.bake(f"{name.partition(' --layout')[0]} --y-up -o b.f32")
+            a, b = (self.planes(file, (-1, 7, 9)) for file in ("a.f32", "b.f32"))
+            self.assertEqual(a[:, ::-1].tobytes(), b.tobytes(), name)
+        self.bake("fbm --size 9x7x4 --layout slices --y-up -o s.png")
+        self.bake("fbm --size 9x7x4 --y-up -o a.r16")
+        self.assertEqual(self.read_png("s.002.png")[0][0].tolist(), self.planes("a.r16", (4, 7, 9), "<u2")[2].tolist())
+        self.assertIs(self.read_png("s.002.png")[1]["y-up"], True)
 
     def test_a_file_larger_than_the_memory_of_the_command(self):
         call = [*COMMAND, *"value --size 12000x6000 -o a.r16".split()]
@@ -399,6 +414,50 @@ class Endings(Bake):
     def test_another_command(self):
         done = subprocess.run([*COMMAND[:-1], "bakery"], capture_output=True, text=True, check=False)
         self.assertEqual((done.returncode, "the command is bake" in done.stderr), (2, True), done.stderr)
+
+
+@unittest.skipUnless(PLAYGROUND.is_dir(), "there is no playground")
+class Links(Bake):
+    """Files of links, which the playground saves, too."""
+
+    LINKS = (
+        "#seed=3&arithmetic=fixed&x=2.3&y=-7.1&cells=3&width=61&height=40",
+        "#sum=none&noise=cellular_second&dimensions=3&z=1.5&arithmetic=fixed&x=1e6&y=0.5&cells=7&width=64&height=33",
+        "#arithmetic=fixed&period=3&view=tiles&width=48&height=48",
+        "#arithmetic=fixed&sum=ridged&cells=5&width=50&height=70&sum2=none&noise2=middle&blend2=add&seed3=5&blend3=mask&blend4=multiply",
+    )
+
+    def test_they_look_as_the_page(self):
+        from ship.playground.linked import words_of_bake
+
+        links = [f"{link}&file={kind}" for link in self.LINKS for kind in ("heights", "r32")]
+        self.node(PLAYGROUND / "tests" / "save.mjs", os.environ["HASHNOISE_PAGE"], self.folder, *links)
+        for number, link in enumerate(links):
+            with self.subTest(link):
+                is_raw = link.endswith("r32")
+                words, source = words_of_bake(link, ("-o", "a.f32" if is_raw else "a.png"))
+                Path("pattern.py").write_text(source, encoding="utf-8")
+                self.bake(words)
+                if is_raw and not source:
+                    self.assertEqual(Path("a.f32").read_bytes(), Path(str(number)).read_bytes())
+                elif not is_raw:
+                    width, height, rows, _ = png.Reader(bytes=Path(str(number)).read_bytes()).read()
+                    page = numpy.array([*rows]).reshape(1, height, width).astype(int)
+                    baked = self.read_png("a.png")[0]
+                    # In place of 65,536 numbers there are 65,535; and the page rounds each of four layers to steps of 2^-16.
+                    self.assertLessEqual(abs(baked - page).max(), 4 if source else 1)
+                    for wrong in (page[:, ::-1], (page + numpy.roll(page, 1, 2)) // 2):  # upside down, or by half a pixel
+                        self.assertGreater(abs(baked - wrong)[..., 1:].max(), 500)
+
+    def test_corners_are_those_of_the_function(self):
+        """Of a size in the options, which takes the place of the link's."""
+        from ship.playground.linked import words_of_bake
+
+        self.bake(words_of_bake("#seed=3&arithmetic=fixed&x=2.25&y=-7&cells=3&width=61", ("--size=24x49", "-o", "a.f32"))[0])
+        values = self.planes("a.f32", (49, 24))
+        for row, y in ((0, -7 + 24 / 8), (48, -7 - 24 / 8)):
+            for column, x in ((0, 2.25 - 12 / 8), (23, 2.25 + 11 / 8)):
+                self.assertEqual(values[row, column], hashnoise.fbm(x, y, seed=3, arithmetic="fixed"), (row, column))
 
 
 class Page(Bake):

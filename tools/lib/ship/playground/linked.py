@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 from collections.abc import Sequence
@@ -61,12 +62,19 @@ def pick(arguments: Sequence[str] | None = None) -> int:
     return 0
 
 
+def values_of(options: Sequence[str], *names: str) -> list[str]:
+    return [word.partition("=")[2] or after for word, after in zip(options, [*options[1:], ""]) if word.partition("=")[0] in names]
+
+
 def words_of_bake(link: str, options: Sequence[str]) -> tuple[list[str], str]:
-    """The arguments of tools/bake, where later ones count, and its file of Python."""
+    """The arguments of tools/bake, where later ones count, and its file of Python. Two numbers of --size are those of the
+    link, so that the picture is that of the page."""
+    if match := re.fullmatch(r"(\d{1,4})x(\d{1,4})", "".join(values_of(options, "--size")[-1:])):
+        kept = [part for part in link.split("#", 1)[1].split("&") if part and not part.startswith(("width=", "height="))]
+        link = "#" + "&".join([*kept, f"width={match[1]}", f"height={match[2]}"])
     made = json.loads(text(link, "arguments"))
     command = made["commands"][0]
-    named = [word.partition("=")[2] or after for word, after in zip(options, [*options[1:], ""])
-             if word.partition("=")[0] in ("-o", "--out", "--format")]
+    named = values_of(options, "-o", "--out", "--format")
     has_range = any(word.partition("=")[0] in ("--range", "--normalize") for word in options)
     floats = any(name == form or name.endswith(f".{form}") for name in named for form in FLOATS)
     return [*command["words"], *[f"--range={command['range']}"] * (not has_range and not floats), *options], "\n".join(made["source"])

@@ -67,6 +67,14 @@ class Linked(unittest.TestCase):
                 self.assertEqual(words, ["fbm", "--source", "pattern.py", *added, *options])
                 self.assertEqual(source, "a\nb")
 
+    def test_a_size_takes_the_place_of_that_of_the_link(self):
+        for options, shown in {("--size", "30x20"): "seed=1&width=30&height=20", ("--size=8x8x8",): "seed=1&width=9",
+                               ("--size", "4x4", "--size=5x6"): "seed=1&width=5&height=6", (): "seed=1&width=9"}.items():
+            with mock.patch.object(linked, "text", mock.Mock(side_effect=linked.Unfit)) as text:
+                with self.assertRaises(linked.Unfit):
+                    linked.words_of_bake("page.html#seed=1&width=9", options)
+            self.assertEqual(text.call_args[0][0].partition("#")[2], shown)
+
     def test_a_link_that_cannot_be_baked_is_refused(self):
         for link in ("#noise=cellular", "#hash=pcg", "#sum=none&noise=cells", "#seed=many"):
             done = subprocess.run([TOOLS / "bake", link, "-o", "a.exr"], capture_output=True, text=True, check=False)
