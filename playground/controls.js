@@ -3,7 +3,7 @@ import { kLanguages } from "./code.js";
 import { exported, exportedText, kKinds } from "./export.js";
 import { byId, element } from "./elements.js";
 import { LayerList } from "./layerlist.js";
-import { kLooks, parsed } from "./links.js";
+import { kLooks, lookOf, parsed } from "./links.js";
 import { dimensionsOf, easeOf, isSolid, kLeastTilt, kSettings, noisesOf, settingsOf, uses } from "./model.js";
 import { positionText } from "./numbers.js";
 import { gradientOf } from "./palette.js";
@@ -297,6 +297,8 @@ export class Controls {
     this.state = whole;
     this.layer = Math.min(this.layer, whole.layers.length - 1);
     this.layers.show(whole, this.layer);
+    const look = lookOf(whole);
+    for (const button of byId("looks").children) button.ariaPressed = String(button.textContent === look);
     const used = uses(whole, this.layer);
     const state = settingsOf(whole, this.layer);
     if (used.ease) {

@@ -1,6 +1,6 @@
 // The files that the page saves: pictures and heights of any size, from the same shaders that draw.
 import { Gif } from "./gif.js";
-import { linkOf } from "./links.js";
+import { linkOf, lookOf } from "./links.js";
 import { isSolid, mapsOf, rangeOf, reliefHeight, uses } from "./model.js";
 import { paletteOf } from "./palette.js";
 import { Png } from "./png.js";
@@ -194,11 +194,13 @@ async function partsOfFile(state, read, tell) {
   return made ? made.parts() : parts;
 }
 
-// Its name has the noise, the seed and the kind, so that no file replaces another one.
+// Its name has the look or the noises, the seed and the kind, so that no file replaces another one.
 export function nameOfFile(state) {
   const { file, width, height } = state;
   const [{ sum, noise, seed }, ...others] = state.layers;
-  const subject = others.length ? "layers" : `${sum === "none" ? "" : `${sum}-`}${noise}`;
+  const ofLayers = [...new Set(state.layers.map((layer) => (layer.sum === "none" ? layer.noise : layer.sum)))].slice(0, 3).join("-");
+  const look = others.length && lookOf(state)?.toLowerCase().replaceAll(" ", "-");
+  const subject = others.length ? look || ofLayers : `${sum === "none" ? "" : `${sum}-`}${noise}`;
   const { ending, part = file } = kFiles[file];
   const kind = part === "colours" ? "" : `-${part}`;
   const size = file === "json" ? "" : `-${width}x${height}`;

@@ -77,7 +77,10 @@ export function ignoredIn(link) {
 
 // Looks to begin with. `layers` are those above the first.
 export const kLooks = {
-  Marble: { sum: "turbulence", octaves: 7, warp: "warp_progressive", amplitude: 1.4, map: "marble", cells: 4, seed: 5, contrast: 1.2 },
+  Marble: {
+    sum: "turbulence", octaves: 6, gain: 0.35, warp: "warp", amplitude: 0.7, cells: 4, seed: 8, map: "own",
+    stops: "0-23252e_8-5d606b_22-b4b5ba_50-e3e2e0_100-fbfaf8",
+  },
   Wood: {
     sum: "ping_pong", noise: "value_cubic", octaves: 2, gain: 0.12, strength: 8, warp: "warp", amplitude: 0.5, cells: 4, seed: 6, map: "own",
     stops: "0-7a4522_30-a4682f_70-c68e52_100-dfb57c",
@@ -88,8 +91,11 @@ export const kLooks = {
     stops: "0-2b2a2c_40-4d4a4a_70-7a7673_90-a5a09a_100-cfcac2",
     layers: [
       { blend: "max", sum: "ridged", gain: 0.6, weight: 3, offset: -2.1, seed: 8 },
-      { blend: "mask", sum: "fbm", seed: 18, from: -0.02, soft: 0.12 },
-      { blend: "mix", sum: "billow", scale: 8, weight: 0.5, tint: "moss", seed: 4 },
+      { blend: "mask", sum: "fbm", seed: 18, from: -0.1, soft: 0.08 },
+      {
+        blend: "mix", octaves: 5, gain: 0.7, scale: 8, weight: 0.9, seed: 4, tint: "own",
+        tints: "0-16260a_30-35541a_55-6a9430_80-a9c64f_100-e2ec9a",
+      },
     ],
   },
   Island: {
@@ -159,3 +165,19 @@ export function stateOfLook(name, { arithmetic, file, width, height, frames }) {
   }
   return possible(state);
 }
+
+// The look that a state shows, wherever, from whichever side and with whichever seeds; nothing if it is none.
+const kOfNoLook = ["arithmetic", "file", "width", "height", "frames", "x", "y", "z", "w", "cells", "phase", "turn", "tilt"];
+const keyOfLook = (state) => {
+  const usual = usualState();
+  const other = Object.fromEntries(kOfNoLook.map((name) => [name, usual[name]]));
+  return linkOf({ ...state, ...other, layers: state.layers.map((layer) => ({ ...layer, seed: usual.layers[0].seed })) });
+};
+let looks;
+export function lookOf(state) {
+  looks ??= new Map(Object.keys(kLooks).map((name) => [keyOfLook(stateOfLook(name, usualState())), name]));
+  return looks.get(keyOfLook(state));
+}
+
+// What the page opens with, without a link.
+export const firstState = () => stateOfLook("Island", usualState());

@@ -7,7 +7,7 @@ import { byId } from "./elements.js";
 import { linkInFile, planeOf } from "./files.js";
 import { Histogram } from "./histogram.js";
 import { anywhere, listen, listKeys, undoing } from "./input.js";
-import { ignoredIn, linkOf, stateOf, stateOfLook } from "./links.js";
+import { firstState, ignoredIn, linkOf, stateOf, stateOfLook } from "./links.js";
 import { changed, chosen, isTurned, kSettings, titlesOf, uses } from "./model.js";
 import { positionText } from "./numbers.js";
 import { kCanvases, Picture } from "./picture.js";
@@ -28,7 +28,7 @@ const kSpeed = 0.25; // cells, or turns over four, in a second
 
 class Playground extends Picture {
   constructor(library) {
-    super(library, stateOf(location.hash));
+    super(library, location.href.includes("#") ? stateOf(location.hash) : firstState());
     this.labelTimers = new Map(); // by the button
     this.steps = new Steps();
     this.playing = false;
@@ -134,7 +134,7 @@ class Playground extends Picture {
   writeLink() {
     clearTimeout(this.linkTimer);
     try {
-      history.replaceState(null, "", this.link || location.pathname + location.search);
+      history.replaceState(null, "", this.link || "#"); // without a link the page opens with another picture
     } catch {
       // A page in a frame without an address of its own has no link. Copying one still works.
     }

@@ -67,6 +67,9 @@ export function rampOf({ map, stops }) {
   return { whole: colours.length - 1, stops: colours.map((colour, place) => ({ place, colour })) };
 }
 
+// Whether two stops have one place.
+export const hasEdge = ({ map, stops }) => map === "own" && stopsOf(stops).some(({ place }, at, all) => at > 0 && place === all[at - 1].place);
+
 export const partsOfColour = (colour) => [0, 2, 4].map((at) => parseInt(colour.slice(at, at + 2), 16));
 
 // Where two stops have one place, the later one begins.

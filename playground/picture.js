@@ -266,7 +266,7 @@ export class Picture {
     const bytes = new Uint8ClampedArray(4 * width * height);
     const columns = sharp ? Math.ceil(kColumnPixels / height) : width;
     for (let column = 0; column < width; column += columns) {
-      reliefOf(this.surface, state, width, height, Math.round(width * this.free), bytes, [column, column + columns]);
+      reliefOf(this.surface, state, width, height, Math.round(width * this.free), bytes, [column, column + columns], sharp ? 2 : 1);
       if (!sharp) continue;
       await new Promise((resolve) => setTimeout(resolve));
       if (this.wanted) return;

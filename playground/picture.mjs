@@ -4,13 +4,12 @@
 import { writeFile } from "node:fs/promises";
 import { kForWebGl, launched, opened } from "./tests/support.mjs";
 
-const kLink = "#seed=21&octaves=9&view=terrain&tilt=0.09&steep=0.3&sea=0.4&map=land&sum2=none&noise2=middle&blend2=add";
 const kSide = 64; // pixels of a look
 const kQuality = 0.55;
 
 const browser = await launched(kForWebGl);
 try {
-  const page = await opened(browser, { link: kLink, viewport: { width: 1200, height: 720 } });
+  const page = await opened(browser, { link: "", viewport: { width: 1200, height: 720 } });
   await page.waitForFunction(() => !window.hashnoise.moves && window.hashnoise.coarse === 1 && !window.hashnoise.drawing, { timeout: 300000 });
   await page.screenshot({ path: process.argv[3] });
   const looks = await opened(browser);

@@ -1,7 +1,8 @@
 // The shaders of the page, and the numbers that they read. With HN_FIXED they draw the same bytes on every GPU, since
-// everything from the position to the colour is whole numbers.
+// everything from the position to the colour is whole numbers. With floats the edge between two colours of a map is smooth.
 import { edgeOf, functions, numbers, partOf, shapes, spreadOf } from "./code.js";
-import { isLeaning, isSolid, kMostLayers, rangeOf, shownLayers, tintedLayers, usualLayer } from "./model.js";
+import { isLeaning, isSolid, kMostLayers, mapsOf, rangeOf, shownLayers, tintedLayers, usualLayer } from "./model.js";
+import { hasEdge } from "./palette.js";
 import { kNoises } from "./tables.js";
 import { solidPlace, solidShader, wordsOfSolid } from "./solid.js";
 import { cellOf, leaningSteps, leant, originOf, partsOf, placeOf, stepOf, tileOf } from "./view.js";
@@ -11,6 +12,7 @@ export const kColours = 0;
 export const kBits = 1;
 export const kTimes = 8; // that a shader computes the noise of a pixel, when it is timed
 const kUnit = 1048576; // of a value, when it is made a whole number: 2^20
+const kFinest = 16; // parts of the colours: a pixel on an edge has those of one part at most
 
 // The words of a frame: ten vectors of four, and four more for each layer.
 const kWordsOfFrame = 40;
@@ -35,6 +37,8 @@ function placed(state, width, height) {
   return { position, step: stepOf(state, width, height) };
 }
 
+const isSmooth = (state) => state.arithmetic === "fast" && state.dimensions > 1 && mapsOf(state).some(hasEdge);
+
 // The values that the lowest and the highest colour stand for, in whole numbers of steps of 2^-20.
 export function unitsOf(state) {
   const [low, high] = rangeOf(state).map((end) => Math.round(end * kUnit));
@@ -57,7 +61,7 @@ export function frameOf(state, width, height, mode, { position, first = 0, rows 
   word.set([Math.floor(step / 16777216), step % 16777216, width, height], 8);
   const { low, span } = unitsOf(state);
   whole.set([low, span, mode, first], 12);
-  word.set([kTimes, first + rows - 1, tileOf(state, width, height), 0], 16);
+  word.set([kTimes, first + rows - 1, tileOf(state, width, height), isSmooth(state) ? 1 : 0], 16);
   float.set([state.phase, 0, 0, 0], 20);
   if (isSolid(state)) whole.set(wordsOfSolid(state, free, height), 24);
   if (isLeaning(state)) whole.set(leaningSteps(state, step).flatMap((way) => [...way.map(cellOf), 0, ...way.map(placeOf), 0]), 24);
@@ -112,13 +116,9 @@ const placesOf = (state, timed) => {
 
 // How a value is shown. A value in steps of 2^-20 is a whole number; the colour is one of 256. In one dimension the
 // picture is a graph: full colour below the value, and an eighth of it above. Colours of layers are mixed in whole numbers,
-// too.
+// too. A map with an edge is read at four values, which are as far apart as those of the pixels beside this one.
 const shade = (tints) => `${tints ? `float tints[${tints}];\n` : ""}vec4 palette_at(int x, int y) { return texelFetch(u_palette, ivec2(x, y), 0); }
-vec4 shade(float value, int row) {
-  if (u_shown.z == ${kBits}) {
-    uint bits = floatBitsToUint(value);
-    return vec4(float(bits & 255u), float((bits >> 8u) & 255u), float((bits >> 16u) & 255u), float(bits >> 24u)) / 255.0;
-  }
+vec4 shade_value(float value, int row) {
   uint d = uint(clamp(int(floor(value * ${kUnit}.0)) - u_shown.x, 0, u_shown.y - 1));
   int entry = int(d * 256u / uint(u_shown.y));
   vec4 color = palette_at(entry, 0);${tints ? `
@@ -129,6 +129,17 @@ vec4 shade(float value, int row) {
   }` : ""}
   if (row >= 0 && uint(row) > (d >> 6u) * u_step.w / (uint(u_shown.y) >> 6u)) color = vec4(color.rgb * 0.125, 1.0);
   return color;
+}
+vec4 shade(float value, int row) {
+  if (u_shown.z == ${kBits}) {
+    uint bits = floatBitsToUint(value);
+    return vec4(float(bits & 255u), float((bits >> 8u) & 255u), float((bits >> 16u) & 255u), float(bits >> 24u)) / 255.0;
+  }
+  if (u_drawn.w == 0u) return shade_value(value, row);
+  float beside = min(fwidth(value), float(u_shown.y) / ${kUnit * kFinest}.0);
+  vec4 color = vec4(0.0);
+  for (int k = 0; k < 4; k++) color += shade_value(value + beside * (float(k) * 0.25 - 0.375), row);
+  return color * 0.25;
 }`;
 // How much the layers with colours count at the pixel is kept for "shade".
 const kept = (parts) => [...parts.map((part, at) => `tints[${at}] = ${part};`), "return v;"];
@@ -176,7 +187,7 @@ function shader(library, state, values, { timed, form = "cell", value } = {}) {
     ...(timed
       ? [`  float sum = 0.0;`, `  for (uint i = 0u; i < u_drawn.x; ++i) { sum += ${shown}; x.x += 8u; y.x += 5u; }`]
       : [`  float sum = ${shown};`]),
-    `  color = shade(sum, ${n === 1 ? "int(at.y)" : "-1"})${solid ? ` * (${solid.light})` : ""};`,
+    `  color = ${(solid ? solid.lit : String)(`shade(sum, ${n === 1 ? "int(at.y)" : "-1"})`)};`,
     "}",
     "",
   ].join("\n");

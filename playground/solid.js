@@ -15,7 +15,7 @@ const kTurn = 2 * Math.PI;
 const kLightOfSolid = [-0.35, 0.45, 0.82]; // from where light comes: right, up, and to who looks
 const kDarkSide = 0.5; // of the colour, where no light comes
 const kLit = 0.5; // of it, which the light adds
-const kBehind = [0.11, 0.115, 0.14]; // the colour behind the solid
+const kBehind = [0.11, 0.115, 0.14]; // the colour behind the solid; the edge of a ball has some of it
 
 // The directions to the right, up, and towards the viewer, in space. From above, x is right and y is up.
 export function axesOf({ turn, tilt }) {
@@ -81,18 +81,26 @@ const kPoints = {
   point[face] = side * ${kHalfEdge};
   vec3 normal = vec3(ivec3(u_solid[0][face], u_solid[1][face], u_solid[2][face])) * (float(side) / ${kOne}.0);`),
 };
-const lightOf = (bits) => `vec4 solid_light(float light) {
-  if (u_shown.z == ${bits}) return vec4(1.0);
+const lightOf = (bits) => `vec4 solid_lit(vec4 color, float light, uvec2 pixel) {
+  if (u_shown.z == ${bits}) return light < 0.0 ? vec4(1.0) : color;
   if (light < 0.0) return vec4(${kBehind.join(", ")}, 1.0);
-  return vec4(vec3(light), 1.0);
+  return mix(vec4(${kBehind.join(", ")}, 1.0), vec4(color.rgb * light, color.a), solid_part(ivec2(pixel)));
 }`;
+// How much of a pixel the solid has.
+const kShares = {
+  sphere: `float solid_part(ivec2 pixel) {
+  vec2 s = vec2(2 * pixel + 1 - u_solid[3].xy);
+  return clamp(${2 * kRadius * 64}.0 / float(u_solid[3].z) - 0.5 * length(s), 0.0, 1.0);
+}`,
+  cube: "float solid_part(ivec2 pixel) { return 1.0; }",
+};
 const kPlacesOfSolid = ["x", "y", "z"].map((axis) => `  uvec2 ${axis} = place_of(u_cell.${axis}, u_place.${axis}, uint(int(solid.${axis}) + ${kRadius}));`);
 
 // The parts of the shader of a solid: functions; lines of main, which is called with a pixel `at`, up to the places of its
-// point along each axis; and what its colour is multiplied by. A pixel without a point has four bytes of 255 in place
+// point along each axis; and its lit colour. A pixel without a point has four bytes of 255 in place
 // of a value, which is no number. `bits` is the mode of the frame in which pixels are values.
 export function solidShader({ view }, bits) {
-  const light = "solid_light(solid.w)";
-  const places = ["  vec4 solid = solid_at(ivec2(at));", `  if (solid.w < 0.0) { color = ${light}; return; }`, ...kPlacesOfSolid];
-  return { point: `${kPoints[view]}\n${lightOf(bits)}`, places: places.join("\n"), light };
+  const lit = (color) => `solid_lit(${color}, solid.w, at)`;
+  const places = ["  vec4 solid = solid_at(ivec2(at));", `  if (solid.w < 0.0) { color = ${lit("vec4(0.0)")}; return; }`, ...kPlacesOfSolid];
+  return { point: `${kPoints[view]}\n${kShares[view]}\n${lightOf(bits)}`, places: places.join("\n"), lit };
 }

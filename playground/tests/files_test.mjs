@@ -124,6 +124,12 @@ test("a slope becomes a colour of a normal map", () => {
 test("names distinguish files, and a file brings its setting back", async () => {
   const state = stateFor({ seed: 12, file: "heights" });
   assert.equal(nameOfFile(state), "hashnoise-fbm-perlin-seed12-heights-600x450.png");
+  for (const [link, name] of [
+    ["#seed=21&octaves=9&view=terrain&tilt=0.2&steep=0.3&sea=0.4&map=land&sum2=none&noise2=middle&blend2=add", "island-seed21"],
+    ["#seed=3&blend2=add&sum2=none&noise2=cell_border&blend3=add&sum3=ridged&blend4=add", "fbm-cell-border-ridged-seed3"],
+    ["#sum=none&noise=value_cubic", "value-cubic-seed7"],
+  ])
+    assert.equal(nameOfFile(stateOf(link)), `hashnoise-${name}-1024x1024.png`);
   const kinds = ["colours", "heights", "normals", "tiff", "gif", "r16", "r32", "json"];
   assert.equal(new Set(kinds.map((file) => nameOfFile({ ...state, file }))).size, kinds.length);
   for (const file of ["json", "colours"]) {

@@ -330,6 +330,15 @@ test("a button shows that it has copied only if it has", async () => {
     await page.click(`#${id}`);
     assert.equal(await label(id), before);
     assert.match(await visibleText(page, "note-uncopied"), /did not let the page copy/);
+    for (const viewport of [kLaptop, { ...kPhone, width: 320, deviceScaleFactor: 0.25 }]) {
+      await page.setViewport({ ...viewport, hasTouch: false, isMobile: false }); // another kind of device loads the page again
+      const found = await page.evaluate(() => {
+        const box = (name) => document.getElementById(name).getBoundingClientRect();
+        return [box("text-uncopied").width / box("bar").width, box("copy").height, box("copy").top - box("uncopied").bottom];
+      });
+      assert.ok(found[0] > 0.85 && found[1] < 50 && found[2] >= 0, `${viewport.width}: ${found}`);
+    }
+    await page.setViewport(kLaptop);
     assert.match(await page.$eval("#status", (said) => said.textContent), /is not copied/);
     const selected = await page.evaluate(() => {
       const { value, selectionStart, selectionEnd } = document.activeElement;

@@ -21,6 +21,16 @@ test("it opens from a disk, and loads nothing", async () => {
     asked.filter((url) => url !== kPage && !url.startsWith("data:")),
     [],
   );
+  // With a look that sells, which another seed does not change; what is shown later comes back.
+  const chosen = () => page.$$eval('#looks [aria-pressed="true"]', (buttons) => buttons.map((button) => button.textContent));
+  assert.deepEqual([await chosen(), (await stateOfPage(page)).view], [["Island"], "terrain"]);
+  await page.click("#dice");
+  assert.deepEqual(await chosen(), ["Island"]);
+  await page.evaluate(() => window.hashnoise.open("#", ""));
+  await wait(settled);
+  await page.reload();
+  await ready(page);
+  assert.deepEqual([await chosen(), (await stateOfPage(page)).view], [["Dusk"], "plane"]);
   // Not even if it wanted to.
   const refused = await page.evaluate(() =>
     fetch("http://127.0.0.1:1/").then(

@@ -56,7 +56,7 @@ test("what stands in front hides what is behind, and a flat look sees its side",
   assert.ok(count(0.05) < count(0.15) && count(0.15) < count(0.25), [count(0.05), count(0.15), count(0.25)].join());
   // The side of the block is in front, below everything.
   const at = drawn(() => 1, { tilt: 0.06, steep: 0.4 });
-  const column = [...Array(60).keys()].map((row) => at(0, row - 30)).filter((pixel) => pixel[3]);
+  const column = [...Array(60).keys()].map((row) => at(0, row - 30)).filter((pixel) => pixel[3] === 255);
   assert.deepEqual(column[0], [52, 48, 50, 255]);
   assert.deepEqual(column.at(-1), [255, 255, 255, 255]);
 });
@@ -75,10 +75,21 @@ test("water is flat, and mirrors the sky, whatever is below it", () => {
   assert.ok(shallow[0] > colours[0]);
   const lights = (of) => {
     const at = drawn(of, { tilt: 0.08, steep: 0.5, sea: 0.4 });
-    const column = [...Array(60).keys()].map((row) => at(0, row - 30)).filter((pixel) => pixel[3]);
+    const column = [...Array(60).keys()].map((row) => at(0, row - 30)).filter((pixel) => pixel[3] === 255);
     return new Set(column.slice(-8).map(String)).size; // without the side in front
   };
   assert.deepEqual([lights(() => 0.1) > 5, lights(() => 0.9)], [true, 1]);
+});
+
+test("a coast and the edge of a hill are no stairs", () => {
+  // A coast that crosses the rows at a small angle goes from water to land in steps, in each row elsewhere.
+  const { wet } = surface((x, y) => 0.5 + 0.02 * (y - 16) + 0.002 * x, 0.2, 0.5);
+  const column = [...Array(kSide).keys()].map((x) => Math.max(...[12, 13, 14, 15, 16].map((y) => Math.min(wet[y * kSide + x], 1 - wet[y * kSide + x]))));
+  assert.ok(Math.min(...column) > 0.04 && new Set(column.map((part) => part.toFixed(2))).size > 5, `${column}`);
+  assert.ok(wet[20] === 1 && wet[31 * kSide] === 0);
+  const at = drawn((x, y) => (y > 12 ? x / 80 : 0), { tilt: 0.05, steep: 1 });
+  const edge = [...Array(40).keys()].map((k) => Math.max(...[...Array(60).keys()].map((row) => at(k - 20, row - 30)[3]).filter((own) => own < 255)));
+  assert.ok(new Set(edge).size > 8 && edge.filter((own) => own > 0).length > 30, `${edge}`);
 });
 
 test("terrain is saved as it is shown, before what is behind it", async () => {

@@ -34,7 +34,7 @@ export const kPhone = { width: 390, height: 844, deviceScaleFactor: 2, hasTouch:
 export const kSmall = { width: 320, height: 200 };
 
 // The page, ready, and without errors in its console so far.
-export async function opened(browser, { link = "", viewport = kSmall, before } = {}) {
+export async function opened(browser, { link = "#", viewport = kSmall, before } = {}) {
   const page = await open(browser, "about:blank");
   await page.setViewport(viewport);
   if (before) await page.evaluateOnNewDocument(before);
