@@ -35,6 +35,7 @@ def evaluated(function, least, coordinates, *, points, cell, out, threads, noise
     noise, fractal   as in field.hpp; without a noise a fractal sums its usual one, or those of its own
     options      those of the function, by name
     """
+    check_labels(function, *coordinates, points, *(cell if isinstance(cell, tuple) else (cell,)))
     if points is not None:
         coordinates, cell = along_axes(function, coordinates, points, cell)
     dimensions = checked_dimensions(function, coordinates, 1 if points is not None else least)
@@ -59,7 +60,7 @@ def evaluated(function, least, coordinates, *, points, cell, out, threads, noise
     values = np.asarray(result)  # without a mask
     fill(field, arrays, cells, values[np.newaxis] if components == 1 else values, checked_threads(function, threads))
     if masks or isinstance(out, np.ma.MaskedArray):
-        return _with_mask(result, masks, is_number=out is None and wanted == ())
+        return with_mask(result, masks, is_number=out is None and wanted == ())
     return float(result) if out is None and wanted == () else result
 
 
@@ -268,6 +269,8 @@ _ELSEWHERE = {
     **dict.fromkeys(("domain_warp_amp", "warp_amplitude"),
                     ("amplitude is that in cells, of the functions warp and warp_progressive",) * 2),
     "offset": ("add the offset to the coordinates", "origin is the first point, in cells"),
+    "start": ("the coordinates begin where you begin them",
+              "first is the number of the first point (did you mean first?), and origin its position in cells"),
     "shape": ("the result has the shape of the coordinates", "size is (width, height), the shape the other way round"),
 }
 _OWNERS = {}  # the functions with an option that not all have, by its name
@@ -318,6 +321,30 @@ def checked_dimensions(function, coordinates, least):
         raise TypeError(f"{function}: {AXES[dimensions]} is missing, a number or an array of numbers; of an array of "
                         "points with their coordinates along its last axis, pass points=")
     return dimensions
+
+
+def check_labels(function, *arrays):
+    """Refuses arrays of pandas and xarray that their labels would join in another way than places do, and those of Dask,
+    which are not computed yet."""
+    first = None
+    for array in arrays:
+        if array is None or isinstance(array, (int, float)):
+            continue
+        if hasattr(array, "__dask_graph__") and array.__dask_graph__() is not None:
+            raise TypeError(
+                f"{function}: an array of Dask is not computed yet: pass x.compute(), or call the function for each block, "
+                f"as dask.array.map_blocks(hashnoise.{function}, x, y) does, and of xarray's arrays "
+                f"xarray.apply_ufunc(hashnoise.{function}, x, y, dask=\"parallelized\", output_dtypes=[\"float32\"])")
+        if not hasattr(array, "to_numpy"):
+            continue
+        labels = [(name, getattr(array, "indexes", {}).get(name)) for name in array.dims] if hasattr(array, "dims") else [
+            ("", index) for index in getattr(array, "axes", ())]
+        first = first or labels
+        if labels and ([name for name, _ in labels] != [name for name, _ in first] or any(
+                a is not None and b is not None and not a.equals(b) for (_, a), (_, b) in zip(labels, first))):
+            raise ValueError(
+                f"{function}: arrays are joined by their places, and the labels of these differ: pass x.to_numpy(), or join "
+                f"them by their labels first, as xarray.apply_ufunc(hashnoise.{function}, x, y) does, and x.align(y) of pandas")
 
 
 def along_axes(function, coordinates, points, cell, rows=None):
@@ -397,7 +424,7 @@ def _check_fractions(function, arrays):
                              f"1; {axis} is {found}")
 
 
-def _with_mask(result, masks, is_number):
+def with_mask(result, masks, is_number):
     """The result with the union of the masks, in all of its planes."""
     mask = np.ma.nomask
     for other in masks:

@@ -240,6 +240,7 @@ class Wrong(unittest.TestCase):
                 ("domain_warp_amp", "amplitude is that in cells", "amplitude is"),
                 ("tileable", "period is after how many cells the field repeats", "period is after"),
                 ("offset", "add the offset to the coordinates", "origin is the first point, in cells"),
+                ("start", "the coordinates begin where", r"first is the number of the first point \(did you mean first"),
                 ("base", "seed takes the place of the base", "seed takes the place"),
                 ("repeaty", "period is after how many cells the field repeats", "period is after"),
                 ("x", "coordinates have no names: pass them first", "size, step and origin set the coordinates"),

@@ -23,7 +23,6 @@ Coordinates of float64 and of whole numbers are converted to float32.
 
 import contextlib
 import functools
-import importlib
 import operator
 
 import numpy
@@ -33,6 +32,7 @@ from .._evaluate import (
     AXES,
     METRICS,
     along_axes,
+    check_labels,
     checked_dimensions,
     make_field,
     named_function,
@@ -40,6 +40,7 @@ from .._evaluate import (
     refuse_points,
     ruled_number,
     suggestion,
+    with_mask,
 )
 
 __all__ = [*_noises.__all__, *_sums.__all__]
@@ -47,6 +48,7 @@ __all__ = [*_noises.__all__, *_sums.__all__]
 _ARITHMETICS = ("fast", "fixed")
 _ABSENT = ("out", "threads", "instruction_set")
 _FLOATS = ("bandwidth", "phase", "jitter", "lacunarity", "gain", "strength", "amplitude", "footprint")
+_ARRAYS = ("seed", "wave", *_FLOATS)  # settings that may be arrays
 # The steps by which sums add an octave, where they are not called as the sum is.
 _STEPS = {"fbm": "add", "clouds": "add", "billow": "add_turbulence", "fbm_d": "add", "warp": "add",
           "warp_progressive": "add_progressive"}
@@ -57,44 +59,53 @@ class _Space:
 
     def __init__(self, function, arithmetic, dimensions, arguments):
         self.function, self.dimensions = function, dimensions
-        self.text = importlib.import_module(f"{__name__}._{arithmetic}{dimensions}")
+        self.text = _text(arithmetic, dimensions)
+        check_labels(function, *arguments)
         arrays = [one for one in arguments if _is_array(one)]
         spaces = {self.text._namespace(one): one for one in arrays}
+        others = [one for one in arguments if not isinstance(one, (int, float, numpy.generic, type(None)))]
+        if not spaces and others:
+            raise TypeError(f"{function}: pass arrays, of PyTorch, JAX, CuPy or NumPy, as numpy.asarray(x) is, not a "
+                            f"{type(others[0]).__name__}")
         if not spaces:
             raise TypeError(f"{function}: x must be an array, of PyTorch, JAX, CuPy or NumPy; of numbers alone "
                             f"hashnoise.{function.removeprefix('arrays.')} makes a number")
         names = sorted(xp.__name__.removesuffix(".numpy") for xp in spaces)
+        if labelled := [xp.__name__ for xp in spaces if not hasattr(xp, "float32")]:
+            raise TypeError(f"{function}: what is of {labelled[0]} must be made an array first, as in x.to_numpy(), "
+                            f"or passed by what keeps its labels, as in xarray.apply_ufunc(hashnoise.{function}, x, y)")
         if len(spaces) > 1:
             raise TypeError(f"{function}: arrays of {' and '.join(names)} do not go together; convert one, as in "
                             "torch.from_numpy(x) or jax.numpy.asarray(x)")
         (self.xp, one), = spaces.items()
-        if not hasattr(self.xp, "float32"):
-            raise TypeError(f"{function}: what is of {names[0]} must be made an array first, as in x.to_numpy()")
         self.is_numpy = self.xp is numpy
         self.is_number = self.is_numpy and not any(array.ndim for array in arrays)
         self.device = {"device": one.device} if names == ["torch"] else {}
-        self.finite = []  # for each array of floats
+        self.finite = []  # for each array of floats, and for coordinates
+        self.masks = []
 
     def call(self, name, *arguments, form=""):
         """A function of the text, by its name without the dimensions."""
         return getattr(self.text, f"_{name}{self.dimensions}{form}")(self.xp, *arguments)
 
     def floats(self, name, value):
-        array = self._array(name, value, self.xp.float32, "real", ("complex", "bool"))
-        if _is_array(value):
+        array = self._array("f", name, value, self.xp.float32)
+        if _is_array(value) or name in AXES:
             self.finite.append(self.xp.isfinite(array))
         return array
 
     def words(self, name, value):
-        return self._array(name, self.text._word(value), self.xp.int32, "whole", ("complex", "bool", "float"))
+        return self._array("u", name, self.text._word(value), self.xp.int32)
 
-    def _array(self, name, value, dtype, kind, wrong):
+    def _array(self, kind, name, value, dtype):
+        if isinstance(value, numpy.ma.MaskedArray):
+            self.masks.append(numpy.ma.getmaskarray(value))
+            value = value.filled(0)
         if not _is_array(value):
             value = self.xp.asarray(value, dtype=dtype, **self.device)
-        elif any(one in str(value.dtype) for one in wrong):
-            raise TypeError(f"{self.function}: {name} must be of {kind} numbers, not of {value.dtype}")
-        elif value.dtype != dtype:
-            value = self.text._cast(value, dtype)
+        else:
+            self.text._check(self.function, kind, name, value)
+            value = value if value.dtype == dtype else self.text._cast(value, dtype)
         # NumPy warns of a single word that wraps around.
         return value.reshape(1) if self.is_numpy and not value.ndim else value
 
@@ -103,7 +114,40 @@ class _Space:
         finite = functools.reduce(operator.and_, self.finite)
         planes = [self.text._where(self.xp, finite, value, float("nan")) for value in _parts(values)]
         whole = self.xp.stack(planes) if len(planes) > 1 else planes[0]
-        return whole[..., 0] if self.is_number else whole
+        whole = whole[..., 0] if self.is_number else whole
+        return with_mask(whole, self.masks, is_number=False) if self.masks else whole
+
+
+def _check_numbers(*arguments):
+    """The checks of hashnoise, of those settings that are numbers."""
+    make_field(*arguments)
+    return True
+
+
+# torch.compile calls it while it traces, and its result is a constant: no tracer sees into the compiled part. This is the
+# mark of torch.compiler.assume_constant_result.
+_check_numbers._dynamo_marked_constant = True
+
+
+def _text(arithmetic, dimensions):
+    """A module of the text. Programs that freeze others find imports that are written out."""
+    if (arithmetic, dimensions) == ("fast", 1):
+        from . import _fast1 as text
+    elif (arithmetic, dimensions) == ("fast", 2):
+        from . import _fast2 as text
+    elif (arithmetic, dimensions) == ("fast", 3):
+        from . import _fast3 as text
+    elif (arithmetic, dimensions) == ("fast", 4):
+        from . import _fast4 as text
+    elif (arithmetic, dimensions) == ("fixed", 1):
+        from . import _fixed1 as text
+    elif (arithmetic, dimensions) == ("fixed", 2):
+        from . import _fixed2 as text
+    elif (arithmetic, dimensions) == ("fixed", 3):
+        from . import _fixed3 as text
+    else:
+        from . import _fixed4 as text
+    return text
 
 
 def _evaluated(name, least, kind, coordinates, *, points, cell, seed, period, arithmetic, noise=None, **options):
@@ -115,14 +159,14 @@ def _evaluated(name, least, kind, coordinates, *, points, cell, seed, period, ar
     if points is not None:
         coordinates, cell = along_axes(function, coordinates, points, cell, _checked_array)
     dimensions = checked_dimensions(function, coordinates, 1 if points is not None else least)
+    coordinates, seed = coordinates[:dimensions], 0 if seed is None else _constant(seed)
     if dimensions == 1 and points is None:
         refuse_points(function, "x", tuple(numpy.shape(coordinates[0])))
-    settings = {option: value for option, value in options.items() if value is not None}
+    settings = {option: _constant(value) for option, value in options.items() if value is not None}
     numbers = {option: value for option, value in {**settings, "seed": seed}.items()
-               if not any(map(_is_array, _parts(value)))}
-    periods = () if period is None else per_axis(function, "period", period, dimensions, ruled_number)
-    # It checks what are numbers.
-    make_field(function, dimensions, *((name, "") if kind == "noise" else (noise, name)), {**numbers, "period": period})
+               if option not in _ARRAYS or not any(map(_is_array, _parts(value)))}
+    periods = None if period is None else per_axis(function, "period", period, dimensions, ruled_number)
+    _check_numbers(function, dimensions, *((name, "") if kind == "noise" else (noise, name)), {**numbers, "period": periods})
     if cell is not None:
         cell = (cell,) if dimensions == 1 and not isinstance(cell, tuple) else cell
         cell = per_axis(function, "cell", cell, dimensions, _whole)
@@ -132,8 +176,14 @@ def _evaluated(name, least, kind, coordinates, *, points, cell, seed, period, ar
         settings.update((option, space.floats(option, settings[option])) for option in _FLOATS if option in settings)
         floats = [space.floats(axis, value) for axis, value in zip(AXES, coordinates)]
         seed = space.words("seed", seed)
+        if arithmetic == "fast" and kind == "fractal" and (cell is not None or any(periods or ())):
+            # Octaves are at whole numbers then, also by what moves them.
+            refuse = functools.partial(_text("fast", 2)._no_slope, space.xp)
+            floats = [*map(refuse, floats)]
+            moving = ("lacunarity", "gain", "amplitude") if name == "warp_progressive" else ("lacunarity",)
+            settings.update((option, refuse(settings[option])) for option in moving)
         place = cell and space.call("place_in_cell", *(space.words("cell", value) for value in cell), *floats)
-        if any(periods):
+        if any(periods or ()):
             periods = [space.words("period", value) for value in periods]
             place = space.call("tile", place, *periods, form="_place") if place else space.call("tile", *floats, *periods)
         if kind == "noise":
@@ -187,7 +237,9 @@ def _sum(space, name, noise, place, floats, seed, settings):
         elif shifts:
             o, shifts = space.call(step, o, shifts, *values)
         else:
+            at = o.sum.at
             o = space.call(step, o, *values, *strength)
+            o = o._replace(sum=o.sum._replace(at=at))  # octaves finer than a footprint, an array, add 0
         if o.sum.at + 1 >= o.sum.octaves:
             break
         o = space.call("next", o)[1]
@@ -201,13 +253,22 @@ def _sum(space, name, noise, place, floats, seed, settings):
 
 def _is_array(value):
     """NumPy's numbers are none: they go with the arrays of all libraries."""
-    return hasattr(value, "dtype") and not isinstance(value, numpy.generic)
+    return not isinstance(value, (int, float, numpy.generic)) and hasattr(value, "dtype")
 
 
 def _checked_array(function, name, value):
     if not _is_array(value):
         raise TypeError(f"{function}: {name} must be an array, not {type(value).__name__}")
     return value
+
+
+def _constant(value):
+    """A number that changes from call to call is a symbol below torch.compile. Its checks want what it is now."""
+    if isinstance(value, tuple):
+        return tuple(map(_constant, value))
+    if isinstance(value, float):
+        return float.fromhex(value.hex())
+    return operator.index(value) if isinstance(value, int) and not isinstance(value, bool) else value
 
 
 def _parts(value):

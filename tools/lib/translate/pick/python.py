@@ -57,6 +57,10 @@ def _mapped(function, value):
 def _called(function, kinds, *values):
     """Calls a function of arrays with users' values of these kinds: f is a float, u a word, i an int, n a number of
     Python, d one or a float, s a structure."""
+    given = [*zip(kinds, function.__code__.co_varnames[1:], values)]
+    for kind, name, value in given:
+        if kind not in "ns":
+            _check(function.__name__[1:], kind, name, value)
     arrays = _arrays(values)
     spaces = [_namespace(one) for one in arrays]
     xp = next((one for one in spaces if one.__name__ != "numpy"), spaces[0] if spaces else None)
@@ -70,21 +74,21 @@ def _called(function, kinds, *values):
         # NumPy has other rules for numbers alone.
         return value.reshape(1) if is_numpy and hasattr(value, "dtype") and not value.ndim else value
 
-    def converted(kind, value):
+    def converted(kind, _, value):
         if kind == "n":
             return operator.index(value)
-        if kind == "d" and isinstance(value, (int, float)):
-            return struct.unpack("f", struct.pack("f", value))[0]
         if kind == "s":
             return _mapped(array, value)
+        if kind == "d" and isinstance(value, (int, float)):
+            return struct.unpack("f", struct.pack("f", value))[0]
         if kind == "u" and isinstance(value, int):
             value = _word(value)
         dtype = xp.float32 if kind in "fd" else xp.int32
-        if not hasattr(value, "dtype") or _namespace(value) is not xp:
+        if not hasattr(value, "dtype") or isinstance(value, float) or _namespace(value) is not xp:
             return array(xp.asarray(value, dtype=dtype, **device))
         return array(value if value.dtype == dtype else _cast(value, dtype))
 
-    values = [converted(*one) for one in zip(kinds, values)]
+    values = [converted(*one) for one in given]
     if not is_numpy:
         return function(xp, *values)
     with xp.errstate(all="ignore"):
@@ -92,6 +96,18 @@ def _called(function, kinds, *values):
     if any(one.ndim for one in arrays):
         return result
     return _mapped(lambda one: one[0] if hasattr(one, "dtype") else one, result)
+
+
+def _check(function, kind, name, value):
+    """Whether users may pass it: a number, or an array of a library that has float32, without a mask and labels."""
+    is_array = hasattr(value, "dtype")
+    dtype = getattr(value, "dtype", type(value))
+    of = getattr(dtype, "name", getattr(dtype, "__name__", str(dtype))).rpartition(".")[2]
+    if is_array and (hasattr(value, "mask") or not hasattr(_namespace(value), "float32")):
+        of = type(value).__name__  # an array with a mask, or with labels
+    if not of.startswith(("int", "uint", "bool") if kind in "ui" else ("int", "uint", "bool", "float", "bfloat")):
+        raise TypeError(f"{{function}}: {{name}} must be a number or an array of "
+                        f"{{'whole ' * (kind in 'ui')}}numbers, as numpy.asarray({{name}}) is, not {{of}}")
 
 
 def _cast(x, dtype):
@@ -334,7 +350,7 @@ class Python(Syntax):
     reserved = frozenset("""and as assert async await break class continue def del elif else except finally for from
         global if import in is lambda nonlocal not or pass raise return try while with yield False None True xp abs min
         max sys range isinstance float int type str bool operator struct namedtuple _arrays _namespace _mapped _called
-        _cast _word _where _chosen""".split())
+        _check _cast _word _where _chosen""".split())
     needs = {"_to_uint": ("_to_int",)}
     helpers = {
         "_most": '''\
@@ -422,6 +438,22 @@ def _abs(xp, x):
         "_trunc": '''\
 def _trunc(xp, x):
     return float(int(x)) if isinstance(x, float) else xp.trunc(x)
+''',
+        "_no_slope": '''\
+def _no_slope(xp, x):
+    """What becomes a whole number, through which no derivative passes: to ask for one is an error."""
+    def refuse(*_):
+        raise TypeError("no derivative passes through an angle, such as a phase or a position in waves, nor through the "
+                        "octaves of a place: pass x.detach() in PyTorch, jax.lax.stop_gradient(x) in JAX")
+
+    if xp.__name__ == "torch" and xp.is_grad_enabled() and (x.requires_grad or (
+            not xp.compiler.is_compiling() and xp.autograd.forward_ad.unpack_dual(x).tangent is not None)):
+        refuse()
+    if xp.__name__ == "jax.numpy":
+        same = sys.modules["jax"].custom_jvp(lambda x: x)
+        same.defjvp(refuse)
+        x = same(x)
+    return x
 ''',
         "_sqrt": '''\
 def _sqrt(xp, x):
@@ -577,6 +609,8 @@ def _quotient_word(xp, a, b):
     def builtin(self, name: str, type_: str, arguments: Sequence[Piece]) -> Piece:
         if name in ("min", "max"):
             return self.call(f"_{name}{'_word' * (type_ == 'uint')}", arguments)
+        if name in ("trunc", "_trunc") and not self.is_fixed:  # of floats angles alone take it
+            return self.call(f"xp.{name}" if name == "trunc" else name, [self.call("_no_slope", arguments)])
         if name in ("floor", "trunc"):
             return self.call(f"xp.{name}", arguments)
         if name == "sqrt" or name == "abs" and type_ == "float":
