@@ -179,5 +179,5 @@ export function lookOf(state) {
   return looks.get(keyOfLook(state));
 }
 
-// What the page opens with, without a link.
+// The page opens with it, without a link.
 export const firstState = () => stateOfLook("Island", usualState());

@@ -12,7 +12,7 @@ export const kColours = 0;
 export const kBits = 1;
 export const kTimes = 8; // that a shader computes the noise of a pixel, when it is timed
 const kUnit = 1048576; // of a value, when it is made a whole number: 2^20
-const kFinest = 16; // parts of the colours: a pixel on an edge has those of one part at most
+const kFinest = 16; // parts of the colours: a pixel on an edge has the colours of one part at most
 
 // The words of a frame: ten vectors of four, and four more for each layer.
 const kWordsOfFrame = 40;
@@ -116,7 +116,7 @@ const placesOf = (state, timed) => {
 
 // How a value is shown. A value in steps of 2^-20 is a whole number; the colour is one of 256. In one dimension the
 // picture is a graph: full colour below the value, and an eighth of it above. Colours of layers are mixed in whole numbers,
-// too. A map with an edge is read at four values, which are as far apart as those of the pixels beside this one.
+// too. A map with an edge is read at four values, which are as far apart as in the pixels next to this one.
 const shade = (tints) => `${tints ? `float tints[${tints}];\n` : ""}vec4 palette_at(int x, int y) { return texelFetch(u_palette, ivec2(x, y), 0); }
 vec4 shade_value(float value, int row) {
   uint d = uint(clamp(int(floor(value * ${kUnit}.0)) - u_shown.x, 0, u_shown.y - 1));

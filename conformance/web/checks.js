@@ -192,7 +192,7 @@ function givenOutcome(outcome, test, columns, inputs, wrongPoints, nanPoints) {
 }
 
 // Against expected values: words if every bit counts or a bug is looked for, else exact values as 64-bit floats. A wrong
-// value that a specification leaves open is a warning. Of somebody's own function (given) equal bits are equal, and
+// value that a specification leaves open is a warning. For somebody's own function (given) equal bits are equal, and
 // so are any two NaN.
 async function checkValues(renderer, suite, test) {
   const isBug = test.check === "bug";

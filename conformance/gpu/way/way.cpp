@@ -280,7 +280,7 @@ Result<std::vector<Choice>> choices_of(const WayOptions& options) {
                           commands == 1 ? "1 command" : fmt::format("{} commands", commands)));
 }
 
-// The forms at both ends of a way: those of the suite's shaders, and those that the driver takes. Empty: any.
+// The forms at both ends of a way: the suite's shaders have the first, and the driver takes the last. Empty: any.
 struct Ends {
   std::vector<Form> written;
   std::span<const Form> driver;

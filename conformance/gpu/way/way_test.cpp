@@ -92,7 +92,7 @@ TEST_F(FindWay, AnErrorNamesThePlaceAndWhatWouldBeRight) {
   }
 }
 
-// Of the translators that this machine has.
+// Among the translators that this machine has.
 TEST_F(FindWay, NamesAChainThatWorks) {
   setenv("HN_SPIRV_CROSS", program("spirv-cross").c_str(), 1);
   const std::string dxc = "dxc=" + program("dxc");

@@ -324,7 +324,7 @@ def checked_dimensions(function, coordinates, least):
 
 
 def check_labels(function, *arrays):
-    """Refuses arrays of pandas and xarray that their labels would join in another way than places do, and those of Dask,
+    """Refuses arrays of pandas and xarray that their labels would join in another way than places do, and arrays of Dask,
     which are not computed yet."""
     first = None
     for array in arrays:

@@ -43,7 +43,7 @@ def source(path: Path) -> str:
 
 
 def places(path: Path, made: str) -> Iterator[str]:
-    """The lines of a file that differ from what is made, such as "glsl/hashnoise/fbm2d.glsl:130-132"."""
+    """The lines of a file that were edited by hand, such as "glsl/hashnoise/fbm2d.glsl:130-132"."""
     name = path.relative_to(ROOT).as_posix()
     if not path.is_file():
         yield name

@@ -20,7 +20,7 @@ from base.tree import address
 from ship import command
 from translate.hlsl.compilers import missing as missing_compilers
 
-# Of inputs of nodes: what docs/reference/frozen.md states, and 8 by 8 cells as the period. A position has none.
+# The defaults of nodes: usual values of docs/reference/frozen.md, and 8 by 8 cells as the period. A position has none.
 DEFAULTS: dict[str, tuple[float, ...]] = {
     "Position": (), "Octaves": (6,), "Lacunarity": (2,), "Gain": (0.5,), "Jitter": (1,), "Metric": (1,), "Amplitude": (1,),
     "Seed": (0,), "Period": (8, 8), "Wave": (3, 0, 0), "Bandwidth": (0,), "Phase": (0,)}

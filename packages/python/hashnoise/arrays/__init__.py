@@ -263,7 +263,7 @@ def _checked_array(function, name, value):
 
 
 def _constant(value):
-    """A number that changes from call to call is a symbol below torch.compile. Its checks want what it is now."""
+    """A number that changes from call to call is a symbol below torch.compile. Its checks want its number now."""
     if isinstance(value, tuple):
         return tuple(map(_constant, value))
     if isinstance(value, float):

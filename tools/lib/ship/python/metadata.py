@@ -61,13 +61,13 @@ def take_along(is_source: bool) -> None:
 
 
 def sources() -> list[Path]:
-    """The files, without those of tests."""
+    """The files, without tests."""
     found = [file for name in SOURCES for file in (ROOT / name, *(ROOT / name).rglob("*")) if file.is_file()]
     return sorted(file for file in found if not {"tests", "__pycache__"} & {*file.relative_to(ROOT).parts})
 
 
 def digest() -> str:
-    """A source distribution has that of its clone."""
+    """A source distribution keeps the digest of its clone."""
     of_all = hashlib.sha256()
     for file in sources():
         of_all.update(file.relative_to(ROOT).as_posix().encode() + hashlib.sha256(file.read_bytes()).digest())
