@@ -168,6 +168,15 @@ test("floats are as near as the library promises", async () => {
   assert.ok(off > 0 && off < 1e-4, `off by ${off}`);
 });
 
+test("the edge of a map is smooth with floats alone", async () => {
+  const edge = { map: "own", stops: "0-000000_50-000000_50-ffffff_100-ffffff", arithmetic: "fast" };
+  const shades = async (changes) => {
+    await setState(page, { ...pictures[0], ...edge, ...changes });
+    return new Set((await pixels(page, kWidth, kHeight)).filter((_, at) => at % 4 === 0)).size;
+  };
+  assert.deepEqual([await shades({}), await shades({ arithmetic: "fixed" })], [5, 2]); // of four values
+});
+
 test("tiles have no seam, and one that is there is seen", async () => {
   const side = 48;
   const state = changed(usualState(), { arithmetic: "fixed", period: 4, cells: 12, x: 99n << 20n });
