@@ -293,12 +293,15 @@ export class Controls {
     this.show(this.state);
   }
 
+  markLook() {
+    const look = lookOf(this.state);
+    for (const button of byId("looks").children) button.ariaPressed = String(button.textContent === look);
+  }
+
   show(whole) {
     this.state = whole;
     this.layer = Math.min(this.layer, whole.layers.length - 1);
     this.layers.show(whole, this.layer);
-    const look = lookOf(whole);
-    for (const button of byId("looks").children) button.ariaPressed = String(button.textContent === look);
     const used = uses(whole, this.layer);
     const state = settingsOf(whole, this.layer);
     if (used.ease) {

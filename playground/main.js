@@ -168,6 +168,7 @@ class Playground extends Picture {
   }
 
   async rested() {
+    this.controls.markLook();
     // Reading in the frame in which a picture was drawn can take the picture from the screen.
     await this.drawing;
     await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));

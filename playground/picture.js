@@ -17,6 +17,7 @@ const kSideOfTerrain = 384; // values, at rest
 const kSideOfMoving = 128;
 const kFinestTerrain = 1024;
 const kPixelsOfTerrain = 1.2e6;
+const kPixelsOfFirstTerrain = 1e5; // so that a page that opens with terrain shows something soon
 const kPixelsOfSharpTerrain = 8e6;
 const kColumnPixels = 5e5; // that are drawn between two looks at what else the page has to do
 const kKeptPrograms = 24;
@@ -225,10 +226,12 @@ export class Picture {
   // gives way to another picture that is wanted meanwhile.
   async squareOf(program, state, side, mode, givesWay = true) {
     const bytes = new Uint8Array(4 * side * side);
-    const speed = await this.speedOf(program, state);
+    // To measure the speed takes longer than to draw a small one.
+    const speed = side > kSideOfMoving && (await this.speedOf(program, state));
     for (let row = 0; row < side; ) {
       if (row > 0 && this.wanted && givesWay) return undefined;
-      const rows = Math.min(side - row, Math.max(Math.ceil(side / kMostStrips), Math.floor(speed.pixelsIn(kStrip) / side)));
+      const most = speed ? Math.floor(speed.pixelsIn(kStrip) / side) : side;
+      const rows = Math.min(side - row, Math.max(Math.ceil(side / kMostStrips), most));
       const frame = frameOf(state, side, side, mode, { first: row, rows });
       bytes.set(await this.gpu.read(program, frame, side, rows), 4 * row * side);
       row += rows;
@@ -259,7 +262,7 @@ export class Picture {
       this.surface = { key, ...surface };
     }
     const sharp = !this.moves && side === finest;
-    const most = sharp ? kPixelsOfSharpTerrain : kPixelsOfTerrain;
+    const most = sharp ? kPixelsOfSharpTerrain : this.shown ? kPixelsOfTerrain : kPixelsOfFirstTerrain;
     const [width, height] = this.size.map(
       (length, _, size) => Math.ceil(length * Math.min(1, Math.sqrt(most / (size[0] * size[1])))),
     );
@@ -273,7 +276,7 @@ export class Picture {
     }
     const canvas = byId("picture-terrain");
     Object.assign(canvas, { width, height });
-    canvas.getContext("2d").putImageData(new ImageData(bytes, width, height), 0, 0);
+    canvas.getContext("2d", { willReadFrequently: true }).putImageData(new ImageData(bytes, width, height), 0, 0);
     await this.wasDrawn(wanted, sharp ? 1 : 2);
   }
 

@@ -21,7 +21,18 @@ export async function unpacked(text) {
   return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"))).json();
 }
 
-// Each piece as {name, text}. A line "~name" begins one, and "~12 3" stands for the three lines that are twelve lines back.
+class Piece {
+  constructor(lines, at, end) {
+    Object.assign(this, { name: lines[at].slice(1), lines, at, end });
+  }
+
+  // It is made when somebody needs it: all of them are 7 MB.
+  get text() {
+    return (this.made ??= `${this.lines.slice(this.at + 1, this.end).join("\n")}\n`);
+  }
+}
+
+// The pieces of a text. A line "~name" begins one, and "~12 3" stands for the three lines that are twelve lines back.
 function piecesOf(text) {
   const lines = [];
   const begins = [];
@@ -30,10 +41,8 @@ function piecesOf(text) {
     if (!back) lines.push(line);
     else for (let count = Number(line.split(" ")[1]); count > 0; --count) lines.push(lines[lines.length - back]);
   }
-  for (const [at, line] of lines.entries()) if (line[0] === "~") begins.push(at);
-  return begins.map((at, number) => ({
-    name: lines[at].slice(1), text: `${lines.slice(at + 1, begins[number + 1]).join("\n")}\n`,
-  }));
+  for (let at = 0; at < lines.length; ++at) if (lines[at][0] === "~") begins.push(at);
+  return begins.map((at, number) => new Piece(lines, at, begins[number + 1]));
 }
 
 export class Library {

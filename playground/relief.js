@@ -66,9 +66,7 @@ export function reliefOf({ heights, colours, wet, side, steep }, { turn, tilt },
   const step = 0.7 / side;
   const most = side - 1.001;
   const sums = new Float32Array(4 * height); // of the colours in a column, from below, and of how much each pixel has
-  const weights = new Float64Array(4); // of the four values around a place
-  const mixed = (list, at, next = 1) =>
-    list[at] * weights[0] + list[at + next] * weights[1] + list[at + next * side] * weights[2] + list[at + next * (side + 1)] * weights[3];
+  const colour = new Float64Array(3);
   for (let column = begin; column < Math.min(end, width); ++column) {
     sums.fill(0);
     for (let line = 0; line < lines; ++line) {
@@ -81,21 +79,24 @@ export function reliefOf({ heights, colours, wet, side, steep }, { turn, tilt },
       for (let depth = first, front = true; depth <= last; depth += step, front = false) {
         const x = Math.min(Math.max((start[0] - depth * sine + 0.5) * side - 0.5, 0), most);
         const y = Math.min(Math.max((start[1] + depth * cosine + 0.5) * side - 0.5, 0), most);
-        const [left, below] = [x | 0, y | 0];
+        const left = x | 0;
+        const below = y | 0;
         const at = below * side + left;
-        const [u, v] = [x - left, y - below];
-        weights[0] = (1 - u) * (1 - v);
-        weights[1] = u * (1 - v);
-        weights[2] = (1 - u) * v;
-        weights[3] = u * v;
-        const top = Math.min(middle + (depth * down + mixed(heights, at) * steep * across) * scale, height);
+        const u = x - left;
+        const v = y - below;
+        const lower = heights[at] + (heights[at + 1] - heights[at]) * u;
+        const upper = heights[at + side] + (heights[at + side + 1] - heights[at + side]) * u;
+        const top = Math.min(middle + (depth * down + (lower + (upper - lower) * v) * steep * across) * scale, height);
         if (top <= filled) continue;
-        const water = mixed(wet, at);
-        let colour = front ? kFlank : [0, 1, 2].map((part) => mixed(colours, 3 * at + part, 3));
-        if (water > 0) {
-          const sun = Math.max(1 - 5 * right * right - 3 * (depth - 0.2) ** 2, 0) ** 2;
-          const part = across * (0.14 + 0.12 * depth + 0.5 * sun) * (front ? 1 : water);
-          if (!front || water > 0.5) colour = (front ? kWater : colour).map((own, k) => own + (kSky[k] - own) * part);
+        const mixed = (list, from, next) =>
+          (list[from] * (1 - u) + list[from + next] * u) * (1 - v) + (list[from + next * side] * (1 - u) + list[from + next * (side + 1)] * u) * v;
+        const water = mixed(wet, at, 1);
+        const isWater = front ? water > 0.5 : water > 0;
+        const sun = Math.max(1 - 5 * right * right - 3 * (depth - 0.2) ** 2, 0) ** 2;
+        const sky = isWater ? across * (0.14 + 0.12 * depth + 0.5 * sun) * (front ? 1 : water) : 0;
+        for (let part = 0; part < 3; ++part) {
+          const own = front ? (isWater ? kWater : kFlank)[part] : mixed(colours, 3 * at + part, 3);
+          colour[part] = own + (kSky[part] - own) * sky;
         }
         for (let row = Math.floor(filled); row < top; ++row) {
           const share = (Math.min(top, row + 1) - Math.max(filled, row)) / lines;

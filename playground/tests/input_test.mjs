@@ -22,12 +22,15 @@ test("it opens from a disk, and loads nothing", async () => {
     [],
   );
   // With a look that sells, which another seed does not change; what is shown later comes back.
-  const chosen = () => page.$$eval('#looks [aria-pressed="true"]', (buttons) => buttons.map((button) => button.textContent));
+  const chosen = async () => {
+    await wait(settled);
+    return page.$$eval('#looks [aria-pressed="true"]', (buttons) => buttons.map((button) => button.textContent));
+  };
   assert.deepEqual([await chosen(), (await stateOfPage(page)).view], [["Island"], "terrain"]);
   await page.click("#dice");
   assert.deepEqual(await chosen(), ["Island"]);
   await page.evaluate(() => window.hashnoise.open("#", ""));
-  await wait(settled);
+  assert.deepEqual(await chosen(), ["Dusk"]);
   await page.reload();
   await ready(page);
   assert.deepEqual([await chosen(), (await stateOfPage(page)).view], [["Dusk"], "plane"]);

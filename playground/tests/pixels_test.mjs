@@ -337,7 +337,7 @@ test("a changed library is noticed", async () => {
   await broken.evaluate(() => {
     const { library } = window.hashnoise;
     const changed = (text) => text.replaceAll("0x9E3779B9u", "0x9E3779B8u");
-    for (const piece of library.pieces) piece.text = changed(piece.text);
+    for (const piece of library.pieces) piece.made = changed(piece.text);
   });
   await setState(broken, pictures[0]);
   await setState(page, pictures[0]);
