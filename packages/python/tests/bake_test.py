@@ -450,7 +450,7 @@ class Links(Bake):
                         self.assertGreater(abs(baked - wrong)[..., 1:].max(), 500)
 
     def test_corners_are_those_of_the_function(self):
-        """Of a size in the options, which takes the place of the link's."""
+        """A size in the options takes the place of the link's."""
         from ship.playground.linked import words_of_bake
 
         self.bake(words_of_bake("#seed=3&arithmetic=fixed&x=2.25&y=-7&cells=3&width=61", ("--size=24x49", "-o", "a.f32"))[0])

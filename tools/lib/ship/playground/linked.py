@@ -67,8 +67,8 @@ def values_of(options: Sequence[str], *names: str) -> list[str]:
 
 
 def words_of_bake(link: str, options: Sequence[str]) -> tuple[list[str], str]:
-    """The arguments of tools/bake, where later ones count, and its file of Python. Two numbers of --size are those of the
-    link, so that the picture is that of the page."""
+    """The arguments of tools/bake, where later ones count, and its file of Python. Two numbers of --size become the
+    link's size, so that the picture is the page's."""
     if match := re.fullmatch(r"(\d{1,4})x(\d{1,4})", "".join(values_of(options, "--size")[-1:])):
         kept = [part for part in link.split("#", 1)[1].split("&") if part and not part.startswith(("width=", "height="))]
         link = "#" + "&".join([*kept, f"width={match[1]}", f"height={match[2]}"])
