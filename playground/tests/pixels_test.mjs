@@ -174,7 +174,7 @@ test("the edge of a map is smooth with floats alone", async () => {
     await setState(page, { ...pictures[0], ...edge, ...changes });
     return new Set((await pixels(page, kWidth, kHeight)).filter((_, at) => at % 4 === 0)).size;
   };
-  assert.deepEqual([await shades({}), await shades({ arithmetic: "fixed" })], [5, 2]); // of four values
+  assert.deepEqual([await shades({}), await shades({ arithmetic: "fixed" })], [5, 2]); // four values give five shades
 });
 
 test("tiles have no seam, and one that is there is seen", async () => {
