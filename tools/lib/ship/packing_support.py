@@ -55,7 +55,7 @@ def refusals(crate: Path, *words: str, path: str | None = None) -> list[str]:
     done = subprocess.run([cargo, *words, "--allow-dirty", "--no-verify"], cwd=crate, env=environment, capture_output=True,
                           text=True, check=False)
     found = [fault for fault in re.findall("(?m)^(?:error|warning: manifest has no).*", done.stderr)
-             if address() or not fault.endswith("has no documentation, homepage or repository")]
+             if address() or not fault.rstrip(".").endswith("has no documentation, homepage or repository")]
     keywords = re.search(r"(?m)^keywords = \[(.*)\]", (crate / "Cargo.toml").read_text(encoding="utf-8"))[1].split(", ")
     return found + [f"keyword {number}: {word}" for number, word in enumerate(keywords, 1)
                     if number > 5 or not re.fullmatch(r'"[A-Za-z][\w-]{,19}"', word)]

@@ -124,8 +124,8 @@ EQUIVALENT: tuple[Equivalence, ...] = (
 
     # So is a falloff's, modulo 2^32: uint(-t) is 2^32 - t.
     *alike("detail/falloff.glsl", ("square(t)", "square(-t)")),
-    *(each for file in ("simplex3d.glsl", "simplex_phase3d.glsl") for each in alike(
-        file, *((f"z, t, {turned})", f"z, -t, {turned})") for turned in ("false", "true")))),
+    *alike("simplex3d.glsl", ("z, t, false)", "z, -t, false)")),
+    *alike("simplex_phase3d.glsl", *((f"z, t, {turned})", f"z, -t, {turned})") for turned in ("false", "true"))),
 
     # HLSL alone has these. (Its thorough tests, hlsl.dxc and hlsl.fxc, compare golden values.)
     *alike("detail/word.glsl", ("n | 0)", "n | 1)"), ("n | 0u)", "n | 1u)")),
@@ -140,9 +140,8 @@ EQUIVALENT: tuple[Equivalence, ...] = (
            ("(square + 32768u)", "(square + 32767u)", "(square + 32769u)")),
 
     # Only the highest bit of the second argument counts.
-    *(each for file in ("detail/phasor.glsl", "detail/direction_turning.glsl", "detail/sphere.glsl")
-      for each in alike(file, ("0x40000000u, 0u)", "0x40000000u, 1u)"), ("(angle, 0u)", "(angle, 1u)"),
-                        ("(h, 0u)", "(h, 1u)"))),
+    *(each for file, word in (("phasor", "angle"), ("direction_turning", "angle"), ("sphere", "h"))
+      for each in alike(f"detail/{file}.glsl", ("0x40000000u, 0u)", "0x40000000u, 1u)"), (f"({word}, 0u)", f"({word}, 1u)"))),
 
     # The three smallest ranks of a neighbourhood take the places of these.
     *alike("detail/feature_points.glsl",
