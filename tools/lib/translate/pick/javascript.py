@@ -62,10 +62,6 @@ class JavaScript(Syntax):
                for size in (2, 3, 4) for of in [f"[{', '.join(['number'] * size)}]"]},
             "min": f"{of_two}function min{two} {{ return b < a ? b : a; }}\n",
             "max": f"{of_two}function max{two} {{ return a < b ? b : a; }}\n",
-            **{name: f"/** @param {{number}} value @param {{string}} name */\nfunction {name}(value, name) {{\n  if ({wrong}) "
-                     f"throw new TypeError(`${{name}} has to be a {kind}, not ${{value}}`);\n}}\n"
-               for name, wrong, kind in (("checkNumber", 'typeof value !== "number"', "number"),
-                                         ("checkWhole", "!Number.isInteger(value)", "whole number"))},
             "toInt": f"// The nearest int.\n{of_one}function toInt{one} {{\n"
                      "  return x >= 2147483648 ? 2147483647 : x > -2147483648 ? x | 0 : x < 0 ? -2147483648 : 0;\n}\n",
             "toUint": f"{of_one}function toUint{one} "
@@ -198,14 +194,11 @@ class JavaScript(Syntax):
         return f"{typed}{'export ' if is_public else ''}function {name}({taken}){self._of(given)} {{"
 
     def beginning(self, parameters: Sequence[Taken], is_public: bool) -> list[str]:
-        """Users' numbers need not be floats, and in JavaScript no compiler refuses what is no number."""
+        """Users' numbers need not be floats."""
         if not is_public:
             return []
-        checked = [] if self.is_typed else [
-            f'{self.helper(of)}({one.name}, "{one.name}");' for one in parameters
-            for of in [{"float": "checkNumber", "int": "checkWhole", "uint": "checkWhole"}.get(one.type)] if of and one.is_read]
-        return checked + [f"{one.name} = {self.helper('fround')}({one.name});" for one in parameters
-                          if one.type == "float" and one.is_read]
+        return [f"{one.name} = {self.helper('fround')}({one.name});" for one in parameters
+                if one.type == "float" and one.is_read]
 
     def struct(self, name: str, fields: Sequence[Part]) -> str:
         about = "" if self.is_typed else super().struct_comment(name).removesuffix(" */\n") or "/**\n"

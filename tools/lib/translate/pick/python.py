@@ -443,8 +443,8 @@ def _trunc(xp, x):
 def _no_slope(xp, x):
     """What becomes a whole number, through which no derivative passes: to ask for one is an error."""
     def refuse(*_):
-        raise TypeError("no derivative passes through an angle, such as a phase or a position in waves, nor through the "
-                        "octaves of a place: pass x.detach() in PyTorch, jax.lax.stop_gradient(x) in JAX")
+        raise TypeError("no derivative passes through an angle, such as a phase or a position in waves, nor through "
+                        "the octaves of a place: pass x.detach() in PyTorch, jax.lax.stop_gradient(x) in JAX")
 
     if xp.__name__ == "torch" and xp.is_grad_enabled() and (x.requires_grad or (
             not xp.compiler.is_compiling() and xp.autograd.forward_ad.unpack_dual(x).tangent is not None)):
