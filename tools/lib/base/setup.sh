@@ -1,6 +1,7 @@
 # To be sourced: brings a Debian machine to where the project builds.
 #
-#   setup conform [PURPOSE...]     what hn-conform needs, built into build/; with the packages of more purposes
+#   setup conform [PURPOSE...]     what hn-conform needs, built into build/; with the packages of more purposes. vkd3d
+#                                  is the compiler of HLSL that find_vkd3d gets
 #   setup test                     all of it, with the tests and what they need
 #
 # packages.txt lists Debian's packages by purpose. Packages that are missing are installed; where that fails, the
@@ -33,12 +34,10 @@ help_if_asked() {
   shift
   [[ ${1-} == help || " $* " == *' --help '* || " $* " == *' -h '* ]] || return 0
   sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[1]}"
-  if ! command -v "${program[0]}" >/dev/null; then
-    printf '\n%s\n' "${program[0]} does not exist yet. When it does, its options are listed here. docs/ has them, too."
-    exit 0
-  fi
   echo
-  exec "${program[@]}" --help
+  "${program[@]}" --help 2>/dev/null ||
+    echo "${program[0]} is not built yet. When it is, its options are listed here. docs/guide/ has them, too."
+  exit 0
 }
 
 # " (did you mean --out?)", or nothing; also where there is no Python yet.
@@ -237,5 +236,5 @@ setup() {
   logged "Configuring the build" "The build could not be configured" \
     cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "${configuration[@]}"
   logged "Building" "The build failed" cmake --build "$build" ${targets:+--target "${targets[@]}"}
-  if [[ " $* " == *" drivers "* || ($1 == test && -n ${HN_THOROUGH-}) ]]; then find_vkd3d; fi
+  if [[ " $* " == *" vkd3d "* || ($1 == test && -n ${HN_THOROUGH-}) ]]; then find_vkd3d; fi
 }

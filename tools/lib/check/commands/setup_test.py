@@ -69,7 +69,8 @@ class Machine(unittest.TestCase):
             self.program(name, text.replace("SLOW", "true"))
         self.environment = {**os.environ, "HOME": "/nowhere", "PATH": f"{self.programs}:{os.environ['PATH']}",
                             "HN_PROGRESS_SECONDS": "0.2", "HN_READ": str(self.read)}
-        self.environment.pop("CCACHE_DIR", None)
+        for name in ("CCACHE_DIR", "HN_VKD3D_COMPILER"):
+            self.environment.pop(name, None)
 
     def copy(self, file: str) -> None:
         (self.root / file).parent.mkdir(parents=True, exist_ok=True)
@@ -179,6 +180,18 @@ esac""")
         self.assertRegex(self.bash("find_vkd3d").stderr,
                          "skipped: (there is no |apt-get cannot read the list of sid at .*\n.*no network)")
 
+    def test_only_what_compiles_hlsl_fetches_its_compiler(self) -> None:
+        self.program("vkd3d-compiler", "echo vkd3d shader compiler version 1.10")
+        self.build_all()
+        called = self.root / "vkd3d-compiler.called"
+        for wanted, *arguments in ((False, "--driver", "osmesa"), (False, "--driver", "glfw*", "--driver=webgl2"),
+                                   (True, "--driver=all"), (True, "--driver", "vulkan:12"), (True, "--driver", "v*"),
+                                   (True, "--driver=*:1"), (True, "--driver", "egl-gles", "--through", "vkd3d=/v")):
+            with self.subTest(arguments):
+                called.unlink(missing_ok=True)
+                self.assertEqual(self.call("conform", *arguments).returncode, 0)
+                self.assertEqual(called.exists(), wanted)
+
     def test_a_signal_ends_what_a_command_started(self) -> None:
         job = '[ "$1" = --help ] || { touch "$HN_STARTED"; sleep 100; echo it runs on; }'
         self.program("cmake", job)
@@ -246,11 +259,22 @@ class Usage(Machine):
                         self.assertEqual((done.returncode, done.stderr), (0, ""))
                         self.assertIn(f"tools/{name} [options of {program.rpartition('/')[2]}", done.stdout)
                         self.assertIn("4 it could not be built", done.stdout)
-                        self.assertIn(f"called with: {called}\n" if built else "does not exist yet", done.stdout)
+                        self.assertIn(f"called with: {called}\n" if built else "is not built yet", done.stdout)
                         self.assertNotIn("#", done.stdout)
             self.assertEqual((self.root / "build").exists(), built)
             self.assertLessEqual({*self.called()}, {Path(program).name for program, _ in COMMANDS.values()})
             self.build_all()
+
+    @unittest.skipUnless("bake" in COMMANDS, "tools/bake was deleted")
+    def test_bake_without_arguments_prints_its_usage(self) -> None:
+        # A build that was interrupted leaves a Python without the package.
+        for text in ("", "echo no module named hashnoise >&2; exit 1"):
+            if text:
+                self.program(self.root / "build" / COMMANDS["bake"][0], text)
+            done = self.call("bake")
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertRegex(done.stderr, "(?s)^Writes noise as a picture.*bake/bin/python is not built yet")
+        self.assertFalse((self.root / "build" / "setup.log").exists())
 
     def assert_refused(self, said: str, name: str, *arguments: str) -> None:
         done = self.call(name, *arguments)
