@@ -36,7 +36,7 @@ CHECK = "--check"
 
 def described() -> str:
     notes = {True: "; only where it is named", False: ""}
-    return "\n".join(f"    {part.name:10}{part.what}{notes[part.by_name]}" for part in PARTS)
+    return "\n".join(f"    {part.name:11}{part.what}{notes[part.by_name]}" for part in PARTS)
 
 
 def refused(kind: str, word: str, known: Iterable[str]) -> int:
