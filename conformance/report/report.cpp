@@ -141,10 +141,10 @@ std::string summary(const Run& run) {
     seconds += result.seconds;
     samples += result.outcome.samples;
   }
+  std::string text = fmt::format("{} on {}, {}{}\n", run.name(), run.info.renderer, run.info.gl_version,
+                                 run.injected.empty() ? "" : ", made to have the fault " + run.injected);
   // Failures come last, where the reader of a long log looks.
-  std::string text = error_lines(run) + unsupported_lines(run) + unneeded_lines(run) + failure_lines(run);
-  text += fmt::format("{} on {}, {}{}\n", run.name(), run.info.renderer, run.info.gl_version,
-                      run.injected.empty() ? "" : ", made to have the fault " + run.injected);
+  text += error_lines(run) + unsupported_lines(run) + unneeded_lines(run) + failure_lines(run);
   std::string counts;
   for (const Status status : kStatuses) {
     if (const std::size_t count = run.count(status); count != 0 || status == Status::pass) {

@@ -70,6 +70,7 @@ TEST(Summary, SaysEachThingOnce) {
                                     result("noise2d.perlin.lattice.fast.fragment.gl330.golden", Status::pass),
                                     result("noise3d.value.fnv1.fixed.vertex.es300.twin", Status::pass), crashed}));
   const std::string expected =
+      "osmesa on r, 4.5\n"
       "Largest difference from the exact values:\n"
       "  noise2d.perlin         0.7\n"
       "3 of 5 cases are wrong on osmesa.\n"
