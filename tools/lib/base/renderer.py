@@ -13,9 +13,13 @@ except ImportError:
 SIDE = 512  # so a quarter of a million places: deviations and sizes of other seeds differ by less than 1%
 LIBRARIES = {"libegl": "libEGL.so.1", "libgl": "libGL.so.1"}  # without the names that only developers have
 MESA = {"__EGL_VENDOR_LIBRARY_FILENAMES": "/usr/share/glvnd/egl_vendor.d/50_mesa.json"}  # beside other drivers
-# One triangle that covers every pixel.
+# One triangle that covers every pixel. uv goes from 0 to 1, for shaders of pages.
 CORNERS = """
-void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }
+out vec2 uv;
+void main() {
+  uv = vec2(gl_VertexID == 1 ? 2.0 : 0.0, gl_VertexID == 2 ? 2.0 : 0.0);
+  gl_Position = vec4(2.0 * uv - 1.0, 0.0, 1.0);
+}
 """
 
 

@@ -13,6 +13,7 @@ from catalog.tables.markdown import table, with_section
 
 README, NOISES, SUMS = "README.md", "docs/reference/noises.md", "docs/reference/fractals.md"
 USUAL_SUM = "fbm"
+USUAL = "p, octaves, lacunarity, gain"
 
 
 def grouped(functions: Iterable[Function], text: Callable[[Function], str]) -> list[tuple[list[Function], str]]:
@@ -45,10 +46,11 @@ def parameters_of(sum_: Sum) -> str:
 def in_readme(catalog: Catalog) -> str:
     rows = []
     for group, brief in grouped(catalog.noises, lambda noise: noise.brief):
-        rows.append((called(group, parameters(group[0])), brief))
+        rows.append((called(group, parameters(group[0]).replace(" [, seed]", ", seed")), brief))
     for group, brief in grouped(catalog.sums, lambda sum_: sum_.brief):
-        rows.append((called(group, parameters_of(group[0]) if group[0].name == USUAL_SUM else "..."), brief))
-    return table(("function", "value"), rows)
+        arguments = parameters_of(group[0]).replace(" [, seed]", ", seed")
+        rows.append((called(group, arguments if group[0].name == USUAL_SUM else arguments.replace(USUAL, "...")), brief))
+    return table(("function", "value in 2D: a `float` in [-1, 1], or as stated"), rows)
 
 
 def of_noises(catalog: Catalog) -> str:

@@ -91,12 +91,11 @@ def _cost(row: Mapping[str, str]) -> str:
 def quotes() -> list[str]:
     """The README's sentences on costs by a clock: on the GPU, all by one table, and of packages for Python."""
     rows = peer_costs(GPU)
-    one, six = ([_of_theirs(rows, noise.format(axes)) for axes in (2, 3)] for noise in ("Perlin {}D", "fBm {}D, 6 octaves"))
+    one, six = (_of_theirs(rows, noise) for noise in ("Perlin 2D", "fBm 2D, 6 octaves"))
     of = (stamps.read(RESULTS / name).facts["hashnoise"].split()[0] for name in (f"{GPU}/peers.csv", "cpu/python.csv"))
     others = [float(row["ratio"]) for row in package_costs("python")
               if row["noise"] == "six octaves of Perlin 2D" and not row["package"].startswith(("hashnoise", "gathered"))]
-    return [f"as much as FastNoiseLite's ({one[0]:.2f} times in 2D, {one[1]:.2f} in 3D), and fBm of six octaves "
-            f"costs a quarter of FastNoiseLite's ({six[0]:.2f} and {six[1]:.2f})",
+    return [f"in 2D takes {one:.2f} times as long as FastNoiseLite's, and fBm of six octaves {six:.2f} times",
             f"take {min(others):.0f} to {max(others):.0f} times as long as ours",
             f"measured with {' and '.join(dict.fromkeys(of))}"]
 

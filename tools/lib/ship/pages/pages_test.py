@@ -17,6 +17,7 @@ from base import cuda
 from base.debian import Missing
 from base.pieces import is_deleted, was_deleted
 from base.png import png
+from base.renderer import NotCompiled, Renderer
 from base.thorough import in_thorough_runs
 from base.tree import ROOT, TOOLS
 from catalog.tables import glsl
@@ -29,7 +30,7 @@ PAGES = ("README.md", "llms.txt", "docs/guide/build-systems.md", "docs/guide/cel
          "docs/reference/knobs.md", "docs/guide/moving.md", "docs/reference/noises.md", "docs/guide/random.md", "docs/guide/same-bits.md", "docs/reference/fractals.md",
          "docs/guide/tutorial.md", "docs/guide/uniform.md")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-SINGLE_FILE = re.compile(r"^// paste the output of tools/pick whole (\w+\.glsl) here$", re.MULTILINE)
+PASTED = re.compile(r"^// paste the output of tools/pick ([\w. -]+) here$", re.MULTILINE)
 
 
 def blocks(language, pages=PAGES):
@@ -47,8 +48,17 @@ def run(*arguments, **options):
 
 
 @functools.cache
+def picked(*arguments):
+    return run(str(TOOLS / "pick"), *arguments).stdout
+
+
 def single_file(*arguments):
-    return run(str(TOOLS / "pick"), "whole", *arguments).stdout
+    return picked("whole", *arguments)
+
+
+def pasted(code):
+    """A shader with the text that its comment names."""
+    return PASTED.sub(lambda place: picked(*place[1].split()), code)
 
 
 # The text around a part of a shader.
@@ -62,7 +72,7 @@ def compile_glsl(code):
         code = HEAD + code + TAIL
     with tempfile.TemporaryDirectory() as folder:
         shader = pathlib.Path(folder) / "shader.frag"
-        shader.write_text(SINGLE_FILE.sub(lambda place: single_file("--strip", place[1]), code))
+        shader.write_text(pasted(code))
         if "#include" in shader.read_text():
             (pathlib.Path(folder) / "hashnoise").symlink_to(ROOT / "glsl" / "hashnoise")
             command, = commands("glslangValidator")
@@ -199,7 +209,7 @@ class Numbers(unittest.TestCase):
             status, output = self.check()
         self.assertEqual(status, 1)
         self.assertRegex(output, r"docs/measured/measuring\.md: the table of `[^`]+` is not what it should be")
-        self.assertRegex(output, r"README\.md: it must state \".* a quarter of FastNoiseLite's \(0\.36 and ")
+        self.assertRegex(output, r"README\.md: it must state \".* FastNoiseLite's, and fBm of six octaves 0\.36 times")
 
     @unittest.skipIf(is_deleted("measuring"), "measuring was deleted")
     @mock.patch.object(picture, "draw", new=lambda *_: 0)
@@ -233,6 +243,21 @@ class Code(unittest.TestCase):
                 done = compile_glsl(code)
                 self.assertEqual(done.returncode, 0, done.stdout)
                 self.assertNotIn("WARNING", done.stdout)
+
+    def test_a_driver_takes_the_first_shader_and_steps_of_the_tutorial(self):
+        """As their readers give it to a driver, which knows no #include."""
+        renderer = Renderer(8)
+        code, = blocks("glsl", ["README.md"])
+        pixels = renderer.draw(renderer.program(pasted(code)))
+        self.assertGreater(max(pixels[::4]) - min(pixels[::4]), 0.2)
+        self.assertRaises(NotCompiled, renderer.program, code)
+        page = (ROOT / "docs" / "guide" / "tutorial.md").read_text()
+        whole = live.STEP.search(page)[3]
+        for _, _, step in live.STEP.findall(page):
+            with self.subTest(step=step):
+                code = single_file("--strip", *live.INCLUDE.findall(step)) + live.AROUND.sub("", step)
+                shader = re.sub(r"(?m)^#(?:extension|include).*\n", "", whole)
+                renderer.program(re.sub(r"(?m)^vec3 color_at.*\n", lambda _: code, shader))  # noqa: B023
 
     def test_hlsl_compiles(self):
         code, = blocks("hlsl", ["docs/guide/random.md"])
