@@ -110,7 +110,7 @@ DELETIONS = (
      (r"^glsl/hashnoise/perlin2d\.glsl:\d+: the comment over hn_perlin\(.*has no line `cost`",
       r"^glsl/hashnoise/perlin2d\.glsl: its header has no line `// To read it .*/hn_perlin2\.md`")),
     # Pages
-    (((SAME_BITS, r"^- \*\*Amplitude, bandwidth, depth, detail", "- **Amplitude, detail"),),
+    (((SAME_BITS, r"\(amplitude, bandwidth, depth, detail", "(amplitude, detail"),),
      (rf"^glsl/hashnoise/gullies2d\.glsl:\d+: hn_gullies\(.*\) takes depth, which {SAME_BITS} does not name",)),
     ((("docs/reference/contract.md", r"^`hn_value_cubic` takes positions of", ""),
       ("docs/reference/contract.md", r"^\| `hn_snorm\(.*\n", "")),
