@@ -147,7 +147,7 @@ void add_outer_rows(Words& inputs, const Function& function, const Configuration
     words[static_cast<std::size_t>(function.input("metric"))] = 4u;  // HN_METRIC_CHEBYSHEV
     words[static_cast<std::size_t>(function.seed_word())] = row.seed;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      put(function, words, axis, {static_cast<std::uint32_t>(row.cell[axis]), row.fraction[axis]});
+      put(function, words, axis, {static_cast<std::uint32_t>(row.cell[axis]), static_cast<double>(row.fraction[axis])});
     }
   }
 }
@@ -270,7 +270,8 @@ Judged check_returned(Session& session, const Evaluation& evaluation) {
 // same names, offsets and distances. The name is that of a cell within the period, whose point is where the offset
 // leads; and the first distance is that to it.
 Judged check_cell_names(Session& session, const Evaluation& evaluation) {
-  const auto& [function, configuration, profile, variant, stage] = evaluation;
+  const Function& function = evaluation.function;
+  const Configuration& configuration = evaluation.configuration;
   const auto axes = static_cast<std::size_t>(function.axes);
   const bool border = function.bound == "cell_border";
   const Function& offsets = row_of(function.axes, "cellular_offset");
@@ -309,7 +310,7 @@ Judged check_cell_names(Session& session, const Evaluation& evaluation) {
         }
         put_for(*form, function, std::span(inputs).subspan(i * kInputWords, kInputWords), point(settings, i), places);
       }
-      return evaluate(session, {*form, configuration, profile, {}, stage}, inputs);
+      return evaluate(session, {*form, configuration, evaluation.profile, {}, evaluation.stage}, inputs);
     };
     PointNames one;
     Words inputs;

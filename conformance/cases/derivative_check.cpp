@@ -119,7 +119,8 @@ Words nodes_of(const Function& function, const Function& plain, const Words& inp
 
 // Both the derivative and the values may be off by the arithmetic's bound.
 Judged check_derivative(Session& session, const Evaluation& evaluation) {
-  const auto& [function, configuration, profile, variant, stage] = evaluation;
+  const Function& function = evaluation.function;
+  const Configuration& configuration = evaluation.configuration;
   const Function& plain = find_function(function.plain);
   const auto axes = static_cast<std::size_t>(function.axes);
   const double error = error_of(plain, configuration, 0);
@@ -148,7 +149,7 @@ Judged check_derivative(Session& session, const Evaluation& evaluation) {
   }
   HN_TRY(const auto derivatives, evaluate(session, evaluation, inputs));
   const Words nodes = nodes_of(function, plain, inputs, stencils);
-  HN_TRY(const auto values, evaluate(session, {plain, configuration, profile, {}, stage}, nodes));
+  HN_TRY(const auto values, evaluate(session, {plain, configuration, evaluation.profile, {}, evaluation.stage}, nodes));
   Comparison comparison(function, inputs);
   const auto own_error = [&](std::size_t i, std::size_t column) {
     return function.is_cellular() ? cellular_tolerance(function, configuration, point(inputs, i), column)

@@ -116,7 +116,8 @@ std::optional<double> largest_change(const Function& function, const Configurati
 // The points of a pair are two units apart, one on each side, or one unit and one of them on the plane. The largest
 // change of a noise or a derivative in between is proven (bounds.inc).
 Judged check_seams(Session& session, const Evaluation& evaluation) {
-  const auto& [function, configuration, profile, variant, stage] = evaluation;
+  const Function& function = evaluation.function;
+  const Configuration& configuration = evaluation.configuration;
   const auto axes = static_cast<std::size_t>(function.axes);
   Random random(session.seed, "seams");
   Words before = random_points(function, std::min(kSeamPoints, session.most_points), random);

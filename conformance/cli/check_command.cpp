@@ -294,11 +294,6 @@ Result<void> read_expected(const std::string& path, GivenFunction& function) {
 
 // --- The values of a driver ---
 
-// The forms of the function's shaders at the beginning of a way.
-std::vector<std::string> written_forms() {
-  return {std::string(name_of(Form::spirv)), std::string(name_of(Form::glsl))};
-}
-
 // Expects the values of the first driver that has some, and returns its context.
 Result<ContextInfo> record(const CheckCommand& command, const DriverChoice& choice, int stop_fd,
                            GivenFunction& function) {
@@ -359,7 +354,7 @@ tl::expected<GivenFunction, int> prepare(const CheckCommand& command, int stop_f
     return *std::move(function);
   }
   WayOptions way = command.run.execution.suite.way;
-  way.written = written_forms();
+  way.profiles = {"vulkan"};  // of those that a way takes, the function's shaders have this one
   const auto choice = choose_drivers(command.run.selection.drivers, way, stop_fd);
   if (!choice) return tl::unexpected(usage_error(choice.error().text()));
   const auto info = record(command, *choice, stop_fd, *function);
@@ -389,7 +384,6 @@ int run(const CheckCommand& command, Interruption& interruption) {
   }
   if (!function) return function.error();
   RunCommand cases = command.run;
-  cases.execution.suite.way.written = written_forms();
   if (cases.selection.filters.empty()) cases.selection.filters = {fmt::format("{}.*", function->id)};
   give(*function);
   cases.execution.suite.given = *std::move(function);

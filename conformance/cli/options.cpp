@@ -351,7 +351,9 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   BenchCommand bench;
   SpirvCommand spirv;
   PaperCommand paper;
-  run.output.line = bench.line = paper.line = command_line("hn-conform", argc, argv);
+  std::vector<std::string> words = {"hn-conform"};
+  words.insert(words.end(), argv + std::min(argc, 1), argv + argc);
+  run.output.line = bench.line = paper.line = command_line(words);
   add_statuses(*app.add_subcommand("drivers", "List the drivers, what is behind each here, or why it is missing"),
                "0 there is a usable driver, 2 bad usage, 3 there is none");
   CLI::App& list_app = *app.add_subcommand("list", "List the ids of the cases");

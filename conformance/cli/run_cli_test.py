@@ -146,7 +146,7 @@ class Run(ProgramTest):
         for arguments, message in (((*driver, "--through", "spirv-otp"), "spirv-opt"),
                                    ((*driver, *way[4:]), "are for commands"),
                                    (("--driver", "webgpu", *way[:2]), "driver webgpu: it takes no shader"),
-                                   ((*driver, *way[:2], "--filter", CHEAP), "it takes cases of ")):
+                                   ((*driver, *way[:2], "--filter", CHEAP), "takes spirv, which cases of vulkan, hlsl60 have, and these cases are of ")):
             done = self.run_program(*arguments)
             self.assertEqual(done.returncode, 2, done.stdout)
             self.assertIn(message, done.stderr)

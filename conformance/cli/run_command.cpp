@@ -59,6 +59,15 @@ Devices find_devices(int stop_fd) {
   return devices;
 }
 
+// The profiles of the cases that drivers run behind a way, each once.
+std::vector<std::string> profiles_of(const Selection& chosen) {
+  std::set<std::string> names;
+  for (const Case& test : chosen.cases) {
+    if (test.needs_driver() && (chosen.thorough || test.is_covered())) names.insert(test.name.profile);
+  }
+  return {names.begin(), names.end()};
+}
+
 // Finds the ways to the drivers. A driver to which there is none is an error if it was named, and else absent.
 Result<void> find_ways(const WayOptions& options, DriverChoice& choice) {
   if (options.through.empty() && options.takes.empty() && options.gives.empty()) return {};
@@ -362,12 +371,7 @@ Result<RunPlan> make_plan(const RunSelection& selection, const RunExecution& exe
       .stop_fd = stop_fd};
   plan.suite.thorough = selection.thorough;
   if (plan.drivers.empty()) {
-    const auto first = choice.ways.begin();
-    return fail(first == choice.ways.end()
-                    ? "there is nothing to do: no case is for one of these drivers, or it needs --thorough"
-                    : fmt::format("there is nothing to do: {} begins with {}, so it takes cases of {} alone",
-                                  first->second.text(), name_of(first->second.steps.front().takes),
-                                  fmt::join(first->second.sources(), ", ")));
+    return fail("there is nothing to do: no case is for one of these drivers, or it needs --thorough");
   }
   plan.content = suite_digest(plan.suite, inputs.sources);
   return plan;
@@ -468,7 +472,7 @@ int run(const DriversCommand&, Interruption& interruption) {
 }
 
 int run(const RunCommand& command, Interruption& interruption) {
-  const auto& [selection, execution, output] = command;
+  auto [selection, execution, output] = command;
   if (execution.suite.inject == "list") {
     fmt::print("{}", fault_list());
     return 0;
@@ -477,6 +481,7 @@ int run(const RunCommand& command, Interruption& interruption) {
   if (!inputs) return usage_error(inputs.error().text());
   interruption.note_the_first();
   const int stop_fd = interruption.fd();
+  execution.suite.way.profiles = profiles_of(inputs->chosen);
   const auto choice = choose_drivers(selection.drivers, execution.suite.way, stop_fd);
   if (!choice) return usage_error(choice.error().text());
   const auto plan = make_plan(selection, execution, *choice, *inputs, stop_fd);

@@ -32,7 +32,9 @@ struct Bounds {
 };
 const Bounds kBounds = [] {
   Bounds bounds{};
-#define NOISE_BOUNDS(...) bounds.noise.push_back({__VA_ARGS__});
+// INFINITY, the lipschitz of what jumps, is a float.
+#define NOISE_BOUNDS(name, axes, gradient, cell_error, error, lipschitz, ...) \
+  bounds.noise.push_back({name, axes, gradient, cell_error, error, static_cast<double>(lipschitz), __VA_ARGS__});
 #define SLOPE_BOUNDS(...) bounds.slope.push_back({__VA_ARGS__});
 #define SINE_BOUNDS(error, fixed_error) bounds.sine_error = error;
 #define UNIFORM_BOUNDS(...) bounds.uniform = {__VA_ARGS__};
@@ -88,7 +90,7 @@ sums::Noises noises_with(Gradient gradient) {
     const int axes = static_cast<int>(i);
     noises.perlin[i] = {axes, value("perlin", axes)};
   }
-  for (const std::size_t i : {2, 3}) {
+  for (std::size_t i = 2; i <= 3; ++i) {
     const int axes = static_cast<int>(i);
     if (usual) noises.perlin_d[i] = {axes, value("perlin", axes), slope("perlin_d", axes)};
     noises.value_vector[i] = {axes, value("value_vector", axes), slope("value_d", axes)};

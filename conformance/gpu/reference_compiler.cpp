@@ -26,7 +26,7 @@ EShLanguage language_of(Stage stage) {
 enum class Warnings { refuse, let_pass };
 
 EShMessages rules_of(const Profile& profile) {
-  const int hlsl = profile.in_glsl() ? EShMsgDefault : EShMsgReadHlsl;
+  const EShMessages hlsl = profile.in_glsl() ? EShMsgDefault : EShMsgReadHlsl;
   return static_cast<EShMessages>(profile.spirv ? EShMsgSpvRules | EShMsgVulkanRules | hlsl : EShMsgDefault);
 }
 

@@ -112,7 +112,8 @@ std::vector<std::uint32_t> spirv_of(std::string_view bytes) {
 
 void forget_source_language(std::span<std::uint32_t> words) {
   for_each_instruction(words, [&](spv::Op operation, std::span<const std::uint32_t> operands) {
-    if (operation == spv::OpSource) words[operands.data() - words.data()] = spv::SourceLanguageUnknown;
+    if (operation != spv::OpSource) return;
+    words[static_cast<std::size_t>(operands.data() - words.data())] = spv::SourceLanguageUnknown;
   });
 }
 

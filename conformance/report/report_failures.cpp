@@ -93,17 +93,11 @@ std::string findings_of(const Run& run, const CaseResult& result) {
   return text;
 }
 
-std::string quoted(const std::vector<std::string>& words) {
-  std::vector<const char*> arguments;
-  for (const std::string& word : words) arguments.push_back(word.c_str());
-  return command_line(words.front(), static_cast<int>(arguments.size()), arguments.data());
-}
-
 // The command of a step, as one who has its kept input can call it.
 std::string command_of(const Step& step, const FaultyStep& fault) {
   const auto words = step.command_for(std::filesystem::path(fault.input.empty() ? "in" : fault.input).filename(),
                                       fmt::format("out{}", ending_of(step.gives)));
-  return step.spec.find("{in}") == std::string::npos ? quoted(words) : words.back();
+  return step.spec.find("{in}") == std::string::npos ? command_line(words) : words.back();
 }
 
 // The command that runs a case again: steps as a run takes them, with the program that it found.
@@ -118,7 +112,7 @@ std::string rerun_of(const Run& run, const CaseResult& result) {
                  {"--takes", std::string(name_of(step.takes)), "--gives", std::string(name_of(step.gives))});
   }
   words.insert(words.end(), {"--filter", result.id});
-  return quoted(words);
+  return command_line(words);
 }
 
 std::string renderer_of(const ContextInfo& info) {

@@ -40,6 +40,8 @@ package_test(dask_cluster dask_cluster_test WITH dask_cluster.txt THOROUGH)
 # hashnoise.arrays: NumPy and JAX, and what takes long to install and to compile, PyTorch.
 package_test(libraries libraries_test.Numpy libraries_test.Jax WITH jax.txt PROPERTIES COST 30)
 package_test(torch libraries_test.Torch WITH torch.txt THOROUGH)
+# PyInstaller and cx_Freeze.
+package_test(frozen libraries_test.Frozen WITH frozen.txt THOROUGH)
 # The oldest NumPy of the package that this Python has.
 package_test(oldest_numpy arrays_test golden_test WITH oldest.txt THOROUGH)
 # It installs twine and cibuildwheel.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
 
 #include "base/json.hpp"
 
@@ -96,21 +95,19 @@ std::string shortened(std::string_view text, std::size_t most) {
   return fmt::format("{} ... ({} characters more)", text.substr(0, most), text.size() - most);
 }
 
-std::string command_line(std::string_view program, int argc, const char* const* argv) {
-  std::string line(program);
-  for (const std::string_view argument :
-       std::span(argv, static_cast<std::size_t>(argc)).subspan(std::min(argc, 1) == 1)) {
-    const bool plain =
-        argument.find_first_of(" \t\n\"'\\$`*?[](){}<>|&;#~!") == std::string_view::npos && !argument.empty();
-    if (plain) {
-      line += fmt::format(" {}", argument);
+std::string command_line(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) {
+    if (!line.empty()) line += ' ';
+    if (word.find_first_of(" \t\n\"'\\$`*?[](){}<>|&;#~!") == std::string::npos && !word.empty()) {
+      line += word;
       continue;
     }
-    std::string quoted(argument);
+    std::string quoted = word;
     for (auto at = quoted.find('\''); at != std::string::npos; at = quoted.find('\'', at + 4)) {
       quoted.replace(at, 1, "'\\''");
     }
-    line += fmt::format(" '{}'", quoted);
+    line += fmt::format("'{}'", quoted);
   }
   return line;
 }

@@ -26,7 +26,7 @@ std::string in_quotes(std::string_view bytes, std::size_t most = 60);
 // The text with a limit of bytes, and with a remark if some are left out.
 std::string shortened(std::string_view text, std::size_t most);
 
-// The arguments after the first, quoted for a shell, behind the program's name.
-std::string command_line(std::string_view program, int argc, const char* const* argv);
+// The words of a command, quoted for a shell where they need it.
+std::string command_line(const std::vector<std::string>& words);
 
 }  // namespace hn

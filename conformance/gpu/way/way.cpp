@@ -280,10 +280,33 @@ Result<std::vector<Choice>> choices_of(const WayOptions& options) {
                           commands == 1 ? "1 command" : fmt::format("{} commands", commands)));
 }
 
-// The forms at both ends of a way: the suite's shaders have the first, and the driver takes the last. Empty: any.
+// The profiles of the cases that a way takes which begins with this translator and form.
+std::vector<std::string> sources_of(const std::string& translator, Form form) {
+  switch (form) {
+    case Form::spirv:
+      return {"vulkan", "hlsl60"};
+    case Form::glsl:
+      return {"vulkan"};
+    case Form::hlsl:
+      if (translator == "fxc" || translator == "vkd3d") return {"hlsl50"};
+      return {"hlsl60", "hlsl2021"};
+    case Form::slang:
+      return {"hlsl60", "hlsl2021", "slang"};
+    case Form::wgsl:
+      return {"wgsl"};
+    default:
+      return {};
+  }
+}
+
+// Both ends of a way: the profiles of the cases, and the forms that the driver takes. Empty: any.
 struct Ends {
-  std::vector<Form> written;
+  const std::vector<std::string>& profiles;
   std::span<const Form> driver;
+
+  bool has_source(const std::vector<std::string>& sources) const {
+    return profiles.empty() ? !sources.empty() : std::ranges::find_first_of(sources, profiles) != sources.end();
+  }
 };
 
 // The first conversions that fit, from a step on; how far any came is in `reached`.
@@ -295,7 +318,7 @@ bool fit(const std::vector<Choice>& choices, std::size_t at, const Ends& ends, s
   }
   for (const Conversion& conversion : choices[at].conversions) {
     if (at > 0 && found.back()->gives != conversion.takes) continue;
-    if (at == 0 && !ends.written.empty() && std::ranges::count(ends.written, conversion.takes) == 0) continue;
+    if (at == 0 && !ends.has_source(sources_of(choices[0].step.name, conversion.takes))) continue;
     found.push_back(&conversion);
     if (fit(choices, at + 1, ends, found, reached)) return true;
     found.pop_back();
@@ -322,8 +345,13 @@ std::string chain_around(const std::vector<Choice>& choices, const Ends& ends) {
       std::size_t reached = 0;
       if (!fit(chain, 0, ends, found, reached)) continue;
       std::vector<std::string> words;
-      for (const Choice& choice : chain) words.push_back("--through " + choice.step.spec);
-      return fmt::format("{}", fmt::join(words, " "));
+      for (const Choice& choice : chain) words.insert(words.end(), {"--through", choice.step.spec});
+      for (std::size_t i = 0; i < chain.size(); ++i) {
+        if (chain[i].step.spec.find("{in}") == std::string::npos) continue;
+        words.insert(words.end(), {"--takes", std::string(name_of(found[i]->takes)), "--gives",
+                                   std::string(name_of(found[i]->gives))});
+      }
+      return command_line(words);
     }
   }
   return "";
@@ -333,9 +361,17 @@ Error misfit(const std::vector<Choice>& choices, std::size_t reached, const Ends
   const std::string chain = chain_around(choices, ends);
   const std::string better = chain.empty() ? "" : fmt::format("; this chain works: {}", chain);
   if (reached == 0) {
-    return {fmt::format("step 1, {}, takes {}, and there are shaders in {}{}", choices[0].step.name,
-                        fmt::join(names_of(choices[0], &Conversion::takes), ", "),
-                        fmt::join(names_of(ends.written), ", "), better),
+    std::vector<std::string> sources;
+    for (const Conversion& conversion : choices[0].conversions) {
+      for (const std::string& name : sources_of(choices[0].step.name, conversion.takes)) {
+        if (std::ranges::count(sources, name) == 0) sources.push_back(name);
+      }
+    }
+    const auto why = sources.empty() ? "which the suite does not write"
+                                     : fmt::format("which cases of {} have, and these cases are of {}",
+                                                   fmt::join(sources, ", "), fmt::join(ends.profiles, ", "));
+    return {fmt::format("step 1, {}, takes {}, {}{}", choices[0].step.name,
+                        fmt::join(names_of(choices[0], &Conversion::takes), ", "), why, better),
             {}};
   }
   const Choice& giver = choices[reached - 1];
@@ -385,23 +421,7 @@ std::string Way::text() const {
 }
 
 std::vector<std::string> Way::sources() const {
-  if (empty()) return {};
-  const std::string& name = steps.front().name;
-  switch (steps.front().takes) {
-    case Form::spirv:
-      return {"vulkan", "hlsl60"};
-    case Form::glsl:
-      return {"vulkan"};
-    case Form::hlsl:
-      if (name == "fxc" || name == "vkd3d") return {"hlsl50"};
-      return {"hlsl60", "hlsl2021"};
-    case Form::slang:
-      return {"hlsl60", "hlsl2021", "slang"};
-    case Form::wgsl:
-      return {"wgsl"};
-    default:
-      return {};
-  }
+  return empty() ? std::vector<std::string>{} : sources_of(steps.front().name, steps.front().takes);
 }
 
 std::string Way::contracts() const {
@@ -416,11 +436,7 @@ std::string Way::contracts() const {
 
 Result<Way> find_way(const WayOptions& options, std::span<const Form> driver_takes) {
   HN_TRY(auto choices, choices_of(options));
-  Ends ends{{}, driver_takes};
-  for (const std::string& name : options.written) {
-    HN_TRY(const Form form, form_of(name));
-    ends.written.push_back(form);
-  }
+  const Ends ends{options.profiles, driver_takes};
   std::vector<const Conversion*> found;
   std::size_t reached = 0;
   if (!choices.empty() && !fit(choices, 0, ends, found, reached)) {
@@ -440,10 +456,6 @@ Result<Way> find_way(const WayOptions& options, std::span<const Form> driver_tak
       if (!argument.empty()) step.command.emplace_back(argument);
     }
     way.steps.push_back(std::move(step));
-  }
-  if (!way.empty() && way.sources().empty()) {
-    return fail(fmt::format("the first step, {}, takes {}, which the suite does not write", way.steps.front().name,
-                            name_of(way.steps.front().takes)));
   }
   return way;
 }

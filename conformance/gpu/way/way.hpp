@@ -33,10 +33,10 @@ struct WayOptions {
   // The forms that the commands take and give, one of each for each command.
   std::vector<std::string> takes = {};
   std::vector<std::string> gives = {};
-  // The forms in which there are shaders; empty: all that the suite writes.
-  std::vector<std::string> written = {};
+  // The profiles of the cases to be run, which the way has to have one of; empty: all of the suite.
+  std::vector<std::string> profiles = {};
 };
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WayOptions, through, takes, gives, written)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WayOptions, through, takes, gives, profiles)
 
 // A translation by one program.
 struct Step {

