@@ -1,7 +1,7 @@
 // The functions of the picture, in each language. The page draws with the same functions: the text that is copied has
 // numbers where that of the page has uniforms, so that no shader is compiled again when a number changes.
 import { combined } from "./combine.js";
-import { isLeaning, isSolid, remapOf, settingsOf, shownLayers, tintedLayers, uses } from "./model.js";
+import { driftOf, isDrifting, isLeaning, isSolid, remapOf, settingsOf, shownLayers, tintedLayers, uses } from "./model.js";
 import { kMetrics, kNoises, kSums } from "./tables.js";
 
 // In the order of the page. Languages behind C++ have one form, and no library beside it.
@@ -58,6 +58,14 @@ export function spreadOf(state, { radius }) {
   return { unit, ratio: partOf(state, Number((1 / (radius * unit)).toPrecision(7))) };
 }
 
+// A place gets this behind it when its layer drifts.
+function driftText(language, state, layer) {
+  const [first, ...others] = driftOf(layer, state);
+  if (!others.length) return ` ${first < 0 ? "+" : "-"} ${literal(language, Math.abs(first))} * seconds`;
+  const parts = [first, ...others].map((speed) => literal(language, speed)).join(", ");
+  return ` - ${kTypes[language].float(state.dimensions)}(${parts}) * seconds`;
+}
+
 // The numbers with which the functions of each visible layer are called.
 export function numbers(language, state) {
   const { int } = kTypes[language];
@@ -74,7 +82,7 @@ export function numbers(language, state) {
       strength: literal(language, layer.strength), amplitude: literal(language, layer.amplitude),
       jitter: literal(language, layer.jitter), phase: literal(language, state.phase),
       period: n === 1 ? whole : `${int(n)}(${alike})`, weight: part(layer.weight), offset: part(layer.offset),
-      scale: literal(language, layer.scale), wholeScale: `${layer.scale}u`,
+      scale: literal(language, layer.scale), wholeScale: `${layer.scale}u`, drift: driftText(language, state, layer),
     };
   });
 }
@@ -99,6 +107,7 @@ export function shapes(state) {
         scaled: used.scale && layer.scale !== 1,
         tinted: tinted.includes(layer),
         soft: used.soft ? layer.soft : 0,
+        drifts: isDrifting(layer, state),
       },
     ];
   });
@@ -127,6 +136,7 @@ class Writer {
     this.files = new Set();
     this.needs = new Set(); // the functions' calls, by the names in WGSL
     this.summed = state.sum !== "none";
+    this.isTimed = state.drifts && !values.shift; // the page knows how far
     // Where a noise is computed: at a position, in a cell, or at a place that is given.
     this.position = { position: "p" };
     this.cell = { cell: "cell", f: "f" };
@@ -321,15 +331,26 @@ class Writer {
     return { lines: [], value: `${this.sum}(${[octaves, ...strength].join(", ")})` };
   }
 
+  // Where a layer that drifts is read: the lines, and the place.
+  drifted(where) {
+    const { values, n } = this;
+    if (!this.state.drifts) return { lines: [], where };
+    const { float, int } = this.types;
+    const set = (name, value) => this.let(float(n), name, value);
+    if (!where.cell) return { lines: [set("g", `p${values.drift}`)], where: { position: "g" } };
+    const cell = `cell + ${values.shift ? `${values.shift} + ` : ""}${int(n)}(over)`;
+    return { lines: [set("g", `f${values.drift}`), set("over", "floor(g)")], where: { cell, f: "g - over" } };
+  }
+
   // Finer cells: the lines, and the place in them. Products with powers of two are exact.
   scaled(where) {
     const { values, n } = this;
     if (!this.state.scaled) return { lines: [], where };
     const { float, int, uints } = this.types;
-    if (!where.cell) return { lines: [this.let(float(n), "s", `p * ${values.scale}`)], where: { position: "s" } };
-    const cell = `${uints(n)}(cell) * ${values.wholeScale} + ${uints(n)}(first)`;
+    if (!where.cell) return { lines: [this.let(float(n), "s", `${where.position} * ${values.scale}`)], where: { position: "s" } };
+    const cell = `${uints(n)}(${where.cell}) * ${values.wholeScale} + ${uints(n)}(first)`;
     return {
-      lines: [this.let(float(n), "s", `f * ${values.scale}`), this.let(float(n), "first", "floor(s)")],
+      lines: [this.let(float(n), "s", `${where.f === "f" ? "f" : `(${where.f})`} * ${values.scale}`), this.let(float(n), "first", "floor(s)")],
       where: { cell: `${int(n)}(${cell})`, f: "s - first" },
     };
   }
@@ -354,18 +375,23 @@ class Writer {
     return this.language === "wgsl" && where.cell ? `${this.name}_cell` : this.name;
   }
 
-  parametersOf(where) {
+  parametersOf(where, ...others) {
     const { float, int } = this.types;
-    return where.cell ? [[int(this.n), "cell"], [float(this.n), "f"]] : [[float(this.n), "p"]];
+    return [...(where.cell ? [[int(this.n), "cell"], [float(this.n), "f"]] : [[float(this.n), "p"]]), ...others];
+  }
+
+  clock(isTimed = this.isTimed) {
+    return isTimed ? [[this.types.float(1), "seconds"]] : [];
   }
 
   // The function of the layer at a place.
   pattern(where) {
-    const { lines: scaling, where: near } = this.scaled(where);
+    const { lines: drifting, where: then } = this.drifted(where);
+    const { lines: scaling, where: near } = this.scaled(then);
     const { lines: moving, where: there } = this.moved(near);
     const shown = this.shownAt(there);
-    const lines = [...scaling, ...moving, ...shown.lines, `return ${shown.value};`];
-    return this.define(this.nameOf(where), this.parametersOf(where), lines);
+    const lines = [...drifting, ...scaling, ...moving, ...shown.lines, `return ${shown.value};`];
+    return this.define(this.nameOf(where), this.parametersOf(where, ...this.clock()), lines);
   }
 
   // The lines of the functions in these forms.
@@ -388,6 +414,8 @@ class Mixer {
     this.shown = shown;
     this.writers = writers;
     this.fixed = shown.some(({ arithmetic }) => arithmetic === "fixed");
+    this.isTimed = writers.some(({ isTimed }) => isTimed);
+    this.seconds = this.isTimed ? ", seconds" : "";
     this.steep = shown.flatMap(({ blend }, at) => (at > 0 && blend === "slope" ? [at] : []));
   }
 
@@ -410,7 +438,7 @@ class Mixer {
     const passed = Array.from({ length: n }, (_, axis) => {
       const parts = Array.from({ length: n }, (_, other) => this.writers[0].number(other === axis ? String(kStepBeside) : "0.0"));
       const step = n === 1 ? parts[0] : `${types.float(n)}(${parts.join(", ")})`;
-      return where.cell ? `beside_${number}(cell, f, ${step})` : `below_${number}(p + ${step})`;
+      return where.cell ? `beside_${number}(cell, f, ${step}${this.seconds})` : `below_${number}(p + ${step}${this.seconds})`;
     });
     return `layer_slope(${["v", ...passed].join(", ")})`;
   }
@@ -426,15 +454,16 @@ class Mixer {
     if (!where.cell) return made;
     const called = this.language === "wgsl" ? `${name}_cell` : name;
     const e = [types.float(n), "e"];
-    return [...made, ...writer.define(`beside_${at + 1}`, [...writer.parametersOf(where), e], [
-      writer.let(types.float(n), "whole", "floor(f + e)"), `return ${called}(cell + ${types.int(n)}(whole), f + (e - whole));`,
+    return [...made, ...writer.define(`beside_${at + 1}`, writer.parametersOf(where, e, ...writer.clock(this.isTimed)), [
+      writer.let(types.float(n), "whole", "floor(f + e)"),
+      `return ${called}(cell + ${types.int(n)}(whole), f + (e - whole)${this.seconds});`,
     ])];
   }
 
   define(where, name, lines, size) {
     const [writer] = this.writers;
     const called = this.language === "wgsl" && where.cell ? `${name}_cell` : name;
-    return writer.define(called, writer.parametersOf(where), lines, size);
+    return writer.define(called, writer.parametersOf(where, ...writer.clock(this.isTimed)), lines, size);
   }
 
   // The lines that make "v" at a place; and how much each layer with colours of its own counts, behind these lines.
@@ -442,7 +471,7 @@ class Mixer {
     const { language, shown, words, writers } = this;
     const [writer] = writers;
     const where = writer[form];
-    const calls = writers.map((one) => `${one.nameOf(where)}(${where.cell ? "cell, f" : "p"})`);
+    const calls = writers.map((one) => `${one.nameOf(where)}(${where.cell ? "cell, f" : "p"}${one.isTimed ? ", seconds" : ""})`);
     const slope = (_, at) => this.slopeBelow(writer, where, at + 1);
     const { steps, masks } = combined(shown.slice(0, count), calls, { ...words, slope, hasTints });
     const lines = steps.map(([name, value], at) => {
@@ -530,9 +559,9 @@ export function functions(language, state, values, forms = ["cell", "position"],
 export function shaderKey(state) {
   const { dimensions, arithmetic, hash } = state;
   const layers = shapes(state).map((given, at) => {
-    const { noise, sum, warp, metric, tiled, turned, full, weighted, moved, scaled, blend, tinted, soft, shape } = given;
+    const { noise, sum, warp, metric, tiled, turned, full, weighted, moved, scaled, drifts, blend, tinted, soft, shape } = given;
     const ofNoise = kNoises[noise].shape ? shape : full ? metric : "";
-    return [noise, sum, warp, ofNoise, tiled, turned, weighted, moved, scaled, at ? blend : "", tinted, Math.sign(soft)].join(" ");
+    return [noise, sum, warp, ofNoise, tiled, turned, weighted, moved, scaled, drifts, at ? blend : "", tinted, Math.sign(soft)].join(" ");
   });
   return [dimensions, arithmetic, hash, isSolid(state) ? state.view : isLeaning(state) ? "leaning" : "", state.masks, ...layers].join(" ");
 }

@@ -35,6 +35,9 @@ const kSliders = {
   offset: ["Offset", 0.05],
   from: ["From", 0.005, -2, 2],
   soft: ["Softness", 0.005, -2, 2],
+  driftx: ["Drift along x", 0.01, -2, 2],
+  drifty: ["Drift along y", 0.01, -2, 2],
+  driftz: ["Drift along z", 0.01, -2, 2],
 };
 const kChoices = {
   dimensions: { 1: "1D", 2: "2D", 3: "3D", 4: "4D" },
@@ -56,7 +59,7 @@ const kSelects = {
 // The labels of the numbers, each with what stands small below it, and of the selects.
 const kNumbers = {
   seed: ["Seed"], period: ["Period"], x: ["x"], y: ["y"], cells: ["Cells across"],
-  width: ["Width", "pixels"], height: ["Height", "pixels"], frames: ["Frames", "25 a second"],
+  width: ["Width", "pixels"], height: ["Height", "pixels"], frames: ["Frames", "25 a second"], time: ["Time", "seconds"],
 };
 const kLabels = {
   sum: "Fractal", noise: "Noise", metric: "Metric", shape: "Shape", hash: "Hash", file: "Save as", blend: "Combined", scale: "Scale",

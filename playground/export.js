@@ -1,7 +1,7 @@
 // The texts to copy: the functions of code.js with the colours, with their helpers, and as a whole shader.
 import { decimal, declaration, functions, kLanguages, kTypes, knobs, numbers } from "./code.js";
 import { bakeLines, pythonLines } from "./lines.js";
-import { isLeaning, mapsOf, numbersOfTinted, rangeOf, shownLayers } from "./model.js";
+import { hasDrift, isLeaning, mapsOf, numbersOfTinted, rangeOf, shownLayers } from "./model.js";
 import { partsOfColour, rampOf } from "./palette.js";
 import { isScalar, scalarCode } from "./scalar.js";
 import { cellOf, cellsAcross, kPartsOfCell, leaningNumbers, leant, partsOf, placeOf } from "./view.js";
@@ -92,6 +92,8 @@ export const kLicense = "// Copyright (c) 2026 The hashnoise authors; MIT Licens
 const kGlslMain = {
   use: "Draw a triangle over the picture with it.",
   declared: ["uniform vec2 resolution;  // of the picture, in pixels", "out vec4 fragment;", ""],
+  clock: "uniform float time;  // in seconds, by which layers drift",
+  time: "time",
   main: "void main() {",
   pixel: "(gl_FragCoord.xy - 0.5 * resolution) / min(resolution.x, resolution.y)",
   below: "gl_FragCoord.y / resolution.y",
@@ -122,6 +124,7 @@ export const kKinds = {
       first: [],
       use: "Paste it into the tab Image of a new shader on shadertoy.com.",
       declared: [],
+      time: "iTime",
       main: "void mainImage(out vec4 fragColor, in vec2 fragCoord) {",
       pixel: "(fragCoord - 0.5 * iResolution.xy) / min(iResolution.x, iResolution.y)",
       below: "fragCoord.y / iResolution.y",
@@ -135,6 +138,8 @@ export const kKinds = {
       first: [],
       use: "A pixel shader of shader model 5 or 6. Draw a triangle over the picture with it.",
       declared: ["cbuffer Frame : register(b0) { float2 resolution; };  // of the picture, in pixels", ""],
+      clock: "cbuffer Clock : register(b1) { float time; };  // in seconds, by which layers drift",
+      time: "time",
       main: "float4 main(float4 position : SV_Position) : SV_Target {",
       pixel: kTurned.pixel("float2"),
       below: kTurned.below,
@@ -153,6 +158,8 @@ export const kKinds = {
         ...kWgslVertex,
         "",
       ],
+      clock: "@group(0) @binding(1) var<uniform> time: f32;  // in seconds, by which layers drift",
+      time: "time",
       main: "@fragment fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {",
       pixel: kTurned.pixel("vec2f"),
       below: kTurned.below,
@@ -184,7 +191,7 @@ const formOf = (state) =>
   cellsAcross(state) * Math.max(...shownLayers(state).map(({ scale }) => scale)) > kFar || inSpace(state).some((parts) => Math.abs(cellOf(parts)) > kFar) ? "cell" : "position";
 
 // The lines of the main function of a whole shader, which draws the picture as the page has it.
-function mainOf(language, state, { main, pixel, below, result }) {
+function mainOf(language, state, { main, time, pixel, below, result }) {
   const { float, int } = kTypes[language];
   const n = state.dimensions;
   const set = (type, name, value) => declaration(language, type, name, value);
@@ -212,7 +219,8 @@ function mainOf(language, state, { main, pixel, below, result }) {
     const p = vector(float(n), [leans ? `${onPlane} + ${vector(float(2), numbers.slice(0, 2))}` : slice, ...numbers.slice(2)]);
     lines.push(set(float(n), "p", leans ? `slice(${p})` : p));
   }
-  const called = (name) => (far ? `${name}${language === "wgsl" ? "_cell" : ""}(cell, f)` : `${name}(p)`);
+  const clock = hasDrift(state) ? `, ${state.time ? `${decimal(state.time)} + ` : ""}${time}` : "";
+  const called = (name) => (far ? `${name}${language === "wgsl" ? "_cell" : ""}(cell, f${clock})` : `${name}(p${clock})`);
   const call = called("pattern");
   const hasTints = mapsOf(state).length > 1;
   if (n > 1) {
@@ -241,6 +249,7 @@ const textLines = (library, language, names, state) =>
 // the language can. Whole shaders and other languages always have it.
 export function exported(library, language, state, kind = "function", withLibrary = true) {
   const note = state.dimensions === 1 ? "p counts cells" : "p is a position in cells: uv * 8.0 has 8 of them on a side";
+  const clock = hasDrift(state) && !kKinds[language][kind].main ? ["// Layers drift: seconds is the time."] : [];
   const first = `Made by hashnoise's playground, version ${library.version}. ${kKinds[language][kind].use ?? kPlaces[language]}`;
   if (language === "python") return { head: [`# ${first}`], library: [], code: pythonLines(state) };
   if (language === "bake") {
@@ -253,7 +262,7 @@ export function exported(library, language, state, kind = "function", withLibrar
     const floats = state.arithmetic === "fixed" ? [] : ["// In integers, whose values differ from those of floats by less than 0.0001."];
     const sum = (row) => row.map((part, at) => `${part} * ${"xyz"[at]}`).join(" + ").replaceAll("+ -", "- ");
     const leaning = isLeaning(state) ? ["// The slice leans: x, y, z of the picture are in space at", ...leaningNumbers(state).map((row) => `//   ${sum(row)}`)] : [];
-    return { head: [`// ${first}`, kLicense, ...hash, ...floats, ...leaning, ...(head.length ? ["", ...head] : [])], ...rest };
+    return { head: [`// ${first}`, kLicense, ...hash, ...floats, ...clock, ...leaning, ...(head.length ? ["", ...head] : [])], ...rest };
   }
   if (language === "tsl") return tslText(library, state, first);
   const shell = kKinds[language][kind];
@@ -268,10 +277,11 @@ export function exported(library, language, state, kind = "function", withLibrar
   const command = ["// In front of it stands what tools/pick writes:", `// ${pickCommand(language, state, called)}`];
   const written = [
     ...(shell.main ? [] : [`// ${note}.${inside ? "" : " Far out pass an integer cell and the place in it."}`]),
+    ...clock,
     ...sliceLines(language, state),
     ...lines,
     ...(cpp ? masks(state, at) : ["", ...colours(language, state, at)]),
-    ...(shell.main ? ["", ...shell.declared, ...mainOf(language, state, shell)] : []),
+    ...(shell.main ? ["", ...(hasDrift(state) && shell.clock ? [shell.clock] : []), ...shell.declared, ...mainOf(language, state, shell)] : []),
   ];
   const code = language === "glsl" && !shell.main ? written.map(withHighp) : written;
   const [opening] = inside ? library.shells[language] : [""];
@@ -301,6 +311,7 @@ function tslText(library, state, first) {
   };
   const [begin] = library.shells.tsl;
   const p = `${state.dimensions === 1 ? "float" : `vec${state.dimensions}`} p`;
+  const then = hasDrift(state) ? `${p}, float seconds` : p;
   const node = (name, type, declared) =>
     `export const ${name} = nodesOf("${name}", "${type}", "${declared}", "${name}", () => textOfWgsl, () => textOfGlsl);`;
   return {
@@ -308,9 +319,9 @@ function tslText(library, state, first) {
     library: [],
     code: [
       "const textOfGlsl = glsl(`", ...textOf("glsl"), "`);", "const textOfWgsl = wgsl(`", ...textOf("wgsl"), "`);",
-      "// p is a position in cells: pattern(uv().mul(8)).", node("pattern", "float", p),
+      `// p is a position in cells: pattern(uv().mul(8)${hasDrift(state) ? ", time" : ""}).`, node("pattern", "float", then),
       ...(isLeaning(state) ? [node("slice", p.slice(0, 4), p)] : []),
-      node("colour", "vec3", mapsOf(state).length > 1 ? p : "float value"),
+      node("colour", "vec3", mapsOf(state).length > 1 ? then : "float value"),
     ],
   };
 }

@@ -4,8 +4,8 @@ import { combined } from "./combine.js";
 import { fileState } from "./files.js";
 import { kAxes } from "./scalar.js";
 import { kNoises, kSums } from "./tables.js";
-import { isLeaning, numbersOfTinted, rangeOf, remapOf, shownLayers, uses } from "./model.js";
-import { cellsAcross, kPartsOfCell, leaningNumbers, originOf, stepOf } from "./view.js";
+import { driftOf, hasDrift, isLeaning, numbersOfTinted, rangeOf, remapOf, shownLayers, uses } from "./model.js";
+import { cellsAcross, kPartsOfCell, leaningNumbers, originOf, shiftOf, stepOf } from "./view.js";
 
 // Which number of the results of a noise is shown, in Python and by tools/bake.
 const kShown = { cellular: 0, cellular_second: 1, cellular_third: 2, curl: 0 };
@@ -55,7 +55,9 @@ export function bakeParts(state) {
   // The places of the page's files, exactly, with the upper row first.
   const file = fileState(state);
   const corner = originOf(file, width, height).map((parts) => Number(parts) / kPartsOfCell);
-  const origin = [...corner, state.z, state.w].slice(0, dimensions);
+  // Of a line alone the origin moves where the layer drifts.
+  const shift = isOneLine(state) ? shiftOf(state, shownLayers(state)[0]) : [];
+  const origin = [...corner, state.z, state.w].slice(0, dimensions).map((place, at) => place + Number(shift[at] ?? 0n) / kPartsOfCell);
   const place = [
     "--size", [width, height, 1, 1].slice(0, dimensions).join("x"), "--cells", String((width * stepOf(file, width, height)) / kPartsOfCell),
     `--origin=${origin.join("x")}`, ...(dimensions > 1 ? ["--y-up"] : []),
@@ -99,7 +101,7 @@ export function pythonLines(state) {
   if (state.hash !== "lattice" || !isInPython(state))
     return ["# Python has no such hash, and no sums of distances: GLSL and WGSL have all pictures."];
   const step = Number((cellsAcross(state) / Math.min(width, height)).toPrecision(9));
-  if (isOneLine(state) && dimensions === 2) {
+  if (isOneLine(state) && dimensions === 2 && !hasDrift(state)) {
     const first = [[state.x, width], [state.y, height]].map(
       ([middle, side]) => Math.round(Number(middle) / kPartsOfCell / step) - Math.floor(side / 2),
     );
@@ -139,10 +141,12 @@ function patternOf(state, place) {
   const layers = shownLayers(state);
   const shown = shapes(state);
   const axes = kAxes.slice(0, dimensions);
-  const parameters = axes.join(", ");
+  const clock = hasDrift(state) ? ["seconds"] : [];
+  const parameters = [...axes, ...clock].join(", ");
   const warps = []; // by the layer
   const calls = layers.map((layer, number) => {
-    const scaled = layer.scale === 1 ? axes : axes.map((axis) => `${layer.scale} * ${axis}`);
+    const then = driftOf(layer, state).map((speed, i) => (speed ? `${axes[i]} - ${speed} * seconds`.replace("- -", "+ ") : axes[i]));
+    const scaled = layer.scale === 1 ? then : then.map((axis) => `${layer.scale} * ${axis.includes(" ") ? `(${axis})` : axis}`);
     const period = state.period ? { period: state.period * layer.scale } : {};
     const options = pythonOptions(state, { ...optionsOf(state, layer, state.layers.indexOf(layer)), ...period });
     const moves = axes.map((axis) => `d${axis}_${number + 1}`);
@@ -170,7 +174,7 @@ function patternOf(state, place) {
     lower: (...values) => `numpy.minimum(${values.join(", ")})`,
     higher: (...values) => `numpy.maximum(${values.join(", ")})`,
     slope: (v, at) => {
-      const beside = axes.map((axis) => axes.map((other) => (other === axis ? `${axis} + ${kStepBeside}` : other)).join(", "));
+      const beside = axes.map((axis) => [...axes.map((other) => (other === axis ? `${axis} + ${kStepBeside}` : other)), ...clock].join(", "));
       return `slope(${["v", ...beside.map((passed) => `below_${at + 1}(${passed})`)].join(", ")})`;
     },
   };
@@ -188,6 +192,6 @@ function patternOf(state, place) {
       ...(below.length ? kSlope : []), ...below, "# Positions are in cells.",
       `def pattern(${parameters}):`, ...linesOf(whole), `    return ${["v", ...whole.masks].join(", ")}`,
     ],
-    call: `pattern(${passed.slice(0, dimensions).join(", ")})`,
+    call: `pattern(${[...passed.slice(0, dimensions), ...clock.map(() => state.time)].join(", ")})`,
   };
 }

@@ -107,14 +107,14 @@ export const kLooks = {
     stops: "0-051238_44-0f4766_44-33592a_60-6e7a4a_72-9e876b_86-9e876b_90-f5f8ff_100-ffffff",
     layers: [
       { blend: "add", sum: "ridged", octaves: 7, weight: 0.5, offset: -0.32, seed: 3 },
-      { blend: "max", sum: "clouds", octaves: 7, gain: 0.55, weight: 1.2, offset: -0.3, scale: 2, seed: 5 },
+      { blend: "max", sum: "clouds", octaves: 7, gain: 0.55, weight: 1.2, offset: -0.3, scale: 2, seed: 5, driftx: 0.05, driftz: 0.02 },
     ],
   },
   Hills: { sum: "fbm", octaves: 8, map: "land", cells: 5, seed: 21 },
   Dusk: {},
   Ridges: { sum: "ridged", octaves: 8, map: "grey", cells: 3, seed: 3 },
   Ink: { sum: "fbm", warp: "warp_progressive", map: "lagoon", cells: 5, octaves: 7 },
-  Sky: { sum: "clouds", dimensions: 3, map: "sky", cells: 6, octaves: 8 },
+  Sky: { sum: "clouds", dimensions: 3, map: "sky", cells: 6, octaves: 8, driftx: 0.3, driftz: 0.05 },
   Agate: { sum: "ping_pong", octaves: 4, gain: 0.4, strength: 3, warp: "warp", amplitude: 1, map: "wood", cells: 3 },
   Stones: { sum: "none", noise: "cellular_between", map: "moss", cells: 9 },
   Cracks: { sum: "none", noise: "cell_border", map: "ember", cells: 7, warp: "warp", amplitude: 0.6 },
@@ -167,7 +167,7 @@ export function stateOfLook(name, { arithmetic, file, width, height, frames }) {
 }
 
 // The look that a state shows, wherever, from whichever side and with whichever seeds; nothing if it is none.
-const kOfNoLook = ["arithmetic", "file", "width", "height", "frames", "x", "y", "z", "w", "cells", "phase", "turn", "tilt"];
+const kOfNoLook = ["arithmetic", "file", "width", "height", "frames", "x", "y", "z", "w", "cells", "time", "phase", "turn", "tilt"];
 const keyOfLook = (state) => {
   const usual = usualState();
   const other = Object.fromEntries(kOfNoLook.map((name) => [name, usual[name]]));

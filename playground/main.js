@@ -18,7 +18,7 @@ import { Steps } from "./undo.js";
 import { panned, partsOf, positionOfPixel, zoomed } from "./view.js";
 
 const kLinkDelay = 300; // browsers refuse an address that changes too often
-const kStill = "This picture does not move. Choose 3D or 4D, or one octave of Perlin or simplex noise in 2D.";
+const kStill = "This picture does not move. Choose a drift, 3D or 4D, or one octave of Perlin or simplex noise in 2D.";
 const kLocal =
   "A page from a disk has no address for others, so the part from # on is copied. Put it behind the address of a " +
   "playground on a web site.";
@@ -199,10 +199,10 @@ class Playground extends Picture {
   // ------------------------------------------------------------------------------------------------------------------
   // Time.
 
-  // The setting that moves in time: the last coordinate, or the phase.
+  // The setting that moves: the time, if layers drift, or the last coordinate, or the phase.
   get animated() {
     const used = uses(this.state);
-    return used.w ? "w" : used.z ? "z" : used.phase ? "phase" : undefined;
+    return used.time ? "time" : used.w ? "w" : used.z ? "z" : used.phase ? "phase" : undefined;
   }
 
   play(on) {
@@ -222,7 +222,7 @@ class Playground extends Picture {
       const seconds = Math.min((now - last) / 1000, 0.25);
       last = now;
       const name = this.animated;
-      const value = this.state[name] + seconds * kSpeed;
+      const value = this.state[name] + seconds * (name === "time" ? 1 : kSpeed);
       // This is no step, since nobody chose it.
       this.take(chosen(this.state, { [name]: name === "phase" ? value % 1 : value }));
     };

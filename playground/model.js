@@ -31,8 +31,12 @@ export const kSettings = {
   from: { usual: 0, from: -8, to: 8, layer: true },
   soft: { usual: 0, from: -16, to: 16, layer: true }, // usual: the weight and the offset count, as in links before 1.1
   scale: { usual: 1, from: 1, to: 64, power: true, layer: true },
+  driftx: { usual: 0, from: -16, to: 16, layer: true },
+  drifty: { usual: 0, from: -16, to: 16, layer: true },
+  driftz: { usual: 0, from: -16, to: 16, layer: true },
   tint: { usual: "none", of: kTints, layer: true },
   tints: { usual: "0-000000_100-ffffff", fit: possibleStops, layer: true },
+  time: { usual: 0, from: 0, to: 1e6 },
   phase: { usual: 0, from: 0, to: 1 },
   z: { usual: 0.37, from: -1e9, to: 1e9 },
   w: { usual: 0.62, from: -1e9, to: 1e9 },
@@ -86,6 +90,11 @@ export const settingsOf = (state, at = 0) => ({ ...state, ...state.layers[at] })
 
 // The layers that are not switched off.
 export const shownLayers = ({ layers }) => layers.filter(({ on }) => on);
+
+// How far a layer moves in a second along each axis; and whether one that is shown does.
+export const driftOf = ({ driftx, drifty, driftz }, { dimensions }) => [driftx, drifty, driftz, 0].slice(0, dimensions);
+export const isDrifting = (layer, state) => driftOf(layer, state).some(Boolean);
+export const hasDrift = (state) => shownLayers(state).some((layer) => isDrifting(layer, state));
 
 // Whether colours of its own can show where a layer counts, and whether they do.
 const canTint = ({ blend }) => ["mix", "mask", "height", "slope"].includes(blend);
@@ -236,6 +245,7 @@ export function uses(state, at = 0) {
     warp: warped, amplitude: warped && layer.warp !== "none",
     on: several, blend: at > 0, weight: several && !eased, offset: several && !mixed && !eased, ease, from: eased, soft: eased, scale: several,
     tint: at > 0 && canTint(layer), tints: at > 0 && canTint(layer) && layer.tint === "own",
+    driftx: true, drifty: state.dimensions > 1, driftz: state.dimensions > 2, time: hasDrift(state),
     phase: warped && state.layers.some(turns), z: state.dimensions > 2, w: state.dimensions > 3, lean: canLean(state),
   };
 }

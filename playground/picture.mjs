@@ -1,17 +1,18 @@
-// Writes the picture of the page that the README shows, as PNG, and those of its looks beside each other, as WebP, for the
-// next page: node picture.mjs PAGE.html FILE LOOKS, in the folder of tools/lib/base/javascript. tools/playground --picture
-// calls this.
+// Writes the pictures of the looks of a page beside each other, FILE.webp, or the picture of the page that the README shows,
+// FILE.png: node picture.mjs PAGE.html FILE, in the folder of tools/lib/base/javascript. tools/playground --picture calls it.
 import { writeFile } from "node:fs/promises";
 import { kForWebGl, launched, opened } from "./tests/support.mjs";
 
 const kSide = 64; // pixels of a look
 const kQuality = 0.55;
 
-const browser = await launched(kForWebGl);
-try {
+async function photographed(browser, file) {
   const page = await opened(browser, { link: "", viewport: { width: 1200, height: 720 } });
   await page.waitForFunction(() => !window.hashnoise.moves && window.hashnoise.coarse === 1 && !window.hashnoise.drawing, { timeout: 300000 });
-  await page.screenshot({ path: process.argv[3] });
+  await page.screenshot({ path: file });
+}
+
+async function drawn(browser, file) {
   const looks = await opened(browser);
   const url = await looks.evaluate(
     async (side, quality) => {
@@ -34,7 +35,13 @@ try {
     kSide,
     kQuality,
   );
-  await writeFile(process.argv[4], Buffer.from(url.split(",")[1], "base64"));
+  await writeFile(file, Buffer.from(url.split(",")[1], "base64"));
+}
+
+const browser = await launched(kForWebGl);
+try {
+  const [, , , file] = process.argv;
+  await (file.endsWith(".webp") ? drawn : photographed)(browser, file);
 } finally {
   await browser.close();
 }

@@ -2,7 +2,7 @@
 // what tools/pick writes, so that here are calls and sums alone.
 import { decimal, edgeOf, kStepBeside, partOf, shapes, spreadOf } from "./code.js";
 import { combined } from "./combine.js";
-import { remapOf } from "./model.js";
+import { driftOf, hasDrift, remapOf } from "./model.js";
 import { named } from "./pieces.js";
 import { kMetrics, kNoises, kSums } from "./tables.js";
 
@@ -86,6 +86,12 @@ class ScalarWriter {
     return kAxes.slice(0, this.n);
   }
 
+  // The coordinates where a layer is read.
+  axesOf(layer) {
+    return driftOf(layer, this.state).map((speed, at) =>
+      speed ? `${kAxes[at]} ${speed < 0 ? "+" : "-"} ${this.float(Math.abs(speed))} * seconds` : kAxes[at]);
+  }
+
   settings({ octaves, lacunarity, gain }) {
     return [String(octaves), this.float(lacunarity), this.float(gain)];
   }
@@ -95,9 +101,9 @@ class ScalarWriter {
     const period = state.period ? [String(state.period * layer.scale)] : [];
     const tile = state.period ? "_in_tile" : "";
     const scale = this.float(layer.scale);
-    if (layer.warp === "none") return this.call(`hn_play_${state.period ? "in_tile" : "at"}${n}`, ...this.axes, scale, ...period);
+    if (layer.warp === "none") return this.call(`hn_play_${state.period ? "in_tile" : "at"}${n}`, ...this.axesOf(layer), scale, ...period);
     const moved = [...this.settings(layer), this.float(layer.amplitude), this.syntax.uint((layer.seed + 1) % 4294967296)];
-    return this.call(`hn_play_${layer.warp}${tile}${n}`, ...this.axes, scale, ...period, ...moved);
+    return this.call(`hn_play_${layer.warp}${tile}${n}`, ...this.axesOf(layer), scale, ...period, ...moved);
   }
 
   // The noise of a layer at a place, as it is or as a sum takes it.
@@ -160,12 +166,12 @@ class ScalarWriter {
     if (layer.sum === "none") {
       const plain = near && !layer.turned && kPlain.includes(layer.noise);
       if (!plain) return { lines: [], value: this.noiseAt(layer, this.placeOf(layer), seed, false) };
-      return { lines: [], value: this.call(`${noise.calls}${this.n}`, ...this.axes, seed) };
+      return { lines: [], value: this.call(`${noise.calls}${this.n}`, ...this.axesOf(layer), seed) };
     }
     const settings = this.settings(layer);
     if (near && layer.noise === "perlin") {
       const strength = kSums[layer.sum].strength ? [this.float(layer.strength)] : [];
-      return { lines: [], value: this.call(`hn_${layer.sum}${this.n}`, ...this.axes, ...settings, ...strength, seed) };
+      return { lines: [], value: this.call(`hn_${layer.sum}${this.n}`, ...this.axesOf(layer), ...settings, ...strength, seed) };
     }
     const { lines, name } = this.loopOf(layer, at);
     return { lines, value: `${name}(${this.call(`hn_octaves_of${this.n}_place`, this.placeOf(layer), ...settings, seed)})` };
@@ -174,7 +180,8 @@ class ScalarWriter {
   // How steep it is below a layer.
   slopeBelow(number, v) {
     const beside = this.axes.map((axis) => this.axes.map((other) => (other === axis ? `${axis} + ${this.float(kStepBeside)}` : other)));
-    return this.call("hn_play_slope1", v, ...beside.map((place) => `${this.ours(`below_${number}`)}(${place.join(", ")})`));
+    const clock = hasDrift(this.state) ? ["seconds"] : [];
+    return this.call("hn_play_slope1", v, ...beside.map((place) => `${this.ours(`below_${number}`)}(${[...place, ...clock].join(", ")})`));
   }
 
   stepped(text) {
@@ -228,15 +235,15 @@ class ScalarWriter {
     const alone = shown.length === 1 && weight === 1 && offset === 0;
     const layers = shown.map((layer, at) => this.layer(layer, at));
     const functions = alone ? { pattern: [`return ${layers[0].value}${this.end}`] } : this.combining(shown, layers);
-    const parameters = this.axes.map((axis) => [this.syntax.types.float, axis]);
+    const parameters = [...this.axes, ...(hasDrift(this.state) ? ["seconds"] : [])].map((name) => [this.syntax.types.float, name]);
     const defined = Object.entries(functions).flatMap(([name, body]) => this.define(this.ours(name), parameters, body, true));
     return [...layers.flatMap(({ lines }) => lines), ...defined];
   }
 }
 
-const kShader = (n) => [
-  `shader hashnoise_pattern(point p = P, ${n > 3 ? "float w = 0.62, " : ""}output float value = 0) {`,
-  `  value = pattern(${["p[0]", "p[1]", "p[2]", "w"].slice(0, n).join(", ")});`,
+const kShader = (state) => [
+  `shader hashnoise_pattern(point p = P, ${state.dimensions > 3 ? "float w = 0.62, " : ""}${hasDrift(state) ? "float seconds = 0, " : ""}output float value = 0) {`,
+  `  value = pattern(${[...["p[0]", "p[1]", "p[2]", "w"].slice(0, state.dimensions), ...(hasDrift(state) ? ["seconds"] : [])].join(", ")});`,
   "}",
 ];
 
@@ -253,6 +260,6 @@ export function scalarCode(library, language, state) {
   return {
     head: math.trimEnd().split("\n").filter((line, at, all) => line || all.length > 1),
     library: inside.flatMap((text) => ["", ...lined(text)]).map(tabbed),
-    code: [...lined(code.join("\n").trimEnd()), ...(language === "osl" ? ["", ...kShader(state.dimensions)] : []), ...(last ? last.trimEnd().split("\n") : [])],
+    code: [...lined(code.join("\n").trimEnd()), ...(language === "osl" ? ["", ...kShader(state)] : []), ...(last ? last.trimEnd().split("\n") : [])],
   };
 }

@@ -1,11 +1,11 @@
 // The shaders of the page, and the numbers that they read. With HN_FIXED they draw the same bytes on every GPU, since
 // everything from the position to the colour is whole numbers. With floats the edge between two colours of a map is smooth.
 import { edgeOf, functions, numbers, partOf, shapes, spreadOf } from "./code.js";
-import { isLeaning, isSolid, kMostLayers, mapsOf, rangeOf, shownLayers, tintedLayers, usualLayer } from "./model.js";
+import { hasDrift, isLeaning, isSolid, kMostLayers, mapsOf, rangeOf, shownLayers, tintedLayers, usualLayer } from "./model.js";
 import { hasEdge } from "./palette.js";
 import { kNoises } from "./tables.js";
 import { solidPlace, solidShader, wordsOfSolid } from "./solid.js";
-import { cellOf, leaningSteps, leant, originOf, partsOf, placeOf, stepOf, tileOf } from "./view.js";
+import { cellOf, leaningSteps, leant, originOf, partsOf, placeOf, shiftOf, stepOf, tileOf } from "./view.js";
 
 // The content of a pixel: a colour of the map, or the four bytes of the value.
 export const kColours = 0;
@@ -14,11 +14,11 @@ export const kTimes = 8; // that a shader computes the noise of a pixel, when it
 const kUnit = 1048576; // of a value, when it is made a whole number: 2^20
 const kFinest = 16; // parts of the colours: a pixel on an edge has the colours of one part at most
 
-// The words of a frame: ten vectors of four, and four more for each layer.
+// The words of a frame: ten vectors of four, and six more for each layer.
 const kWordsOfFrame = 40;
-const kWordsOfLayer = 16;
+const kWordsOfLayer = 24;
 export const kFrameBytes = 4 * (kWordsOfFrame + kMostLayers * kWordsOfLayer);
-const kGlslFrame = `struct Layer { ivec4 octaves; vec4 sum; vec4 more; uvec4 seed; };
+const kGlslFrame = `struct Layer { ivec4 octaves; vec4 sum; vec4 more; uvec4 seed; ivec4 cell; uvec4 place; };
 layout(std140) uniform Frame {
   ivec4 u_cell;
   uvec4 u_place;
@@ -62,7 +62,7 @@ export function frameOf(state, width, height, mode, { position, first = 0, rows 
   const { low, span } = unitsOf(state);
   whole.set([low, span, mode, first], 12);
   word.set([kTimes, first + rows - 1, tileOf(state, width, height), isSmooth(state) ? 1 : 0], 16);
-  float.set([state.phase, 0, 0, 0], 20);
+  float.set([state.phase, state.time, 0, 0], 20);
   if (isSolid(state)) whole.set(wordsOfSolid(state, free, height), 24);
   if (isLeaning(state)) whole.set(leaningSteps(state, step).flatMap((way) => [...way.map(cellOf), 0, ...way.map(placeOf), 0]), 24);
   const soft = shapes(state).map((shape) => shape.soft);
@@ -76,6 +76,9 @@ export function frameOf(state, width, height, mode, { position, first = 0, rows 
     whole.set([layer.octaves, scale, state.period * scale, 0], start);
     float.set([lacunarity, gain, strength, amplitude, jitter, ...counts], start + 4);
     word.set([seed, (seed + 1) % 4294967296, 0, 0], start + 12);
+    const shift = shiftOf(state, layer);
+    whole.set(shift.map(cellOf), start + 16);
+    word.set(shift.map(placeOf), start + 20);
   }
   return bytes;
 }
@@ -83,7 +86,7 @@ export function frameOf(state, width, height, mode, { position, first = 0, rows 
 // Names of uniforms for the layers that are shown.
 function uniforms(state) {
   const n = state.dimensions;
-  const ints = n === 1 ? "int" : `ivec${n}`;
+  const [ints, floats] = n === 1 ? ["int", "float"] : [`ivec${n}`, `vec${n}`];
   return shownLayers(state).map((_, at) => {
     const of = `u_layers[${at}]`;
     return {
@@ -92,6 +95,7 @@ function uniforms(state) {
       weight: `${of}.more.y`, offset: `${of}.more.z`, from: `${of}.more.y`, width: `${of}.more.z`, rate: `${of}.more.w`,
       unit: `${of}.sum.z`, ratio: `${of}.more.x`, phase: "u_turn.x",
       period: `${ints}(${of}.octaves.z)`, scale: `float(${of}.octaves.y)`, wholeScale: `uint(${of}.octaves.y)`,
+      shift: `${ints}(${of}.cell)`, drift: ` + ${floats}(${of}.place) * kPart`,
     };
   });
 }
@@ -165,7 +169,7 @@ function shader(library, state, values, { timed, form = "cell", value } = {}) {
   const mask = state.masks ? defined("mask", ([part]) => [`return ${part};`]) : [];
   const solid = isSolid(state) && !timed ? solidShader(state, kBits) : undefined;
   const n = state.dimensions;
-  const shown = value ?? `${state.masks ? "mask" : "pattern"}(${argumentsOf(n, form, solid || (!timed && isLeaning(state)))})`;
+  const shown = value ?? `${state.masks ? "mask" : "pattern"}(${argumentsOf(n, form, solid || (!timed && isLeaning(state)))}${timed && hasDrift(state) ? ", u_turn.y" : ""})`;
   return [
     "#version 300 es",
     "precision highp float;",

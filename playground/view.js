@@ -55,6 +55,9 @@ export const placeOf = (parts) => Number(parts & (kParts - 1n));
 // A coordinate of a slice as parts.
 export const partsOf = (number) => wrapped(BigInt(Math.round(number * kPartsOfCell)));
 
+// How far from the place of a pixel a layer is read, since it has drifted the other way.
+export const shiftOf = ({ time }, { driftx, drifty, driftz }) => [driftx, drifty, driftz, 0].map((speed) => partsOf(-speed * time));
+
 // The position of a pixel, counted from the lower left corner.
 export function positionOfPixel(state, width, height, column, row) {
   const step = BigInt(stepOf(state, width, height));

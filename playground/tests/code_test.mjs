@@ -7,7 +7,7 @@ import test, { after, before } from "node:test";
 import { kLanguages } from "../code.js";
 import { kKinds, kWgslVertex } from "../export.js";
 import { linkOf, stateOf } from "../links.js";
-import { changed, mapsOf, usualState } from "../model.js";
+import { changed, hasDrift, mapsOf, usualState } from "../model.js";
 import { hasCompiler, kCompiled, wordsOf, wordsOfJavaScript } from "./languages.mjs";
 import { anyStates, kSteered, simpleStates } from "./states.mjs";
 import { copiedCode, floatOf, inFolder, kRoot, launched, opened, pixels, run, setState } from "./support.mjs";
@@ -16,6 +16,7 @@ const kThorough = Boolean(process.env.HN_THOROUGH);
 // Eighths of a cell from 0 on, so that both pattern(cell, f) and pattern(p) are exact.
 const kWidth = 32;
 const kHeight = 24;
+const kClock = 1.5; // seconds since a whole shader began
 const kOrigin = { x: BigInt(kWidth / 2) << 21n, y: BigInt(kHeight / 2) << 21n, cells: 3 };
 const chosen = [
   { sum: "fbm", noise: "perlin" },
@@ -28,6 +29,8 @@ const chosen = [
   { sum: "ping_pong", noise: "value", warp: "warp", amplitude: 0.5, strength: 2.5, contrast: 2 },
   { sum: "clouds", noise: "value_cubic", dimensions: 1 },
   { sum: "weighted", noise: "simplex", dimensions: 4, z: 0.25, w: 1.5, arithmetic: "fast" },
+  { sum: "clouds", dimensions: 3, z: 0.75, driftx: 0.5, drifty: -1.25, driftz: 0.375, time: 3 },
+  { sum: "none", noise: "value", dimensions: 1, driftx: -0.5, time: 1, map: "land" },
   { sum: "fbm", noise: "cell_border" }, // of all loops the one with the most choices in it, each once a branch in browsers
 ];
 const placed = (settings, state = usualState()) =>
@@ -40,9 +43,9 @@ const layered = (kThorough ? ["fixed", "fast"] : ["fixed"]).map((arithmetic) =>
   placed(
     { arithmetic, period: 3 },
     stateOf(
-      "#sum=ridged&scale=2&blend2=multiply&noise2=simplex&weight2=0.3&offset2=-0.75&blend3=max&sum3=none&noise3=" +
+      "#sum=ridged&scale=2&driftx=0.25&time=2.5&blend2=multiply&drifty2=-3.5&noise2=simplex&weight2=0.3&offset2=-0.75&blend3=max&sum3=none&noise3=" +
         "cellular_between&weight3=-1.5&seed3=9&blend4=mix&sum4=billow&noise4=value&weight4=0.3&scale4=4" +
-        "&blend5=mask&sum5=none&noise5=value&weight5=1.5&offset5=0.3&blend6=height&sum6=none&noise6=simplex&weight6=0.7" +
+        "&driftx4=-0.5&blend5=mask&sum5=none&noise5=value&weight5=1.5&offset5=0.3&blend6=height&sum6=none&noise6=simplex&weight6=0.7" +
         "&tint4=moss&tint5=own&tints5=0-102030_70-f0e010&tint6=grey&blend7=slope&sum7=none&weight7=0.5&offset7=-0.4&tint7=land",
     ),
   ),
@@ -58,8 +61,9 @@ const calmed = (layers) => {
   const most = layers.some((layer) => layer.warp !== "none" && !isJump(layer)) ? 1 : Infinity;
   return layers.map((layer) => calm({ ...layer, weight: Math.min(Math.max(layer.weight, -most), most) }));
 };
+const inEighths = (layer) => ({ ...layer, ...Object.fromEntries(["driftx", "drifty", "driftz"].map((name) => [name, Math.round(8 * layer[name]) / 16])) });
 const any = (kThorough ? anyStates(50) : []).map((state) =>
-  changed({ ...state, layers: calmed(state.layers) }, { z: 0.75, w: 1.5, ...kOrigin }),
+  changed({ ...state, layers: calmed(state.layers).map(inEighths) }, { z: 0.75, w: 1.5, time: 2, ...kOrigin }),
 );
 const whole = [...chosen.map((settings) => placed(settings)), ...layered, placed({}, stateOf(kSteered)), ...any];
 const states = [...whole, ...picked.filter((_, at) => at % 101 === 7)];
@@ -72,7 +76,8 @@ function call(language, state, cell) {
   const vector = (type, end, parts) => (n === 1 ? parts[0] : `${type}${n}${end}(${parts.slice(0, n).join(", ")})`);
   const [f32, i32] = language === "wgsl" ? ["f32", "i32"] : ["float", "int"];
   const places = [`${f32}(column) * 0.125`, `${f32}(row) * 0.125`, state.z.toFixed(4), state.w.toFixed(4)];
-  if (!cell) return `pattern(${vector(float, ends[0], places)})`;
+  const clock = hasDrift(state) ? `, ${state.time.toFixed(4)}` : "";
+  if (!cell) return `pattern(${vector(float, ends[0], places)}${clock})`;
   const cells = ["column >> 3u", "row >> 3u", String(Math.floor(state.z)), String(Math.floor(state.w))];
   const rests = [
     `${f32}(column & 7${language === "wgsl" ? "u" : ""}) * 0.125`,
@@ -81,7 +86,7 @@ function call(language, state, cell) {
     (state.w - Math.floor(state.w)).toFixed(4),
   ];
   const whole = cells.map((part, at) => (at < 2 ? `${i32}(${part})` : part));
-  return `${language === "wgsl" ? "pattern_cell" : "pattern"}(${vector(int, ends[1], whole)}, ${vector(float, ends[0], rests)})`;
+  return `${language === "wgsl" ? "pattern_cell" : "pattern"}(${vector(int, ends[1], whole)}, ${vector(float, ends[0], rests)}${clock})`;
 }
 
 // Whether the forms of pattern() that a text has take a cell.
@@ -150,12 +155,13 @@ after(() => browser.close());
 // The picture of a fragment shader by WebGL2, in bytes; or the driver's message.
 const drawn = (fragment) =>
   page.evaluate(
-    async (text, width, height) => {
+    async (text, width, height, clock) => {
       const { gpu } = window.hashnoise;
       try {
         const program = await gpu.build(text);
         gpu.gl.useProgram(program);
         gpu.gl.uniform2f(gpu.gl.getUniformLocation(program, "resolution"), width, height);
+        for (const name of ["time", "iTime"]) gpu.gl.uniform1f(gpu.gl.getUniformLocation(program, name), clock);
         gpu.gl.uniform3f(gpu.gl.getUniformLocation(program, "iResolution"), width, height, 1);
         return Array.from(await gpu.read(program, new ArrayBuffer(0), width, height));
       } catch (error) {
@@ -165,6 +171,7 @@ const drawn = (fragment) =>
     fragment,
     kWidth,
     kHeight,
+    kClock,
   );
 // The words that a picture has as its bytes.
 const wordsOfBytes = (found) => (Array.isArray(found) ? Array.from(new Uint32Array(Uint8Array.from(found).buffer)) : found);
@@ -189,7 +196,7 @@ void main() {
 // The picture of a whole shader in WGSL, from the lower row on, in bytes; or the messages of the compiler.
 const drawnByWgsl = (text) =>
   page.evaluate(
-    async (code, width, height) => {
+    async (code, width, height, clock) => {
       const device = await (await navigator.gpu.requestAdapter()).requestDevice();
       const module = device.createShaderModule({ code });
       const { messages } = await module.getCompilationInfo();
@@ -205,9 +212,11 @@ const drawnByWgsl = (text) =>
       const pass = encoder.beginRenderPass({ colorAttachments: [{ view, loadOp: "clear", storeOp: "store" }] });
       pass.setPipeline(pipeline);
       if (code.includes("resolution")) {
-        const buffer = device.createBuffer({ size: 8, usage: UNIFORM | COPY_DST });
-        device.queue.writeBuffer(buffer, 0, new Float32Array([width, height]));
-        const entries = [{ binding: 0, resource: { buffer } }];
+        const entries = [[width, height], ...(code.includes("> time:") ? [[clock]] : [])].map((numbers, binding) => {
+          const buffer = device.createBuffer({ size: 8, usage: UNIFORM | COPY_DST });
+          device.queue.writeBuffer(buffer, 0, new Float32Array(numbers));
+          return { binding, resource: { buffer } };
+        });
         pass.setBindGroup(0, device.createBindGroup({ layout: pipeline.getBindGroupLayout(0), entries }));
       }
       pass.draw(3);
@@ -226,6 +235,7 @@ const drawnByWgsl = (text) =>
     text,
     kWidth,
     kHeight,
+    kClock,
   );
 
 // The bits of a function of the copied WGSL. Its colours are compiled with it.
@@ -310,10 +320,13 @@ test("a whole shader draws the picture", async () => {
     states[8],
     { ...states[8], x: 1n << 50n },
     layered[0],
+    states[11],
+    { ...states[11], y: 1n << 50n, arithmetic: "fast" },
+    { ...states[12], time: 0 },
     changed(stateOf("#sum=none&dimensions=3&lean=0.1"), { ...kOrigin, arithmetic: "fixed", z: 0.75 }),
     changed(stateOf("#sum=none&dimensions=4&lean=0.2"), { ...kOrigin, x: 1n << 45n, arithmetic: "fixed", z: 0.75 }),
   ].entries()) {
-    await setState(page, { ...state, x: state.x + half, y: state.y + half });
+    await setState(page, { ...state, x: state.x + half, y: state.y + half, time: state.time + kClock });
     const shown = await pixels(page, kWidth, kHeight);
     assert.ok(unlike(shown, shown.toReversed()) > 100, `${linkOf(state)} shows next to nothing`);
     await setState(page, state);

@@ -363,7 +363,7 @@ test("Play states why it does not play", async () => {
   const page = await shownOnShared();
   const described = () =>
     page.$eval("#play", (button) => document.getElementById(button.getAttribute("aria-describedby")).textContent);
-  assert.match(await described(), /^This picture does not move\. Choose 3D or 4D/);
+  assert.match(await described(), /^This picture does not move\. Choose a drift, 3D or 4D/);
   assert.equal(await visibleText(page, "hint"), "");
   for (const id of ["play", "picture-webgl2"]) {
     await page.focus(`#${id}`);
@@ -388,7 +388,12 @@ test("a picture that plays leaves what is typed", async () => {
   await page.keyboard.press("Enter");
   await wait(settled);
   assert.equal(Number((await stateOfPage(page)).seed), 12);
+  // Layers that drift move by the time, and the slice stays.
+  const before = await stateOfPage(page);
+  await page.evaluate(() => window.hashnoise.change({ driftx: 0.5 }));
+  await page.waitForFunction(() => window.hashnoise.state.time > 0.1);
   await page.click("#play"); // it would play on beside the other tests
+  assert.ok(before.z > 0.37 && (await stateOfPage(page)).z < before.z + 0.25, `${before.z}`);
 });
 
 test("copy, save and link are in sight, and the settings hide", async () => {

@@ -2,6 +2,7 @@
 import { mkdir, writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import { readFileSync } from "node:fs";
+import { hasDrift } from "../model.js";
 import { inFolder, kRoot, run } from "./support.mjs";
 
 
@@ -112,7 +113,8 @@ export const wordsOf = (language, code, state, width, height) =>
     const { files, commands } = kPrograms[language];
     const call = (name, x, y, suffix, vector) => {
       const parts = [x, y, ...[state.z, state.w].map((part) => `${part.toFixed(4)}${suffix}`)].slice(0, state.dimensions);
-      return `${name}(${vector && parts.length > 1 ? `${vector}${parts.length}(${parts.join(", ")})` : parts.join(", ")})`;
+      const place = vector && parts.length > 1 ? `${vector}${parts.length}(${parts.join(", ")})` : parts.join(", ");
+      return `${name}(${place}${hasDrift(state) ? `, ${state.time.toFixed(4)}${suffix}` : ""})`;
     };
     for (const [name, text] of Object.entries(files(code, call, width, height))) {
       await mkdir(join(folder, name, ".."), { recursive: true });
@@ -128,7 +130,7 @@ export const wordsOf = (language, code, state, width, height) =>
 export async function wordsOfJavaScript(code, state, width, height) {
   const { pattern } = await import(`data:text/javascript,${encodeURIComponent(code)}`);
   const values = Array.from({ length: width * height }, (_, at) =>
-    pattern(...[(at % width) / 8, Math.floor(at / width) / 8, state.z, state.w].slice(0, state.dimensions)),
+    pattern(...[(at % width) / 8, Math.floor(at / width) / 8, state.z, state.w].slice(0, state.dimensions), state.time),
   );
   return Array.from(new Uint32Array(new Float32Array(values).buffer));
 }

@@ -75,6 +75,26 @@ test("the links of the page's description mean what it states", () => {
   assert.deepEqual(described, Object.keys(kSettings));
 });
 
+test("without a drift there is no time, and with one the code has it", () => {
+  const link = "#sum=clouds&drifty=-0.5&time=12.5&sum2=none&blend2=add&driftx2=0.25";
+  const state = stateOf(`${link}&driftz=1`); // of a third axis there is none
+  assert.equal(linkOf(state), link);
+  assert.equal(linkOf(stateOf("#time=5&seed=3")), "#seed=3");
+  assert.equal(pageShader(library, stateOf("#time=5")), pageShader(library, stateOf("")));
+  const kinds = Object.entries(kKinds).flatMap(([language, kinds]) => Object.keys(kinds).map((kind) => [language, kind]));
+  for (const [language, kind] of kinds) {
+    assert.equal(exportedText(library, language, stateOf("#time=5"), kind), exportedText(library, language, stateOf(""), kind));
+    const then = exportedText(library, language, state, kind);
+    assert.match(then, language === "bake" ? /pattern\(x, y, 12\.5\)/ : /(?:seconds|time)\b[^]*\bseconds\b/, `${language}, ${kind}`);
+    if (kKinds[language][kind].main) assert.match(then, /pattern\(p, 12\.5 \+ (?:iTime|time)\)/);
+    assert.notEqual(exportedText(library, language, stateOf(link.replace("12.5", "2")), kind), language === "bake" || kKinds[language][kind].main ? then : "");
+  }
+  // One layer alone is a line of tools/bake, from another origin.
+  const bake = (more) => exportedText(library, "bake", stateOf(`#x=3&period=8${more}`)).split("\n").at(-2);
+  assert.equal(bake("&driftx=0.5&time=4"), bake("").replace("--origin=-1x", "--origin=-3x"));
+  assert.match(exportedText(library, "python", stateOf("#driftx=-0.5&time=4")), /hashnoise\.fbm\(x \+ 0\.5 \* seconds, y, [^]*pattern\(x, y, 4\)/);
+});
+
 test("a link with what is not there still opens", () => {
   for (const [link, name, value] of [
     ["#noise=absent", "noise", "perlin"],

@@ -177,6 +177,27 @@ test("the edge of a map is smooth with floats alone", async () => {
   assert.deepEqual([await shades({}), await shades({ arithmetic: "fixed" })], [5, 2]); // four values give five shades
 });
 
+test("a layer that drifts is where it was before, and the others stay", async () => {
+  const at = { x: 3n << 22n, y: 0n, cells: 8, arithmetic: "fixed", dimensions: 3, z: 1.25 };
+  const second = { sum: "none", noise: "cells", scale: 4, warp: "warp", seed: 3, blend: "add" };
+  for (const settings of [{}, { period: 5 }, { sum: "none", noise: "middle" }, { warp: "warp", arithmetic: "fast" }, { view: "sphere", tilt: -0.1 }]) {
+    const state = changed(usualState(), { ...at, ...settings });
+    const both = { ...state, layers: [state.layers[0], { ...state.layers[0], ...second }] };
+    const shown = async (given) => {
+      await setState(page, given);
+      return pixels(page, kWidth, kHeight, true);
+    };
+    const drift = { driftx: -1.5, drifty: 0.25, driftz: 0.5 };
+    const moved = (given, changes) => ({ ...given, ...changes, layers: given.layers.map((layer) => ({ ...layer, ...drift })) });
+    const place = { x: state.x + (3n << 24n), y: state.y - (1n << 23n), z: state.z - 1 };
+    const name = JSON.stringify(settings);
+    assert.equal(unequal(await shown(moved(both, { time: 2 })), await shown({ ...both, ...place })), 0, name);
+    assert.equal(unequal(await shown(moved(both, { time: 0 })), await shown(both)), 0, name);
+    const one = { ...both, time: 2, layers: [both.layers[0], { ...both.layers[1], ...drift }] };
+    for (const other of [both, moved(both, { time: 2 })]) assert.ok(unequal(await shown(one), await shown(other)) > 99, name);
+  }
+});
+
 test("tiles have no seam, and one that is there is seen", async () => {
   const side = 48;
   const state = changed(usualState(), { arithmetic: "fixed", period: 4, cells: 12, x: 99n << 20n });

@@ -423,8 +423,8 @@ class Links(Bake):
     LINKS = (
         "#seed=3&arithmetic=fixed&x=2.3&y=-7.1&cells=3&width=61&height=40",
         "#sum=none&noise=cellular_second&dimensions=3&z=1.5&arithmetic=fixed&x=1e6&y=0.5&cells=7&width=64&height=33",
-        "#arithmetic=fixed&period=3&view=tiles&width=48&height=48",
-        "#arithmetic=fixed&sum=ridged&cells=5&width=50&height=70&sum2=none&noise2=middle&blend2=add&seed3=5&blend3=mask&blend4=multiply",
+        "#arithmetic=fixed&period=3&view=tiles&width=48&height=48&driftx=0.3&drifty=-0.5&time=7.5",
+        "#arithmetic=fixed&sum=ridged&cells=5&width=50&height=70&drifty=0.25&time=9.5&sum2=none&noise2=middle&driftx2=-0.1&blend2=add&seed3=5&blend3=mask&blend4=multiply",
     )
 
     def test_they_look_as_the_page(self):

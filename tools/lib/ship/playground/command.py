@@ -13,13 +13,13 @@ from ship.playground.page import Unfit, page
 from translate.parsing.tokens import Unknown
 
 PICTURE = ROOT / "docs" / "images" / "playground.png"
-LOOKS = ROOT / "playground" / "looks.webp"  # which the next page has inside
+LOOKS = ROOT / "playground" / "looks.webp"  # which the page has inside
 
 
-def draw(html: Path) -> int:
-    """Writes the picture of a page, in Chromium; the exit status of the program that does."""
+def draw(html: Path, file: Path) -> int:
+    """Writes LOOKS or PICTURE of a page, in Chromium; the exit status of the program that does."""
     folder = ROOT / "build" / "javascript"
-    command = ["node", ROOT / "playground" / "picture.mjs", html.resolve(), PICTURE, LOOKS]
+    command = ["node", ROOT / "playground" / "picture.mjs", html.resolve(), file]
     return subprocess.run([sys.executable, "-B", environment.__file__, "run", folder, *command], check=False).returncode
 
 
@@ -37,13 +37,17 @@ def main() -> int:
     def tell(step: str) -> None:
         print(step, file=sys.stderr, flush=True)
 
+    status = 0
     try:
         out.parent.mkdir(parents=True, exist_ok=True)  # before what takes long
         out.write_text(page(tell), encoding="utf-8")
+        for file in (LOOKS, PICTURE) if arguments.picture else ():
+            status = status or draw(out, file)
+            out.write_text(page(tell), encoding="utf-8")  # with the new looks
     except (Unknown, Unfit) as error:
         sys.stderr.write(f"tools/playground: {error}\n")
         return 1
     except OSError as error:
         parser.error(f"cannot write {out}: {error.filename}: {error.strerror}")
     print(out.resolve())
-    return draw(out) if arguments.picture else 0
+    return status

@@ -190,6 +190,21 @@ class Command(unittest.TestCase):
             path = Path(folder).resolve() / "a" / "page.html"
             self.assertEqual((out.getvalue(), path.read_text()), (f"{path}\n", "the page"))
 
+    def test_the_picture_is_of_a_page_with_the_new_looks(self):
+        """They are drawn first, and if that fails the page has no picture."""
+        for statuses in ([0, 0], [77]):
+            drawn: list[tuple[str, str]] = []
+
+            def draw(html, file):
+                drawn.append((file.name, html.read_text()))
+                return statuses[len(drawn) - 1]
+
+            with tempfile.TemporaryDirectory() as folder, mock.patch.object(command, "page", lambda _: f"looks {len(drawn)}"), \
+                    mock.patch.object(sys, "argv", ["playground", "--out", f"{folder}/page.html", "--picture"]), \
+                    mock.patch.object(command, "draw", draw), contextlib.redirect_stdout(io.StringIO()):
+                self.assertEqual(command.main(), statuses[-1])
+            self.assertEqual(drawn, [("looks.webp", "looks 0"), ("playground.png", "looks 1")][:len(statuses)])
+
     def test_bad_usage_is_status_2(self):
         for arguments in (["--out"], ["more"], ["--out", "/dev/null/page.html"], ["--picks"]):
             done = subprocess.run([sys.executable, TOOLS / "playground", *arguments], capture_output=True, text=True, check=False)
