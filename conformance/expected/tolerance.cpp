@@ -80,12 +80,11 @@ void move_place(const Function& function, roundings::Words& words, std::uint32_t
   }
 }
 
-// How far the results of the lanes are apart; infinite where one is no number.
+// How far the results of the lanes are apart.
 double spread_of(const std::array<std::uint32_t, roundings::kLanes>& results) {
   float least = HUGE_VALF, greatest = -HUGE_VALF;
   for (const std::uint32_t word : results) {
     const float x = std::bit_cast<float>(word);
-    if (!std::isfinite(x)) return HUGE_VAL;
     least = std::min(least, x), greatest = std::max(greatest, x);
   }
   return static_cast<double>(greatest) - static_cast<double>(least);
