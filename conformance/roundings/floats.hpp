@@ -2,7 +2,8 @@
 // own. A lane is a run of the text as some driver might do it: each operation rounds up or down, a sum of a product may
 // take the product as it was before it was rounded, and a quotient or a root is further off, as GLSL allows.
 //
-// While they are computed the processor rounds down (roundings.cpp). What has to round up is computed with other signs:
+// While they are computed the processor rounds down (roundings.cpp). A result that has to round up is computed with
+// other signs:
 // -(-a - b). The bits are the same with every compiler and on every processor: what is fused is fused by doubles, which
 // hold the product, and rounding down twice is rounding down once.
 
@@ -119,6 +120,7 @@ struct Lanes<float> {
   }
   // GCC makes this of ?: lane by lane, where the processor has no such vectors.
   HN_I_INLINE static Vector chosen(detail::IntVector mask, Vector x, Vector y) {
-    return __builtin_bit_cast(Vector, (Bits(mask) & __builtin_bit_cast(Bits, x)) | (~Bits(mask) & __builtin_bit_cast(Bits, y)));
+    return __builtin_bit_cast(Vector,
+                              (Bits(mask) & __builtin_bit_cast(Bits, x)) | (~Bits(mask) & __builtin_bit_cast(Bits, y)));
   }
 };

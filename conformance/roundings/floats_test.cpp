@@ -1,10 +1,9 @@
 // Each operation rounds either way, and a product that is added may be whole.
 #include <gtest/gtest.h>
 
-#include <hashnoise/glsl.hpp>
-
 #include <cfenv>
 #include <cmath>
+#include <hashnoise/glsl.hpp>
 #include <set>
 #include <vector>
 

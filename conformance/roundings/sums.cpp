@@ -2,10 +2,9 @@
 // makes.
 #include "roundings/sums.hpp"
 
-#include <hashnoise/glsl.hpp>
-
 #include <cfenv>
 #include <cmath>
+#include <hashnoise/glsl.hpp>
 #include <unordered_map>
 
 #define HN_I_OWN_FLOATS "roundings/floats.hpp"

@@ -10,7 +10,7 @@
 
 namespace hn::roundings {
 
-using Words = std::array<std::array<std::uint32_t, kLanes>, 16>;    // of each lane
+using Words = std::array<std::array<std::uint32_t, kLanes>, 16>;  // of each lane
 using Results = std::array<std::array<std::uint32_t, kLanes>, 4>;
 
 // The results of a sum of the suite's table for the words of each lane, in the ways of a seed, with the default hash.

@@ -15,7 +15,7 @@ from pathlib import Path
 from base import modules
 from base.cache import cached
 from base.golden_values import Golden
-from base.tree import CONFORMANCE, GLSL, GOLDEN, ROOT, VECTORS, glsl_files
+from base.tree import CONFORMANCE, GOLDEN, ROOT, VECTORS, glsl_files
 from base.twin import NotBuilt, compile_program
 from catalog import suite
 from catalog.tables.configurations import Configuration, read_configurations
