@@ -2,10 +2,9 @@
 // own. A lane is a run of the text as some driver might do it: each operation rounds up or down, a sum of a product may
 // take the product as it was before it was rounded, and a quotient or a root is further off, as GLSL allows.
 //
-// While they are computed the processor rounds down (roundings.cpp). A result that has to round up is computed with
-// other signs:
-// -(-a - b). The bits are the same with every compiler and on every processor: what is fused is fused by doubles, which
-// hold the product, and rounding down twice is rounding down once.
+// While they are computed the processor rounds down (sums.cpp). A result that has to round up is computed with other
+// signs: -(-a - b). The bits are the same with every compiler and on every processor: what is fused is fused by
+// doubles, which hold the product, and rounding down twice is rounding down once.
 
 template <>
 struct Lanes<float> {
