@@ -23,12 +23,14 @@ struct Lanes<float> {
     v = __builtin_bit_cast(Vector, bits);
   }
   HN_I_INLINE explicit Lanes(Lanes<std::int32_t> n) {
-    const Bits up = way() & kSign;
+    const Bits up = way(Bits(n.v)) & kSign;
     v = flipped(detail::converted<Vector>(flipped(detail::converted<Doubles>(n.v), up)), up);
   }
   HN_I_INLINE explicit Lanes(Lanes<std::uint32_t> n) {
-    const Bits up = way() & kSign;
-    const Doubles exact = detail::converted<Doubles>(detail::IntVector(n.v ^ kSign)) + 0x1p31;
+    const Bits up = way(n.v) & kSign;
+    // In two halves: -0x1p31 + 0x1p31 is -0 where the processor rounds down, and 0 has to be 0.
+    const Doubles half = detail::converted<Doubles>(detail::IntVector(n.v >> 1u));
+    const Doubles exact = half + half + detail::converted<Doubles>(detail::IntVector(n.v & 1u));
     v = flipped(detail::converted<Vector>(flipped(exact, up)), up);
   }
   HN_I_INLINE explicit Lanes(Mask mask) : v(detail::converted<Vector>(-mask.v)) {}
@@ -42,7 +44,7 @@ struct Lanes<float> {
   HN_I_INLINE void store(float* to) const { std::memcpy(to, &v, sizeof(Vector)); }
 
   HN_I_INLINE friend Lanes operator+(const Lanes& a, const Lanes& b) {
-    const Bits way = Lanes::way(), up = way & kSign;
+    const Bits way = Lanes::way(a.v, b.v), up = way & kSign;
     Lanes sum(flipped(flipped(a.v, up) + flipped(b.v, up), up));
     if (a.is_product || b.is_product) {
       const Lanes& product = a.is_product ? a : b;
@@ -61,19 +63,19 @@ struct Lanes<float> {
   }
   HN_I_INLINE friend Lanes operator-(const Lanes& a, const Lanes& b) { return a + -b; }
   HN_I_INLINE friend Lanes operator*(const Lanes& a, const Lanes& b) {
-    const Bits up = way() & kSign;
+    const Bits up = way(a.v, b.v) & kSign;
     Lanes product(flipped(flipped(a.v, up) * b.v, up));
     product.p = a.v, product.q = b.v, product.is_product = true;
     return product;
   }
   HN_I_INLINE friend Lanes operator/(const Lanes& a, const Lanes& b) {  // off by 2.5 ULPs in GLSL
-    const Bits up = way() & kSign;
+    const Bits up = way(a.v, b.v) & kSign;
     return off_by(flipped(flipped(a.v, up) / b.v, up), up, 2);
   }
   HN_I_INLINE friend Lanes sqrt(const Lanes& a) {  // as 1 / inversesqrt(a), which is off by 2: times a division
     Vector root;
     for (int i = 0; i < 16; ++i) root[i] = std::sqrt(a.v[i]);
-    return off_by(root, way() & kSign, 5);
+    return off_by(root, way(a.v) & kSign, 5);
   }
   HN_I_INLINE friend Lanes& operator+=(Lanes& a, const Lanes& b) { return a = a + b; }
   HN_I_INLINE friend Lanes& operator-=(Lanes& a, const Lanes& b) { return a = a - b; }
@@ -96,12 +98,14 @@ struct Lanes<float> {
  private:
   static constexpr std::uint32_t kSign = 0x80000000u;
 
-  // For each lane a word of the next operation: with the highest bit it rounds up, with the lowest it fuses.
-  HN_I_INLINE static Bits way() {
+  // For each lane a word of an operation: with the highest bit it rounds up, with the lowest it fuses.
+  HN_I_INLINE static Bits way(Bits a, Bits b = Bits{}) {
     Bits words;
-    std::memcpy(&words, hn::roundings::ways.words + 16 * (hn::roundings::ways.operation++ % hn::roundings::kOperations),
-                sizeof words);
+    std::memcpy(&words, hn::roundings::ways.of_next(a[0], b[0]), sizeof words);
     return words;
+  }
+  HN_I_INLINE static Bits way(Vector a, Vector b = Vector{}) {
+    return way(__builtin_bit_cast(Bits, a), __builtin_bit_cast(Bits, b));
   }
   HN_I_INLINE static Vector flipped(Vector x, Bits sign) {
     return __builtin_bit_cast(Vector, __builtin_bit_cast(Bits, x) ^ sign);

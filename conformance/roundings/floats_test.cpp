@@ -20,9 +20,9 @@ using Float = own::Float;
 // Lanes round down and up in turn, and half of them fuse.
 class Lanes : public testing::Test {
  protected:
-  Lanes() : words_(kOperations * kLanes), before_(std::fegetround()) {
+  Lanes() : words_(kWays), before_(std::fegetround()) {
     for (std::uint32_t i = 0; i < words_.size(); ++i) words_[i] = (i & 1u) << 31u | (i >> 1u & 1u);
-    ways = {words_.data(), 0};
+    ways = {.words = words_.data()};
     std::fesetround(FE_DOWNWARD);
   }
   ~Lanes() override { std::fesetround(before_); }

@@ -34,15 +34,12 @@ const std::unordered_map<std::string_view, Body> kBodies = {
 #undef float
 #undef int
 
-// The ways of all seeds follow one another in one list.
-constexpr std::uint32_t kWords = hn::roundings::kOperations * hn::roundings::kLanes;
-const std::array<std::uint32_t, 2 * kWords> kWays = [] {
-  std::array<std::uint32_t, 2 * kWords> ways{};
+const std::array<std::uint32_t, hn::roundings::kWays + hn::roundings::kLanes> kRandomWays = [] {
+  std::array<std::uint32_t, hn::roundings::kWays + hn::roundings::kLanes> ways{};
   std::uint64_t state = 1;
   for (std::uint32_t& way : ways) {
     state = state * 6364136223846793005u + 1442695040888963407u;
-    way = static_cast<std::uint32_t>(state >> 32u) >> 30u;  // the two highest bits are the best
-    way = way >> 1u << 31u | (way & 1u);
+    way = static_cast<std::uint32_t>((state >> 63u) << 31u | (state >> 62u & 1u));  // the highest bits are the best
   }
   return ways;
 }();
@@ -65,7 +62,7 @@ class RoundingDown {
 hn::roundings::Results hn::roundings::HN_ROUNDINGS(std::string_view id, const Words& words, std::uint32_t seed) {
   using namespace hashnoise::lanes;
   const RoundingDown rounding;
-  ways = {kWays.data() + seed % kWords, 0};
+  ways = {.words = kRandomWays.data(), .by_value = true, .seed = seed};
   const auto four = [&](std::size_t i) {
     return uvec4(Uint::load(words[i].data()), Uint::load(words[i + 1].data()), Uint::load(words[i + 2].data()),
                  Uint::load(words[i + 3].data()));
