@@ -47,7 +47,10 @@
 #endif
 
 // The widest of the instruction sets that the flags allow.
-#if defined(HN_LANES_PORTABLE)
+#if defined(HN_I_OWN_FLOATS)  // conformance/roundings: the bits must not depend on the flags
+#define HN_LANES own
+#define HN_I_LANE_BYTES 64
+#elif defined(HN_LANES_PORTABLE)
 #define HN_LANES portable
 #define HN_I_LANE_BYTES 16
 #elif defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
@@ -285,6 +288,10 @@ struct Lanes {
   }
 };
 
+#ifdef HN_I_OWN_FLOATS
+#include HN_I_OWN_FLOATS  // Lanes<float>, with / and sqrt
+#endif
+
 using Float = Lanes<float>;
 using Int = Lanes<std::int32_t>;
 using Uint = Lanes<std::uint32_t>;
@@ -302,7 +309,9 @@ HN_I_INLINE Float select(Mask condition, Float a, Float b) { return hn_i_select(
 HN_I_INLINE Int select(Mask condition, Int a, Int b) { return hn_i_select(condition, a, b); }
 HN_I_INLINE Uint select(Mask condition, Uint a, Uint b) { return hn_i_select(condition, a, b); }
 
+#ifndef HN_I_OWN_FLOATS
 HN_I_INLINE Float operator/(Float a, Float b) { return Float(a.v / b.v); }
+#endif
 
 // No processor divides vectors of integers. A quotient of doubles is right, or, under -ffast-math, off by one. b > 0.
 HN_I_INLINE Uint operator/(Uint a, Uint b) {
@@ -377,6 +386,7 @@ HN_I_INLINE Float sqrt(Float x) { return Float(HN_I_X86(sqrt_ps, x.v, x.v)); }
 HN_I_INLINE Float min(Float x, Float y) { return Float(HN_I_X86(min_ps, x.v, y.v, x.v)); }
 HN_I_INLINE Float max(Float x, Float y) { return Float(HN_I_X86(max_ps, x.v, y.v, x.v)); }
 #else
+#ifndef HN_I_OWN_FLOATS
 HN_I_INLINE Float sqrt(Float x) {
 #if defined(HN_I_NEON)
   return Float(vsqrtq_f32(x.v));
@@ -387,6 +397,7 @@ HN_I_INLINE Float sqrt(Float x) {
   return x;
 #endif
 }
+#endif
 HN_I_INLINE Float min(Float x, Float y) { return hn_i_select(y < x, y, x); }
 HN_I_INLINE Float max(Float x, Float y) { return hn_i_select(x < y, y, x); }
 #endif

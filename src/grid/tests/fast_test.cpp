@@ -19,7 +19,6 @@
 #include "fields.hpp"
 #include "grid/functions.hpp"
 #include "subjects.hpp"
-#include "sums/sums.hpp"
 
 namespace hashnoise::twin {
 namespace {
@@ -120,25 +119,13 @@ void put_place(Words& words, const hn::Function& row, const Position<D>& p) {
 }
 
 // Over any noise, from a cell or in a tile: there the positions of octaves are whole numbers, and the same in both. So
-// only the noise and the sum are off, as if the noise were the same everywhere. For slopes and vectors of other noises
-// the bound is far above a rounding, and far below another seed or place.
+// only the noise and the sum are off. The bound is far above their roundings, and far below another seed or place.
 template <int D>
 Bound bound_of_other(const Settings& s) {
-  if (grid::sum_row(s.fractal).of != grid::Shape::kValue) return [](auto, auto) { return 1e-3; };
-  const auto flat = [](const std::string& noise) {
-    const hn::NoiseBounds& bounds = hn::noise_bounds(noise, D, kGradient);
-    return hn::sums::Noise(D, {bounds.cell_error, 0.0, bounds.limit});
-  };
-  hn::sums::Noises noises;
-  if (s.fractal == "curl_fbm") {
-    noises.curl[D] = flat("curl");
-    noises.curl_phase[D] = flat("curl_phase");
-  } else {
-    noises.perlin[D] = flat(s.noise.empty() ? "perlin" : s.noise);
+  double error = 1e-3;
+  if (grid::sum_row(s.fractal).of == grid::Shape::kValue) {
+    error = 32.0 * hn::noise_bounds(s.noise.empty() ? "perlin" : s.noise, D, kGradient).cell_error + 1e-6;
   }
-  if (s.fractal == "perlin_worley") noises.cellular_d[D] = flat("cellular_d");
-  const hn::Function& row = row_of_sum(s, D, false, false);
-  const double error = 2.0 * std::ranges::max(hn::sums::errors_of(row.id, words_of(s, row), noises));
   return [=](std::size_t, std::size_t) { return error; };
 }
 

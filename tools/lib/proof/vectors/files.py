@@ -15,7 +15,7 @@ from pathlib import Path
 from base import modules
 from base.cache import cached
 from base.golden_values import Golden
-from base.tree import CONFORMANCE, GLSL, GOLDEN, ROOT, VECTORS, glsl_files
+from base.tree import CONFORMANCE, GOLDEN, ROOT, VECTORS, glsl_files
 from base.twin import NotBuilt, compile_program
 from catalog import suite
 from catalog.tables.configurations import Configuration, read_configurations
@@ -29,8 +29,8 @@ INDEX = "index.json"
 LARGEST_BOUND = 2.0**-6  # of a row. Octave sums of floats far out have larger ones, which mean little
 DEFAULTS = {"lattice", "lattice+sine"}  # the settings of noise that are written out, without their arithmetic
 PROGRAM = Path(__file__).with_name("tolerances.cpp")
-OPTIONS = ("-O0", "-Dalways_inline=unused", "-w", "-frounding-math", f"-I{CONFORMANCE}", f"-I{CONFORMANCE / 'prover'}",
-           f"-I{GLSL}", f"-I{ROOT / 'include'}", f"-I{ROOT / 'src'}", "-lfmt")
+SUMS = {"of_octahedral": (), "of_sine": ("HN_GRADIENT=HN_GRADIENT_SINE",)}  # as conformance/roundings/CMakeLists.txt
+OPTIONS = ("-O0", "-Dalways_inline=unused", "-w", f"-I{CONFORMANCE}", f"-I{ROOT / 'include'}", f"-I{ROOT / 'src'}")
 KINDS = {name: struct.Struct(form) for name, form in (("u32", ">I"), ("i32", ">i"), ("f32", ">f"), ("f64", ">d"))}
 
 Words = Sequence[int]
@@ -110,8 +110,13 @@ def asked(questions: Sequence[str]) -> list[list[float]]:
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder) / PROGRAM.stem
         suite.write(Path(folder))  # the functions and the settings
+        sums = [f"{folder}/{name}.o" for name in SUMS]
         try:
-            compile_program("the program that computes bounds", PROGRAM, program, *OPTIONS, include=Path(folder))
+            for object_, (name, macros) in zip(sums, SUMS.items()):
+                compile_program("the roundings of sums", CONFORMANCE / "roundings/sums.cpp", Path(object_), "-c", *OPTIONS,
+                                "-frounding-math", include=Path(folder), macros=(f"HN_ROUNDINGS={name}", *macros))
+            compile_program("the program that computes bounds", PROGRAM, program, *sums, *OPTIONS, "-lfmt",
+                            include=Path(folder))
         except NotBuilt as error:
             raise NoVectors(f"{error}\nIt wants g++ and the library fmt: apt-get install g++ libfmt-dev") from error
         done = subprocess.run([program], input="".join(f"{line}\n" for line in questions), capture_output=True,

@@ -11,10 +11,6 @@
 #include <vector>
 
 // The units of the suite that know it, in one: so it compiles in seconds, without twins and without CMake.
-#include "sums/gullies.cpp"
-#include "sums/sums.cpp"
-
-// These have constants by the names of theirs, and so stand behind them.
 #include "expected/cellular.cpp"
 #include "expected/tolerance.cpp"
 #include "library/configurations.cpp"
