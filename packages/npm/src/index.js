@@ -131,7 +131,8 @@ const isFloat = (value) => typeof value === "number" && Number.isFinite(Math.fro
 function real(name, value, least = -Infinity, most = Infinity) {
   if (!isFloat(value)) {
     const right = Number.isFinite(value) ? "number up to 3.4e38" : "finite number";
-    throw new (errorOf(value, "number"))(`${name} has to be a ${right}, not ${shown(value)}`);
+    const hint = AXES.includes(name) && isList(value) ? ": pass arrays to points" : "";
+    throw new (errorOf(value, "number"))(`${name} has to be a ${right}, not ${shown(value)}${hint}`);
   }
   if (value < least || value > most) {
     throw new RangeError(`${name} has to be ${most === Infinity ? `${least} or more` : `from ${least} to ${most}`}, not ${value}`);
@@ -336,7 +337,7 @@ export class Field {
   #go(count, x, y, z) {
     const { dimensions } = this;
     if (count !== dimensions) {
-      throw new TypeError(`a position has ${dimensions} coordinates here, not ${count}`);
+      throw new TypeError(`a position has ${dimensions} coordinates here, not ${count}: pass (${AXES.slice(0, dimensions).join(", ")}), or arrays to points`);
     }
     real("x", x);
     if (dimensions > 1) real("y", y);
@@ -345,8 +346,9 @@ export class Field {
     return twin.valueAt(x, y, z);
   }
 
-  #enter(cell, fraction) {
+  #enter(count, cell, fraction) {
     const { dimensions } = this;
+    if (count !== 2) throw new TypeError(`pass a cell and a fraction, each a number or an array of ${dimensions}, not ${count} values`);
     const cells = perAxis("cell", cell, dimensions, wholeCell);
     const fractions = perAxis("fraction", fraction, dimensions, inItsCell);
     this.#load();
@@ -377,13 +379,13 @@ export class Field {
 
   /** The first component in a cell, at a fraction in it from 0 to 1 along each axis: exact however far out. */
   inCell(cell, fraction) {
-    fieldOf(this).#enter(cell, fraction);
+    fieldOf(this).#enter(arguments.length, cell, fraction);
     return twin.values[0][0];
   }
 
   /** All components there. */
   allInCell(cell, fraction) {
-    fieldOf(this).#enter(cell, fraction);
+    fieldOf(this).#enter(arguments.length, cell, fraction);
     return this.#components();
   }
 

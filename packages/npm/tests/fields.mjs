@@ -228,7 +228,12 @@ test("wrong settings are reported", () => {
   for (const names of [Field.noises, Field.fractals]) assert.throws(() => names(4), /dimensions has to be a whole number from 1 to 3/);
   const field = new Field(2, { seed: undefined });
   for (const [call, said] of [
-    [() => field.at(1), /a position has 2 coordinates here, not 1/],
+    [() => field.at(1), /a position has 2 coordinates here, not 1: pass \(x, y\), or arrays to points$/],
+    [() => field.all([1, 2]), /^TypeError: a position has 2 coordinates here, not 1: pass \(x, y\), or arrays to points$/],
+    [() => field.at([1], 2), /^TypeError: x has to be a finite number, not \[1\]: pass arrays to points$/],
+    [() => new Field(1).at(new Float32Array(2)), /^TypeError: x has to be a finite number, not Float32Array\(2\): pass arrays to points$/],
+    [() => field.inCell(1, 0, 0.5, 0.25), /^TypeError: pass a cell and a fraction, each a number or an array of 2, not 4 values$/],
+    [() => field.allInCell([1, 2]), /^TypeError: pass a cell and a fraction, .*, not 1 values$/],
     [() => field.at(1, "2"), /y has to be a finite number, not "2"/],
     [() => field.at(1e39, 2), /^RangeError: x has to be a number up to 3.4e38, not 1e\+39$/],
     [() => field.at(Object.create(null), 2), /^TypeError: x has to be a finite number, not an object$/],
