@@ -87,15 +87,15 @@ const kPlaces = {
 export const kLicense = "// Copyright (c) 2026 The hashnoise authors; MIT License.";
 
 // As what the code is copied, and of whole shaders what stands around the functions: the first lines, how it is used,
-// what is declared, how main begins, where its pixel is, counted from the middle in shorter sides of the picture, which
-// part of the height is below it, and what becomes of the colour.
+// what is declared, how main begins, where the lower left corner of its pixel is, as on the page, counted from the middle in
+// shorter sides of the picture, which part of the height is below it, and what becomes of the colour.
 const kGlslMain = {
   use: "Draw a triangle over the picture with it.",
   declared: ["uniform vec2 resolution;  // of the picture, in pixels", "out vec4 fragment;", ""],
   clock: "uniform float time;  // in seconds, by which layers drift",
   time: "time",
   main: "void main() {",
-  pixel: "(gl_FragCoord.xy - 0.5 * resolution) / min(resolution.x, resolution.y)",
+  pixel: "(floor(gl_FragCoord.xy) - floor(0.5 * resolution)) / min(resolution.x, resolution.y)",
   below: "gl_FragCoord.y / resolution.y",
   result: (colour) => `fragment = vec4(${colour}, 1.0);`,
 };
@@ -103,7 +103,7 @@ const kGlslMain = {
 const kTurned = {
   below: "1.0 - position.y / resolution.y",
   pixel: (float2) =>
-    `${float2}(position.x - 0.5 * resolution.x, 0.5 * resolution.y - position.y) / min(resolution.x, resolution.y)`,
+    `${float2}(floor(position.x) - floor(0.5 * resolution.x), ceil(0.5 * resolution.y) - ceil(position.y)) / min(resolution.x, resolution.y)`,
 };
 export const kWgslVertex = [
   "@vertex fn vertex(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {",
@@ -126,7 +126,7 @@ export const kKinds = {
       declared: [],
       time: "iTime",
       main: "void mainImage(out vec4 fragColor, in vec2 fragCoord) {",
-      pixel: "(fragCoord - 0.5 * iResolution.xy) / min(iResolution.x, iResolution.y)",
+      pixel: "(floor(fragCoord) - floor(0.5 * iResolution.xy)) / min(iResolution.x, iResolution.y)",
       below: "fragCoord.y / iResolution.y",
       result: (colour) => `fragColor = vec4(${colour}, 1.0);`,
     },
