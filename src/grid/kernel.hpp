@@ -93,9 +93,8 @@ constexpr int kMostLanes = 16;
 
 struct NoiseKernels {
   Loops plain;
-  Loops full;        // with a period, jitter and metric
-  Loops phase;       // of phasor noise, with a bandwidth
-  Loops phase_full;  // with a period, too
+  Loops full;   // with a period, jitter and metric
+  Loops phase;  // with a period, too; of phasor noise, with a bandwidth
   Octave octave;
 };
 struct SumKernels {  // whose `line` nobody calls

@@ -107,6 +107,7 @@ struct Arguments {
   Fraction<D> wave;
   Int metric, octaves;
   Float lacunarity, gain, strength, limit;
+  bool tiled = false;
 
   HN_I_INLINE explicit Arguments(const Options& o)
       : seed(o.seed),
@@ -120,7 +121,9 @@ struct Arguments {
         lacunarity(o.lacunarity),
         gain(o.gain),
         strength(o.strength),
-        limit(o.limit) {}
+        limit(o.limit) {
+    for (int axis = 0; axis < D; ++axis) tiled = tiled || o.period[axis] > 0;
+  }
 };
 
 template <int D>
@@ -157,6 +160,15 @@ HN_I_INLINE Place<D> place_at_position(const Batch& b, int i) {
 template <int D>
 HN_I_INLINE Place<D> place_at(const Batch& b, int i) {
   return b.cell[0] != nullptr ? place_in_cell<D>(b, i) : place_at_position<D>(b, i);
+}
+
+// A place with the period, if there is one. A branch for each vector of points costs little, and the code behind it is
+// compiled once.
+template <int D>
+HN_I_INLINE Place<D> placed(Place<D> place, const Arguments<D>& given) {
+  place.period = given.period;
+  place.tiled = given.tiled;
+  return place;
 }
 
 // A noise as sums call it. The place may have a period.

@@ -17,17 +17,20 @@ namespace {
       return hn_##name(place, __VA_ARGS__);                                                         \
     }                                                                                               \
   };
-#define HN_GRID_WITHOUT_PHASE(name, ...)        \
-  HN_GRID_NOISE(name##_plain, name, given.seed) \
-  HN_GRID_NOISE(name##_full, name, __VA_ARGS__) \
+// One kernel is for both where what may be chosen is a factor that is 1 in the other, or is nothing.
+#define HN_GRID_ONE(name, ...)                   \
+  HN_GRID_NOISE(name##_plain, name, __VA_ARGS__) \
+  using name##_full = name##_plain;              \
   struct name##_phase;
-#define HN_GRID_kNothing(name) HN_GRID_WITHOUT_PHASE(name, given.seed)
-#define HN_GRID_kJitter(name) HN_GRID_WITHOUT_PHASE(name, given.jitter, given.seed)
-#define HN_GRID_kJitterAndMetric(name) HN_GRID_WITHOUT_PHASE(name, given.jitter, given.metric, given.seed)
-#define HN_GRID_kPhase(name)                    \
-  HN_GRID_NOISE(name##_plain, name, given.seed) \
-  HN_GRID_NOISE(name##_full, name, given.seed)  \
+#define HN_GRID_kNothing(name) HN_GRID_ONE(name, given.seed)
+#define HN_GRID_kJitter(name) HN_GRID_ONE(name, given.jitter, given.seed)
+#define HN_GRID_kPhase(name)    \
+  HN_GRID_ONE(name, given.seed) \
   HN_GRID_NOISE(name##_phase, name, given.phase, given.seed)
+#define HN_GRID_kJitterAndMetric(name)                                     \
+  HN_GRID_NOISE(name##_plain, name, given.seed)                            \
+  HN_GRID_NOISE(name##_full, name, given.jitter, given.metric, given.seed) \
+  struct name##_phase;
 #define HN_GRID_kJitterAndMetricAndPhase(name)                             \
   HN_GRID_NOISE(name##_plain, name, given.seed)                            \
   HN_GRID_NOISE(name##_full, name, given.jitter, given.metric, given.seed) \
@@ -61,25 +64,15 @@ HN_GRID_COLUMNS(SimplexSmooth, SmoothSimplexColumns)
 HN_GRID_COLUMNS(Cellular, CellularColumns)
 #endif
 
-// A place as it is, or in a tile.
-template <int D, bool kTiled>
-HN_I_INLINE Place<D> placed(const Place<D>& place, const Arguments<D>& given) {
-  if constexpr (kTiled) {
-    return hn_tile(place, given.period);
+// Noises without a period that have code of their own for points.
+template <int D, NoiseId id>
+constexpr bool kIsOwn = kIsPlainLattice<D, id> || ((D == 2 || D == 3) && id == grid::kSimplex);
+template <int D, NoiseId id>
+HN_I_INLINE hn_i_num own_at(const Place<D>& place, Uint seed) {
+  if constexpr (id == grid::kSimplex) {
+    return simplex_at(place, seed);
   } else {
-    return place;
-  }
-}
-
-// A noise without a period has kernels of its own for points, if it is plain.
-template <int D, typename Noise, NoiseId id, bool kIsOwn, bool kTiled>
-HN_I_INLINE auto noise_at(const Place<D>& place, const Arguments<D>& given) {
-  if constexpr (kIsOwn && (D == 2 || D == 3) && id == grid::kSimplex) {
-    return hn_i_value(simplex_at(place, given.seed));
-  } else if constexpr (kIsOwn && kIsPlainLattice<D, id>) {
-    return hn_i_value(lattice_noise_at<id == grid::kPerlin, D>(place, given.seed));
-  } else {
-    return Noise::template at<D>(placed<D, kTiled>(place, given), given);
+    return lattice_noise_at<id == grid::kPerlin, D>(place, seed);
   }
 }
 
@@ -88,26 +81,37 @@ HN_I_INLINE auto noise_at(const Place<D>& place, const Arguments<D>& given) {
 template <int D, NoiseId id>
 constexpr bool kAreTwo = (kIsPlainLattice<D, id> && (D == 2 || kCount == 16)) || (D == 2 && id == grid::kSimplex);
 
-template <int D, typename Noise, NoiseId id, bool kIsOwn, bool kTiled>
+template <int D, NoiseId id>
+void own_at_points(const Batch& batch, const Options& options, Octave) {
+  const Batch b = batch;
+  const Uint seed(options.seed);
+  const auto noise = [&](const Place<D>& place) HN_I_INLINED { return hn_i_value(own_at<D, id>(place, seed)); };
+  int i = 0;
+  const auto in_pairs = [&](const auto& place) HN_I_INLINED {
+    for (; i + 2 * kCount <= b.count; i += 2 * kCount) {
+      const auto first = noise(place(i)), second = noise(place(i + kCount));
+      store(b, i, first);
+      store(b, i + kCount, second);
+    }
+  };
+  if constexpr (kAreTwo<D, id>) {
+    if (b.cell[0] != nullptr) {
+      in_pairs([&](int k) HN_I_INLINED { return place_in_cell<D>(b, k); });
+    } else {
+      in_pairs([&](int k) HN_I_INLINED { return place_at_position<D>(b, k); });
+    }
+  }
+  for (; i < b.count; i += kCount) store(b, i, noise(place_at<D>(b, i)));
+}
+
+template <int D, typename Noise, bool kMayTile = true>
 void at_points(const Batch& batch, const Options& options, Octave) {
   const Batch b = batch;
   const Arguments<D> given(options);
-  const auto at_places = [&](const auto& place) HN_I_INLINED {
-    const auto noise = [&](int i) HN_I_INLINED { return noise_at<D, Noise, id, kIsOwn, kTiled>(place(i), given); };
-    int i = 0;
-    if constexpr (kIsOwn && kAreTwo<D, id>) {
-      for (; i + 2 * kCount <= b.count; i += 2 * kCount) {
-        const auto first = noise(i), second = noise(i + kCount);
-        store(b, i, first);
-        store(b, i + kCount, second);
-      }
-    }
-    for (; i < b.count; i += kCount) store(b, i, noise(i));
-  };
-  if (b.cell[0] != nullptr) {
-    at_places([&](int i) HN_I_INLINED { return place_in_cell<D>(b, i); });
-  } else {
-    at_places([&](int i) HN_I_INLINED { return place_at_position<D>(b, i); });
+  for (int i = 0; i < b.count; i += kCount) {
+    auto place = place_at<D>(b, i);
+    if constexpr (kMayTile) place = placed(place, given);
+    store(b, i, Noise::template at<D>(place, given));
   }
 }
 
@@ -116,7 +120,13 @@ template <int D, typename Noise, NoiseId id, bool kTiled>
 void along_row(const Batch& batch, const Options& options, Octave) {
   const Batch b = batch;
   const Arguments<D> given(options);
-  const auto tile_of = [&](const Place<D>& place) HN_I_INLINED { return placed<D, kTiled>(place, given); };
+  const auto tile_of = [&](const Place<D>& place) HN_I_INLINED {
+    if constexpr (kTiled) {
+      return hn_tile(place, given.period);
+    } else {
+      return place;
+    }
+  };
   const auto at = [&](const Place<D>& place) HN_I_INLINED { return Noise::template at<D>(tile_of(place), given); };
   using Columns = typename ColumnsOf<D, id>::Type;
   if constexpr (!std::is_void_v<Columns>) {
@@ -140,7 +150,7 @@ void along_row(const Batch& batch, const Options& options, Octave) {
 }
 
 // Along another line.
-template <int D, typename Noise, NoiseId id>
+template <int D, NoiseId id>
 void along_line(const Batch& batch, const Options& options, Octave octave) {
 #ifdef HN_GRID_HAS_WINDOWS
   using Pieces = CornerPieces<id == grid::kPerlin, D>;
@@ -158,7 +168,7 @@ void along_line(const Batch& batch, const Options& options, Octave octave) {
     return;
   }
 #endif
-  at_points<D, Noise, id, true, false>(batch, options, octave);
+  own_at_points<D, id>(batch, options, octave);
 }
 
 // A noise that is called, by sums and by the kernels of some noises.
@@ -192,18 +202,20 @@ NoiseKernels kernels_of() {
   // sums call, so that it is compiled once; two such noises are a fifth of all code of noises. A call costs 5 to 14 %
   // of what others take.
   constexpr bool kIsCalled = HN_ARITHMETIC == HN_FIXED && D == 3 && kIsSearched;
+  // With one kernel for both, lists of simplex_smooth take AVX2 up to 4 % longer.
+  constexpr bool kIsBoth = std::is_same_v<Plain, Full> && id != grid::kSimplexSmooth;
   NoiseKernels k{};
-  k.plain = always(at_points<D, std::conditional_t<kIsCalled, Called<Plain>, Plain>, id, true, false>);
-  k.full = always(at_points<D, std::conditional_t<kIsCalled, Called<Full>, Full>, id, false, true>);
+  k.plain = always(at_points<D, std::conditional_t<kIsCalled, Called<Plain>, Plain>, kIsBoth>);
+  k.full = always(at_points<D, std::conditional_t<kIsCalled, Called<Full>, Full>>);
+  if constexpr (kIsOwn<D, id>) k.plain = always(own_at_points<D, id>);
   if constexpr (kIsFasterInRows) k.plain.row = along_row<D, Plain, id, false>;
   if constexpr (!std::is_void_v<typename ColumnsOf<D, id>::Type>) k.full.row = along_row<D, Full, id, true>;
-  if constexpr (kIsPlainLattice<D, id>) k.plain.line = along_line<D, Plain, id>;
+  if constexpr (kIsPlainLattice<D, id>) k.plain.line = along_line<D, id>;
   if constexpr (kIsSummed) k.octave = reinterpret_cast<Octave>(&called<D, Plain>);
   constexpr bool kHasPhase = takes == grid::Inputs::kPhase || takes == grid::Inputs::kJitterAndMetricAndPhase ||
                              takes == grid::Inputs::kBandwidthAndPhaseAndWave;
   if constexpr (kHasPhase && kIsFlatOrInSpace) {
-    k.phase = always(at_points<D, Phase, id, false, false>);
-    k.phase_full = always(at_points<D, Phase, id, false, true>);
+    k.phase = always(at_points<D, Phase>);
   }
   return k;
 }

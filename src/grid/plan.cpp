@@ -170,12 +170,12 @@ void plan_noise(Plan& plan, const Settings& settings, NoiseId id, bool tiled) {
   plan.shape = kNoiseRows.at(id).shape;
   if (kNoiseRows.at(id).has_wave()) {
     const bool is_plain = plan.options.bandwidth == 0.0f;
-    plan.in = is_plain ? (tiled ? kernels.full : kernels.plain) : tiled ? kernels.phase_full : kernels.phase;
+    plan.in = !is_plain ? kernels.phase : tiled ? kernels.full : kernels.plain;
   } else if (settings.phase) {
     if (plan.options.metric != static_cast<int>(Metric::kEuclidean)) {
       refuse(quoted(kNoiseRows.at(id).name) + " with a phase has no metric but euclidean");
     }
-    plan.in = tiled ? kernels.phase_full : kernels.phase;
+    plan.in = kernels.phase;
   } else {
     const bool is_usual = plan.options.jitter == 1.0f && plan.options.metric == static_cast<int>(Metric::kEuclidean);
     plan.in = tiled || !is_usual ? kernels.full : kernels.plain;

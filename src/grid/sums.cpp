@@ -38,6 +38,14 @@ template <int D, typename Position>
 HN_I_INLINE auto octaves_at(const Position& p, const Arguments<D>& given) {
   return hn_octaves(p, given.octaves, given.lacunarity, given.gain, given.seed);
 }
+// The octaves of a point of a batch, which has positions or cells, and perhaps a period.
+template <int D>
+HN_I_INLINE auto octaves_of(const Batch& b, int i, const Arguments<D>& given) {
+#if HN_ARITHMETIC != HN_FIXED
+  if (b.cell[0] == nullptr && !given.tiled) return octaves_at(fractions_at<D>(b, i), given);
+#endif
+  return octaves_at(placed(place_at<D>(b, i), given), given);
+}
 
 // hn_i_mean, of at least one octave. With HN_FIXED it has the same integers by one division of doubles in place of
 // three divisions of words, for which there are no instructions. sum * 2^18 is exact, since it has 45 bits. A quotient
@@ -60,8 +68,9 @@ template <int D, bool kHasDetail>
 struct ResolvedFbm {
   using Result = Float;
 
-  template <typename Position, typename Noise>
-  HN_I_INLINE static Float at(const Position& p, const Noise& noise, const Arguments<D>& given) {
+  template <typename Noise>
+  HN_I_INLINE static Float at(const Batch& b, int i, const Noise& noise, const Arguments<D>& given) {
+    const auto p = fractions_at<D>(b, i);
     auto o = [&]() HN_I_INLINED {
       if constexpr (kHasDetail) {
         return hn_octaves(p, given.limit, given.lacunarity, given.gain, given.seed);
@@ -88,9 +97,9 @@ template <int D, bool kIsEroded>
 struct SlopeSum {
   using Result = std::conditional_t<D == 2, vec3, vec4>;
 
-  template <typename Position, typename Noise>
-  HN_I_INLINE static auto at(const Position& p, const Noise& noise, const Arguments<D>& given) {
-    auto o = octaves_at(p, given);
+  template <typename Noise>
+  HN_I_INLINE static auto at(const Batch& b, int i, const Noise& noise, const Arguments<D>& given) {
+    auto o = octaves_of(b, i, given);
     auto s = hn_slopes(o);
     do {
       const auto n = noise(o);
@@ -112,9 +121,9 @@ template <int D, bool kIsProgressive>
 struct Warp {
   using Result = Vector<D>;
 
-  template <typename Position, typename Noise>
-  HN_I_INLINE static auto at(const Position& p, const Noise& noise, const Arguments<D>& given) {
-    auto o = octaves_at(p, given);
+  template <typename Noise>
+  HN_I_INLINE static auto at(const Batch& b, int i, const Noise& noise, const Arguments<D>& given) {
+    auto o = octaves_of(b, i, given);
     auto s = hn_shifts(o, given.strength);
     do {
       const Vector<D> v = noise(o);
@@ -132,9 +141,12 @@ struct Warp {
 struct PerlinWorley {
   using Result = Float;
 
-  template <typename Position, typename Noise>
-  HN_I_INLINE static Float at(const Position& p, const Noise&, const Arguments<3>& given) {
-    return hn_perlin_worley(p, given.octaves, given.lacunarity, given.gain, given.seed);
+  template <typename Noise>
+  HN_I_INLINE static Float at(const Batch& b, int i, const Noise&, const Arguments<3>& given) {
+    Arguments<3> of_billows = given;
+    of_billows.octaves = min(given.octaves, Int(3));
+    of_billows.seed = hn_i_other_seed(given.seed);
+    return hn_i_perlin_worley(octaves_of(b, i, given), octaves_of(b, i, of_billows));
   }
 };
 
@@ -142,12 +154,12 @@ template <int D, bool kHasPhase>
 struct Flows {
   using Result = Vector<D>;
 
-  template <typename Position, typename Noise>
-  HN_I_INLINE static auto at(const Position& p, const Noise&, const Arguments<D>& given) {
+  template <typename Noise>
+  HN_I_INLINE static auto at(const Batch& b, int i, const Noise&, const Arguments<D>& given) {
     if constexpr (kHasPhase) {
-      return hn_curl_fbm(p, given.phase, given.octaves, given.lacunarity, given.gain, given.seed);
+      return hn_i_curl_fbm(octaves_of(b, i, given), given.phase);
     } else {
-      return hn_curl_fbm(p, given.octaves, given.lacunarity, given.gain, given.seed);
+      return hn_i_curl_fbm(octaves_of(b, i, given));
     }
   }
 };
@@ -173,7 +185,7 @@ struct Tiles {
   }
 };
 
-template <int D, typename At, typename Sum>
+template <int D, typename Sum>
 void at_points(const Batch& batch, const Options& options, Octave octave) {
   const Batch b = batch;
   const Arguments<D> given(options);
@@ -182,7 +194,7 @@ void at_points(const Batch& batch, const Options& options, Octave octave) {
     of_octave.seed = o.seed;
     return reinterpret_cast<NoiseCall<D, typename Sum::Result>>(octave)(o.place, of_octave);
   };
-  for (int i = 0; i < b.count; i += kCount) store(b, i, Sum::at(At::of(b, i, given), noise, given));
+  for (int i = 0; i < b.count; i += kCount) store(b, i, Sum::at(b, i, noise, given));
 }
 
 // Where some points are, for octaves that are fixed-point positions, and for those that are not. The arrays are of
@@ -384,8 +396,8 @@ using FromCells = Cells<D>;
 
 template <int D, typename Sum>
 SumKernels kernels_of() {
-  return {always(at_points<D, FromPositions<D>, Sum>), always(at_points<D, FromCells<D>, Sum>),
-          always(at_points<D, Tiles<D>, Sum>)};
+  const Loops loops = always(at_points<D, Sum>);
+  return {loops, loops, loops};
 }
 
 template <int D, typename At>
@@ -401,8 +413,8 @@ void enter_sums(SumKernels (&sums)[grid::kSums][4]) {
   // Sums with Jacobians, and sums over noises of their own, have other kernels, and are entered after these.
 #define HN_CATALOG_STEP(Id, ...) sums[grid::k##Id][D - 1] = any;
 #include "catalog.inc"
-  sums[grid::kDetail][D - 1].at = always(at_points<D, Positions<D>, ResolvedFbm<D, true>>);
-  sums[grid::kFootprint][D - 1].at = always(at_points<D, Positions<D>, ResolvedFbm<D, false>>);
+  sums[grid::kDetail][D - 1].at = always(at_points<D, ResolvedFbm<D, true>>);
+  sums[grid::kFootprint][D - 1].at = always(at_points<D, ResolvedFbm<D, false>>);
 }
 
 template <int D>
