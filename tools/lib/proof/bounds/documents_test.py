@@ -340,7 +340,7 @@ class New(unittest.TestCase):
         not_proven = "the error {} is not proven: proven are {} times that, with HN_FIXED {} times"
         for name, changes, *messages in (
                 ("ridged", {"range": (0.4, 0.5)}, "range is (0.4, 0.5), and (0.0, 1.0) is derived", "returns has [0, 1], which is not its range",
-                 "use has [0, 1], which is not its range"),
+                 "brief has [0, 1], which is not its range", "use has [0, 1], which is not its range"),
                 *(("turbulence", {"error": error}, has_to_be.format(error))
                   for error in ("at most 1e-9", "2^-30", "hardly any", "`ridges`'s")),
                 ("turbulence", {"error": "twice `fbm`'s"}, not_proven.format("twice `fbm`'s", 1, 1)),
