@@ -301,7 +301,7 @@ class Toy(Case):
     def test_help_lists_the_parts(self) -> None:
         for word in ("--help", "-h", "help"):
             made, said = self.make(word)
-            self.assertIn("\n    two       the second\n    three     the third; only where it is named\n", said)
+            self.assertIn("\n    two        the second\n    three      the third; only where it is named\n", said)
             self.assertIn("Exit status: 0 ", said)
 
 
@@ -319,7 +319,7 @@ class Help(unittest.TestCase):
 
     def test_they_are_listed(self) -> None:
         for part in PARTS:
-            self.assertIn(f"\n    {part.name:10}{part.what}", command.described().join("\n\n"))
+            self.assertIn(f"\n    {part.name:10} {part.what}", command.described().join("\n\n"))
 
     @unittest.skipUnless(shutil.which("ninja"), "there is no ninja")
     def test_ninja_takes_the_graph(self) -> None:
