@@ -81,15 +81,12 @@ struct Lanes<float> {
   HN_I_INLINE friend Lanes& operator-=(Lanes& a, const Lanes& b) { return a = a - b; }
   HN_I_INLINE friend Lanes& operator*=(Lanes& a, const Lanes& b) { return a = a * b; }
 
-#define HN_I_LANE_COMPARISON(op) \
-  HN_I_INLINE friend Mask operator op(const Lanes& a, const Lanes& b) { return {a.v op b.v}; }
   HN_I_LANE_COMPARISON(<)
   HN_I_LANE_COMPARISON(>)
   HN_I_LANE_COMPARISON(<=)
   HN_I_LANE_COMPARISON(>=)
   HN_I_LANE_COMPARISON(==)
   HN_I_LANE_COMPARISON(!=)
-#undef HN_I_LANE_COMPARISON
 
   HN_I_INLINE friend Lanes hn_i_select(Mask condition, const Lanes& a, const Lanes& b) {
     return Lanes(chosen(condition.v, a.v, b.v));

@@ -281,7 +281,6 @@ struct Lanes {
   HN_I_LANE_COMPARISON(>=)
   HN_I_LANE_COMPARISON(==)
   HN_I_LANE_COMPARISON(!=)
-#undef HN_I_LANE_COMPARISON
 
   HN_I_INLINE friend Lanes hn_i_select(Mask condition, Lanes a, Lanes b) {
     return Lanes(detail::chosen(condition.v, a.v, b.v));
@@ -291,6 +290,7 @@ struct Lanes {
 #ifdef HN_I_OWN_FLOATS
 #include HN_I_OWN_FLOATS  // Lanes<float>, with / and sqrt
 #endif
+#undef HN_I_LANE_COMPARISON
 
 using Float = Lanes<float>;
 using Int = Lanes<std::int32_t>;
