@@ -512,18 +512,20 @@ HN_I_INLINE void over_columns(Columns& columns, int start, int end, Uint seed, c
   }
 }
 
-// Whether the 1024 cells from this one on, to both sides, reach the last cell, behind which the first one comes. A tile
-// has a seam there: the next column has other corners than the cell.
-HN_I_INLINE bool is_at_wrap(std::int32_t cell) { return cell < -2147482624 || cell > 2147482624; }
+// Whether the columns of a row may reach the last cell, behind which the first one comes: its points are less than a
+// cell from each other. A tile has a seam there: the next column has other corners than the cell.
+HN_I_INLINE bool is_near_wrap(const Batch& row) {
+  const std::int32_t reach = 2147483647 - 1024 - row.count, cell = row.cell[0][0];
+  return cell < -reach || cell > reach;
+}
 
 HN_I_INLINE Float value_of(hn_i_num n) { return hn_i_value(n); }
 HN_I_INLINE vec2 value_of(vec2 distances) { return distances; }
 
 // Along a row whose points are no further from each other than Columns::kMostStep. tile_of gives the place in the noise
-// without a period; at a seam noise_at gives the noise, point by point.
-template <int D, bool kTiled, typename Columns, typename TileOf, typename NoiseAt>
-HN_I_INLINE void along_columns(Columns& columns, const Batch& batch, Uint seed, const TileOf& tile_of,
-                               const NoiseAt& noise_at) {
+// without a period.
+template <int D, typename Columns, typename TileOf>
+HN_I_INLINE void along_columns(Columns& columns, const Batch& batch, Uint seed, const TileOf& tile_of) {
   const Batch b = batch;
   Cell<D> cell = cells_at<D>(b, 0);
   Fraction<D> f = fractions_at<D>(b, 0);
@@ -537,10 +539,6 @@ HN_I_INLINE void along_columns(Columns& columns, const Batch& batch, Uint seed, 
   };
   for (int start = 0; start < b.count; start += kPointsAtOnce) {
     const int end = b.count - start < kPointsAtOnce ? b.count : start + kPointsAtOnce;
-    if (kTiled && is_at_wrap(b.cell[0][start])) {
-      for (int i = start; i < end; i += kCount) store(b, i, noise_at(place_at(i)));
-      continue;
-    }
     over_columns(
         columns, start, end, seed, earliest_at, [&](int i) HN_I_INLINED { return tile_of(place_at(i)); },
         [&](int i, auto n) HN_I_INLINED { store(b, i, value_of(n)); });

@@ -115,37 +115,41 @@ void at_points(const Batch& batch, const Options& options, Octave) {
   }
 }
 
-// Along a row: what depends on the other axes is computed once.
+// Along a row: what depends on the other axes is computed once. Rows of a tile that have no use of columns take the
+// kernel of points: a copy of its code would take longer to compile than it saves.
 template <int D, typename Noise, NoiseId id, bool kTiled>
 void along_row(const Batch& batch, const Options& options, Octave) {
   const Batch b = batch;
   const Arguments<D> given(options);
-  const auto tile_of = [&](const Place<D>& place) HN_I_INLINED {
-    if constexpr (kTiled) {
-      return hn_tile(place, given.period);
-    } else {
-      return place;
-    }
-  };
-  const auto at = [&](const Place<D>& place) HN_I_INLINED { return Noise::template at<D>(tile_of(place), given); };
   using Columns = typename ColumnsOf<D, id>::Type;
   if constexpr (!std::is_void_v<Columns>) {
-    if (b.step <= Columns::kMostStep && options.metric == HN_METRIC_EUCLIDEAN) {
+    if (b.step <= Columns::kMostStep && options.metric == HN_METRIC_EUCLIDEAN && !(kTiled && is_near_wrap(b))) {
+      const auto tile_of = [&](const Place<D>& place) HN_I_INLINED {
+        if constexpr (kTiled) {
+          return hn_tile(place, given.period);
+        } else {
+          return place;
+        }
+      };
       if constexpr (std::is_constructible_v<Columns, Float>) {
         Columns columns(given.jitter);
-        return along_columns<D, kTiled>(columns, b, given.seed, tile_of, at);
+        return along_columns<D>(columns, b, given.seed, tile_of);
       } else {
         Columns columns;  // Columns() would be filled with zeros in each row
-        return along_columns<D, kTiled>(columns, b, given.seed, tile_of, at);
+        return along_columns<D>(columns, b, given.seed, tile_of);
       }
     }
   }
-  Cell<D> cell = cells_at<D>(b, 0);
-  Fraction<D> f = fractions_at<D>(b, 0);
-  for (int i = 0; i < b.count; i += kCount) {
-    cell.x = Int::load(b.cell[0] + i);
-    f.x = Float::load(b.place[0] + i);
-    store(b, i, at(hn_place(cell, f)));
+  if constexpr (kTiled) {
+    at_points<D, Noise>(batch, options, nullptr);
+  } else {
+    Cell<D> cell = cells_at<D>(b, 0);
+    Fraction<D> f = fractions_at<D>(b, 0);
+    for (int i = 0; i < b.count; i += kCount) {
+      cell.x = Int::load(b.cell[0] + i);
+      f.x = Float::load(b.place[0] + i);
+      store(b, i, Noise::template at<D>(hn_place(cell, f), given));
+    }
   }
 }
 
