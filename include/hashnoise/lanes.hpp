@@ -93,7 +93,9 @@
 #define HN_I_LANE_BYTES 16
 #endif
 
-#if defined(HN_I_X86)
+#if defined(HN_I_X86) && HN_I_LANE_BYTES == 16
+#include <smmintrin.h>  // compilers read all of immintrin.h in half a second
+#elif defined(HN_I_X86)
 #include <immintrin.h>
 #elif defined(HN_I_NEON)
 #include <arm_neon.h>

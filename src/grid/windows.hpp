@@ -3,11 +3,7 @@
 #pragma once
 
 #include "loops.hpp"
-#if defined(__SSE4_1__)
-#include <immintrin.h>
-#define HN_GRID_HAS_WINDOWS
-#elif defined(__aarch64__) && defined(__ARM_NEON)
-#include <arm_neon.h>
+#if defined(__SSE4_1__) || (defined(__aarch64__) && defined(__ARM_NEON))  // lanes.hpp has their instructions
 #define HN_GRID_HAS_WINDOWS
 #endif
 
