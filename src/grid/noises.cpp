@@ -115,6 +115,15 @@ void at_points(const Batch& batch, const Options& options, Octave) {
   }
 }
 
+// At positions without a period, and elsewhere by the kernel for all places.
+template <int D, typename Noise>
+void at_positions(const Batch& batch, const Options& options, Octave) {
+  if (batch.cell[0] != nullptr) return at_points<D, Noise>(batch, options, nullptr);
+  const Batch b = batch;
+  const Arguments<D> given(options);
+  for (int i = 0; i < b.count; i += kCount) store(b, i, Noise::template at<D>(place_at_position<D>(b, i), given));
+}
+
 // Along a row: what depends on the other axes is computed once. Rows of a tile that have no use of columns take the
 // kernel of points: a copy of its code would take longer to compile than it saves.
 template <int D, typename Noise, NoiseId id, bool kTiled>
@@ -175,18 +184,11 @@ void along_line(const Batch& batch, const Options& options, Octave octave) {
   own_at_points<D, id>(batch, options, octave);
 }
 
-// A noise that is called, by sums and by the kernels of some noises.
+// A noise that sums call.
 template <int D, typename Noise>
 HN_GRID_NOINLINE auto called(const Place<D>& place, const Arguments<D>& given) {
   return Noise::template at<D>(place, given);
 }
-template <typename Noise>
-struct Called {
-  template <int D>
-  HN_I_INLINE static auto at(const Place<D>& place, const Arguments<D>& given) {
-    return called<D, Noise>(place, given);
-  }
-};
 
 using grid::always;
 using grid::NoiseKernels;
@@ -196,26 +198,21 @@ template <int D, NoiseId id, grid::Shape shape, grid::Inputs takes, typename Pla
 NoiseKernels kernels_of() {
   constexpr bool kIsFlatOrInSpace = D == 2 || D == 3;
   constexpr bool kIsSearched = takes == grid::Inputs::kJitter && shape == grid::Shape::kValue;
-  // Sums of noises with slopes, and of vectors, are in 2D and 3D.
-  constexpr bool kIsSummed = shape == grid::Shape::kValue ||
-                             ((shape == grid::Shape::kWithSlopes || shape == grid::Shape::kVector) && kIsFlatOrInSpace);
+  // Sums of values take the loops of the noise.
+  constexpr bool kIsCalled = (shape == grid::Shape::kWithSlopes || shape == grid::Shape::kVector) && kIsFlatOrInSpace;
   // Where it was measured to be faster: for others what the axes share is little of the whole.
   constexpr bool kIsFasterInRows =
       kIsFlatOrInSpace && ((shape == grid::Shape::kValue && !kIsSearched) || shape == grid::Shape::kTwoDistances);
-  // A search may take so long that a call of it does not show: in HN_FIXED and in space. There its kernels call what
-  // sums call, so that it is compiled once; two such noises are a fifth of all code of noises. A call costs 5 to 14 %
-  // of what others take.
-  constexpr bool kIsCalled = HN_ARITHMETIC == HN_FIXED && D == 3 && kIsSearched;
-  // With one kernel for both, lists of simplex_smooth take AVX2 up to 4 % longer.
-  constexpr bool kIsBoth = std::is_same_v<Plain, Full> && id != grid::kSimplexSmooth;
   NoiseKernels k{};
-  k.plain = always(at_points<D, std::conditional_t<kIsCalled, Called<Plain>, Plain>, kIsBoth>);
-  k.full = always(at_points<D, std::conditional_t<kIsCalled, Called<Full>, Full>>);
+  k.plain = always(at_points<D, Plain, std::is_same_v<Plain, Full>>);
+  k.full = always(at_points<D, Full>);
   if constexpr (kIsOwn<D, id>) k.plain = always(own_at_points<D, id>);
+  // By the kernel for all places lists of it take AVX2 up to 6 % longer.
+  if constexpr (id == grid::kSimplexSmooth) k.plain = always(at_positions<D, Plain>);
   if constexpr (kIsFasterInRows) k.plain.row = along_row<D, Plain, id, false>;
   if constexpr (!std::is_void_v<typename ColumnsOf<D, id>::Type>) k.full.row = along_row<D, Full, id, true>;
   if constexpr (kIsPlainLattice<D, id>) k.plain.line = along_line<D, id>;
-  if constexpr (kIsSummed) k.octave = reinterpret_cast<Octave>(&called<D, Plain>);
+  if constexpr (kIsCalled) k.octave = reinterpret_cast<Octave>(&called<D, Plain>);
   constexpr bool kHasPhase = takes == grid::Inputs::kPhase || takes == grid::Inputs::kJitterAndMetricAndPhase ||
                              takes == grid::Inputs::kBandwidthAndPhaseAndWave;
   if constexpr (kHasPhase && kIsFlatOrInSpace) {
@@ -266,7 +263,7 @@ void widen(const float* value, int count, float* least, float* greatest) {
   }
 }
 
-void enter(grid::Kernels& kernels) {
+void enter_noises(grid::Kernels& kernels) {
   enter<1>(kernels.noises);
   enter<2>(kernels.noises);
   enter<3>(kernels.noises);
@@ -280,7 +277,7 @@ void enter(grid::Kernels& kernels) {
 }  // namespace HN_LANES
 
 namespace grid {
-HASHNOISE_ENTER(noises, HASHNOISE_TABLE) { lanes::enter(kernels); }
+HASHNOISE_ENTER(noises, HASHNOISE_TABLE) { lanes::enter_noises(kernels); }
 }  // namespace grid
 
 }  // namespace hashnoise

@@ -212,7 +212,8 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
 // Numbers that the functions would change are wrong: they cut a lacunarity off in a tile, and with HN_FIXED they take
 // the nearer end. Floats overflow where octaves are too fine or too strong for their number: a position is below 2^31,
 // and so is the sum, but for these factors.
-void check_octaves(const Plan& plan, Arithmetic arithmetic, int octaves, bool tiled) {
+void check_octaves(const Plan& plan, Arithmetic arithmetic, bool tiled) {
+  const int octaves = plan.options.octaves;
   const auto lacunarity = static_cast<double>(plan.options.lacunarity);
   const auto gain = static_cast<double>(plan.options.gain);
   if (tiled && (lacunarity < 1.0 || lacunarity > kMostLacunarity || std::trunc(lacunarity) != lacunarity)) {
@@ -296,9 +297,11 @@ Plan plan_of(int dimensions, const Settings& settings, const MoreSettings& more)
   plan.options.lacunarity = checked(kLacunarityRule, settings.lacunarity);
   plan.options.gain = checked(kGainRule, settings.gain);
   if (sum) {
-    const int octaves =
-        settings.detail ? static_cast<int>(std::ceil(checked(kDetailRule, settings.detail))) : plan.options.octaves;
-    check_octaves(plan, settings.arithmetic, octaves, tiled);
+    if (settings.detail) {
+      const float detail = checked(kDetailRule, settings.detail);
+      plan.options.octaves = detail < 0x1p-32f ? 0 : static_cast<int>(std::ceil(detail));
+    }
+    check_octaves(plan, settings.arithmetic, tiled);
     plan_sum(plan, settings, noise, *sum, tiled);
   } else {
     plan_noise(plan, settings, noise, tiled);

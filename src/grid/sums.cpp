@@ -18,7 +18,32 @@ HN_I_INLINE void with_step(int id, const Function& function) {
                     std::bool_constant<grid::k##Id == grid::kWeighted>(),                         \
                     std::bool_constant<(grid::k##Id == grid::kRidged || grid::k##Id == grid::kHybrid)>());
 #include "catalog.inc"
+    default:  // fbm with a detail or a footprint
+      return function([](auto& o, Float n, Float)
+                          HN_I_INLINED { o.sum.value = hn_i_summed(o.sum.value, hn_i_octave(n), o.sum.part); },
+                      std::false_type(), std::false_type());
   }
+}
+
+// Prepares such a sum for its total. These work on a copy, since what is passed to them stays in memory.
+HN_GRID_NOINLINE void start_limits(hn_i_octave_sum& sum, const Options& options) {
+  if (options.sum == grid::kFootprint) {
+    sum.footprint = hn_i_footprint(Float(options.limit));
+  } else {
+    sum.part = hn_i_last_part(Float(options.limit), Int(options.octaves));
+  }
+}
+// Sets as the part how much an octave of a weight counts, and returns whether anything is left of the next one.
+HN_GRID_NOINLINE bool limit(hn_i_octave_sum& sum, hn_i_num weight, const Options& options, int number) {
+  hn_i_num part = HN_I_WEIGHT_ONE;
+  if (options.sum == grid::kFootprint) {
+    part = hn_i_resolved_part(sum.footprint);
+    sum.footprint = hn_i_next_footprint(sum.footprint, Float(options.lacunarity));
+  } else if (number >= options.octaves) {
+    part = options.octaves == 0 ? hn_i_num(HN_I_NO_WEIGHT) : hn_i_last_part(Float(options.limit), Int(options.octaves));
+  }
+  sum.part = hn_i_weight_times(weight, part);
+  return hn_i_to_bool(hn_i_resolved_part(sum.footprint) != HN_I_NO_WEIGHT);
 }
 
 // The result of a sum, from the mean.
@@ -62,33 +87,6 @@ HN_I_INLINE hn_i_num mean_of(hn_i_num sum, hn_i_num total) {
   return hn_i_mean(sum, total);
 #endif
 }
-
-// fbm with a detail or a footprint, as the library has it.
-template <int D, bool kHasDetail>
-struct ResolvedFbm {
-  using Result = Float;
-
-  template <typename Noise>
-  HN_I_INLINE static Float at(const Batch& b, int i, const Noise& noise, const Arguments<D>& given) {
-    const auto p = fractions_at<D>(b, i);
-    auto o = [&]() HN_I_INLINED {
-      if constexpr (kHasDetail) {
-        return hn_octaves(p, given.limit, given.lacunarity, given.gain, given.seed);
-      } else {
-        return hn_octaves(p, given.limit, given.octaves, given.lacunarity, given.gain, given.seed);
-      }
-    }();
-    do {
-      const Float n = noise(o);
-      if constexpr (kHasDetail) {
-        hn_add_detail(o, n);
-      } else {
-        hn_add_footprint(o, n);
-      }
-    } while (hn_next(o));
-    return hn_mean(o);
-  }
-};
 
 // Sums with Jacobians.
 template <int D>
@@ -186,7 +184,7 @@ struct Tiles {
 };
 
 template <int D, typename Sum>
-void at_points(const Batch& batch, const Options& options, Octave octave) {
+void sum_at_points(const Batch& batch, const Options& options, Octave octave) {
   const Batch b = batch;
   const Arguments<D> given(options);
   Arguments<D> of_octave = given;
@@ -284,7 +282,10 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
   constexpr bool kMayBeNear = kIsWhole && !kIsTiled && (D == 2 || D == 3);
   const Batch b = batch;
   const Arguments<D> given(options);
-  const hn_i_num total = hn_i_total(octaves_at(At::of(b, 0, given), given).sum);
+  const bool is_limited = !kIsTiled && options.sum >= grid::kDetail;
+  hn_i_octave_sum limits = octaves_at(At::of(b, 0, given), given).sum;
+  if (is_limited) start_limits(limits, options);
+  const hn_i_num total = hn_i_total(limits);
   const bool is_row = b.stride[D - 1] == 0;
   BlockPositions<D, kIsWhole> spots;
   Number value[kPointsAtOnce], feedback[kPointsAtOnce], weight[kPointsAtOnce];
@@ -299,6 +300,7 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
     }
     auto o = octaves_at(At::of(b, start, given), given);
     auto across = o;
+    hn_i_octave_sum of_block = limits;
     Int cells(0);  // all bits of their sizes
     for (int i = 0; i < now.count; i += kCount) {
       auto first = octaves_at(At::of(b, start + i, given), given);
@@ -319,7 +321,11 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
     Options of_octave = options;
     double scale = 1.0;
     for (int number = 1;; ++number) {
-      const bool more = number < options.octaves && number < 32;
+      bool more = number < options.octaves && number < 32;
+      if (is_limited) {
+        more = limit(of_block, o.sum.weight, options, number) && more;
+        o.sum.part = of_block.part;
+      }
       each_axis<kMoving, D>([&](auto axis) HN_I_INLINED { spots.template keep<axis>(0, across, true); });
       if constexpr (kIsTiled) {
         each_axis<0, D>([&](auto axis)
@@ -395,8 +401,8 @@ using FromCells = Cells<D>;
 #endif
 
 template <int D, typename Sum>
-SumKernels kernels_of() {
-  const Loops loops = always(at_points<D, Sum>);
+SumKernels sum_kernels() {
+  const Loops loops = always(sum_at_points<D, Sum>);
   return {loops, loops, loops};
 }
 
@@ -409,39 +415,38 @@ template <int D>
 void enter_sums(SumKernels (&sums)[grid::kSums][4]) {
   const SumKernels any{octave_by_octave<D, FromPositions<D>>(),
                        octave_by_octave<D, FromCells<D>>(),
-                       {by_octaves<D, Tiles<D>>, by_octaves<D, Tiles<D>, true>, nullptr}};
+                       {by_octaves<D, Tiles<D>>, in_row<by_octaves<D, Tiles<D>, (D > 1)>>, nullptr}};
   // Sums with Jacobians, and sums over noises of their own, have other kernels, and are entered after these.
 #define HN_CATALOG_STEP(Id, ...) sums[grid::k##Id][D - 1] = any;
 #include "catalog.inc"
-  sums[grid::kDetail][D - 1].at = always(at_points<D, ResolvedFbm<D, true>>);
-  sums[grid::kFootprint][D - 1].at = always(at_points<D, ResolvedFbm<D, false>>);
+  sums[grid::kDetail][D - 1].at = sums[grid::kFootprint][D - 1].at = any.at;
 }
 
 template <int D>
 void enter_jacobians(SumKernels (&sums)[grid::kSums][4]) {
-  sums[grid::kFbmD][D - 1] = kernels_of<D, SlopeSum<D, false>>();
-  sums[grid::kEroded][D - 1] = kernels_of<D, SlopeSum<D, true>>();
-  sums[grid::kWarp][D - 1] = kernels_of<D, Warp<D, false>>();
-  sums[grid::kWarpProgressive][D - 1] = kernels_of<D, Warp<D, true>>();
-  sums[grid::kCurlFbm][D - 1] = kernels_of<D, Flows<D, false>>();
-  sums[grid::kFlowsWithPhase][D - 1] = kernels_of<D, Flows<D, true>>();
+  sums[grid::kFbmD][D - 1] = sum_kernels<D, SlopeSum<D, false>>();
+  sums[grid::kEroded][D - 1] = sum_kernels<D, SlopeSum<D, true>>();
+  sums[grid::kWarp][D - 1] = sum_kernels<D, Warp<D, false>>();
+  sums[grid::kWarpProgressive][D - 1] = sum_kernels<D, Warp<D, true>>();
+  sums[grid::kCurlFbm][D - 1] = sum_kernels<D, Flows<D, false>>();
+  sums[grid::kFlowsWithPhase][D - 1] = sum_kernels<D, Flows<D, true>>();
 }
 
-void enter(grid::Kernels& kernels) {
+void enter_sums(grid::Kernels& kernels) {
   enter_sums<1>(kernels.sums);
   enter_sums<2>(kernels.sums);
   enter_sums<3>(kernels.sums);
   enter_sums<4>(kernels.sums);
   enter_jacobians<2>(kernels.sums);
   enter_jacobians<3>(kernels.sums);
-  kernels.sums[grid::kPerlinWorley][2] = kernels_of<3, PerlinWorley>();
+  kernels.sums[grid::kPerlinWorley][2] = sum_kernels<3, PerlinWorley>();
 }
 
 }  // namespace
 }  // namespace HN_LANES
 
 namespace grid {
-HASHNOISE_ENTER(sums, HASHNOISE_TABLE) { lanes::enter(kernels); }
+HASHNOISE_ENTER(sums, HASHNOISE_TABLE) { lanes::enter_sums(kernels); }
 }  // namespace grid
 
 }  // namespace hashnoise
