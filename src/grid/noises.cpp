@@ -124,22 +124,22 @@ void at_positions(const Batch& batch, const Options& options, Octave) {
   for (int i = 0; i < b.count; i += kCount) store(b, i, Noise::template at<D>(place_at_position<D>(b, i), given));
 }
 
-// Along a row: what depends on the other axes is computed once. Rows of a tile that have no use of columns take the
-// kernel of points: a copy of its code would take longer to compile than it saves.
+// Along a row: what depends on the other axes is computed once. That is little of cellular noise in space, whose code in
+// a tile takes long to compile.
 template <int D, typename Noise, NoiseId id, bool kTiled>
 void along_row(const Batch& batch, const Options& options, Octave) {
   const Batch b = batch;
   const Arguments<D> given(options);
+  const auto tile_of = [&](const Place<D>& place) HN_I_INLINED {
+    if constexpr (kTiled) {
+      return hn_tile(place, given.period);
+    } else {
+      return place;
+    }
+  };
   using Columns = typename ColumnsOf<D, id>::Type;
   if constexpr (!std::is_void_v<Columns>) {
     if (b.step <= Columns::kMostStep && options.metric == HN_METRIC_EUCLIDEAN && !(kTiled && is_near_wrap(b))) {
-      const auto tile_of = [&](const Place<D>& place) HN_I_INLINED {
-        if constexpr (kTiled) {
-          return hn_tile(place, given.period);
-        } else {
-          return place;
-        }
-      };
       if constexpr (std::is_constructible_v<Columns, Float>) {
         Columns columns(given.jitter);
         return along_columns<D>(columns, b, given.seed, tile_of);
@@ -149,7 +149,7 @@ void along_row(const Batch& batch, const Options& options, Octave) {
       }
     }
   }
-  if constexpr (kTiled) {
+  if constexpr (kTiled && id == grid::kCellular && D == 3) {
     at_points<D, Noise>(batch, options, nullptr);
   } else {
     Cell<D> cell = cells_at<D>(b, 0);
@@ -157,7 +157,7 @@ void along_row(const Batch& batch, const Options& options, Octave) {
     for (int i = 0; i < b.count; i += kCount) {
       cell.x = Int::load(b.cell[0] + i);
       f.x = Float::load(b.place[0] + i);
-      store(b, i, Noise::template at<D>(hn_place(cell, f), given));
+      store(b, i, Noise::template at<D>(tile_of(hn_place(cell, f)), given));
     }
   }
 }
@@ -204,11 +204,14 @@ NoiseKernels kernels_of() {
   constexpr bool kIsFasterInRows =
       kIsFlatOrInSpace && ((shape == grid::Shape::kValue && !kIsSearched) || shape == grid::Shape::kTwoDistances);
   NoiseKernels k{};
-  k.plain = always(at_points<D, Plain, std::is_same_v<Plain, Full>>);
+  // With one kernel for both, lists of simplex_smooth take AVX2 up to 4 % longer, and in space up to 6 %.
+  if constexpr (id == grid::kSimplexSmooth && D == 3 && kCount == 8) {
+    k.plain = always(at_positions<D, Plain>);
+  } else {
+    k.plain = always(at_points<D, Plain, std::is_same_v<Plain, Full> && id != grid::kSimplexSmooth>);
+  }
   k.full = always(at_points<D, Full>);
   if constexpr (kIsOwn<D, id>) k.plain = always(own_at_points<D, id>);
-  // By the kernel for all places lists of it take AVX2 up to 6 % longer.
-  if constexpr (id == grid::kSimplexSmooth) k.plain = always(at_positions<D, Plain>);
   if constexpr (kIsFasterInRows) k.plain.row = along_row<D, Plain, id, false>;
   if constexpr (!std::is_void_v<typename ColumnsOf<D, id>::Type>) k.full.row = along_row<D, Full, id, true>;
   if constexpr (kIsPlainLattice<D, id>) k.plain.line = along_line<D, id>;
