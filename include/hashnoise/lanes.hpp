@@ -213,15 +213,28 @@ struct Mask {
   detail::IntVector v;
 
   HN_I_INLINE explicit operator bool() const {
+#ifdef HN_I_DECIDED  // tools/lib/proof/errors: each lane goes its own way
+    return HN_I_DECIDED(v);
+#else
 #ifdef HN_LANES_CHECKED
     for (int i = 1; i < kCount; ++i) {
       if (v[i] != v[0]) std::abort();
     }
 #endif
     return v[0] != 0;
+#endif
   }
   HN_I_INLINE friend Mask operator&&(Mask a, Mask b) { return {a.v & b.v}; }
 };
+
+// Whether T becomes S by itself, as in GLSL. Only tools/lib/proof/errors wants that.
+#ifdef HN_I_CONVERSIONS_OF_GLSL
+template <typename T, typename S>
+constexpr bool kConverts = std::same_as<S, float> || (std::same_as<S, std::uint32_t> && std::same_as<T, std::int32_t>);
+#else
+template <typename T, typename S>
+constexpr bool kConverts = false;
+#endif
 
 // kCount numbers. A number is the same in all lanes, if it is of the type of a lane; others have to be converted.
 template <typename S>
@@ -237,7 +250,7 @@ struct Lanes {
       : v(number(static_cast<S>(s)) - Vector{}) {}
   // A number that does not fit is undefined, as it is in C++.
   template <typename T>
-  HN_I_INLINE explicit Lanes(Lanes<T> other) : v(detail::converted<Vector>(other.v)) {}
+  HN_I_INLINE explicit(!kConverts<T, S>) Lanes(Lanes<T> other) : v(detail::converted<Vector>(other.v)) {}
   HN_I_INLINE explicit Lanes(Mask mask) : v(detail::converted<Vector>(-mask.v)) {}
 
   HN_I_INLINE S operator[](int i) const { return v[i]; }

@@ -27,7 +27,7 @@ class Part(NamedTuple):
 
 
 LIBRARY = ("glsl/hashnoise/**/*.glsl", "glsl/hashnoise/**/*.h", "include/hashnoise/**/*.h*")
-SUITE = ("src/base/*.[ch]pp", *(f"conformance/{room}/*.[ch]pp" for room in ("library", "expected", "sums")),
+SUITE = ("src/base/*.[ch]pp", *(f"conformance/{room}/*.[ch]pp" for room in ("library", "expected")),
          "conformance/expected/*.inc", "catalog/*.toml")
 PAGES = ("README.md", "docs/README.md", "docs/guide/gallery/README.md",
          *(f"docs/{page}.md" for page in (
@@ -55,12 +55,15 @@ PARTS = tuple(part for part in (
     Part("golden", "golden files, by the oracle", "five minutes", "proof.golden.command",
          ("catalog/*.toml", "tools/lib/proof/oracle/noises/*.py"), ("conformance/expected/golden/*.golden",),
          check=("--check", "--sample", "8"), sample=True),
-    Part("bounds", "ranges, slopes and errors, proven: bounds.inc, and the tables of docs/measured/accuracy.md",
+    Part("errors", "the largest errors of noises and sums, by a search; and of functions of yours: tools/make errors FILE.glsl",
+         "half an hour", "proof.errors.command",
+         (*LIBRARY, "conformance/roundings/*.hpp", "tools/lib/proof/errors/*.*", "tools/lib/proof/bounds/*.cpp"),
+         ("tools/lib/proof/errors/record.csv",), scientific=True, by_name=True),
+    Part("bounds", "ranges and slopes, proven, and errors: bounds.inc, and the tables of docs/measured/accuracy.md",
          "half a minute", "proof.bounds.command",
          (*LIBRARY, "docs/measured/accuracy.md", "docs/reference/knobs.md", "docs/reference/fractals.md",
-          "tools/lib/proof/bounds/noises/*.py",
-          "tools/lib/proof/bounds/*.cpp", "conformance/sums/*.[ch]pp", "conformance/prover/*.[ch]pp", "catalog/*.toml",
-          "conformance/expected/golden/*.golden"),
+          "tools/lib/proof/bounds/noises/*.py", "tools/lib/proof/errors/record.csv",
+          "tools/lib/proof/bounds/*.cpp", "catalog/*.toml", "conformance/expected/golden/*.golden"),
          ("conformance/expected/bounds.inc", "docs/measured/accuracy.md"), scientific=True),
     Part("one-noise", "what docs/develop/one-noise.md quotes of Perlin noise", "seconds", "ship.pages.one_noise",
          ("docs/develop/one-noise.md", *LIBRARY, "docs/reference/contract.md", "docs/measured/accuracy.md",

@@ -11,15 +11,34 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <hashnoise/glsl.hpp>
 #include <numbers>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "config.glsl"
-#include "literal.hpp"
+
+// The operands of roots and the divisors of an evaluation in doubles, for who clears it: where one is 0 the text is
+// singular.
+// otherwise.
+std::vector<double> singular;
 
 namespace hashnoise {
 namespace rounded {
+
+// A literal, or a result of literals alone, such as 1.0f / 6.0f, with its decimals, which a float need not hold.
+struct Literal {
+  long double exact;
+
+  friend constexpr Literal operator-(Literal a) { return {-a.exact}; }
+  friend constexpr Literal operator+(Literal a, Literal b) { return {a.exact + b.exact}; }
+  friend constexpr Literal operator-(Literal a, Literal b) { return {a.exact - b.exact}; }
+  friend constexpr Literal operator*(Literal a, Literal b) { return {a.exact * b.exact}; }
+  friend constexpr Literal operator/(Literal a, Literal b) { return {a.exact / b.exact}; }
+};
+consteval Literal operator""_f(long double x) { return {x}; }
 
 constexpr int kExact = 4;  // the mode in which nothing rounds
 
@@ -45,6 +64,12 @@ struct Rounding {
 };
 inline Rounding rounding;
 
+#ifdef ERRORS_OWN  // a text of a user's (proof/errors): GLSL makes floats of integers
+constexpr bool kConverts = true;
+#else
+constexpr bool kConverts = false;
+#endif
+
 // A float, and where it is a product the exact one, which a sum may take in its place.
 struct Rounded {
   double value = 0.0;
@@ -52,10 +77,10 @@ struct Rounded {
 
   Rounded() = default;
   Rounded(float x) : value(static_cast<double>(x)), exact(value) {}
-  Rounded(hn::prover::Literal x) : Rounded(of(static_cast<double>(x.exact))) {}
+  Rounded(Literal x) : Rounded(of(static_cast<double>(x.exact))) {}
   template <typename Integer>
   requires std::is_integral_v<Integer>
-  explicit Rounded(Integer n) : value(rounding.round(static_cast<double>(n))), exact(value) {}
+  explicit(!kConverts) Rounded(Integer n) : value(rounding.round(static_cast<double>(n))), exact(value) {}
   static Rounded of(double x) {
     Rounded rounded;
     rounded.value = rounded.exact = rounding.round(x);
@@ -78,7 +103,10 @@ struct Rounded {
     product.exact = a.value * b.value;
     return product;
   }
-  friend Rounded operator/(Rounded a, Rounded b) { return of(a.value / b.value); }
+  friend Rounded operator/(Rounded a, Rounded b) {
+    singular.push_back(b.value);
+    return of(a.value / b.value);
+  }
   friend Rounded operator-(Rounded a) {
     a.value = -a.value;
     a.exact = -a.exact;
@@ -106,7 +134,10 @@ inline Rounded exactly(double x) {
 inline Rounded floor(Rounded x) { return exactly(std::floor(x.value)); }
 inline Rounded trunc(Rounded x) { return exactly(std::trunc(x.value)); }
 inline Rounded abs(Rounded x) { return exactly(std::fabs(x.value)); }
-inline Rounded sqrt(Rounded x) { return Rounded::of(std::sqrt(x.value)); }
+inline Rounded sqrt(Rounded x) {
+  singular.push_back(x.value);
+  return Rounded::of(std::sqrt(x.value));
+}
 inline Rounded min(Rounded x, Rounded y) { return y < x ? y : x; }
 inline Rounded max(Rounded x, Rounded y) { return x < y ? y : x; }
 inline Vector2<Rounded> floor(Vector2<Rounded> v) { return {floor(v.x), floor(v.y)}; }
@@ -138,15 +169,20 @@ using hn_vec2 = vec2;
 using hn_vec3 = vec3;
 using hn_vec4 = vec4;
 
+#ifdef ERRORS_OWN
+#include "own_doubles.hpp"
+#endif
 // The constructor of a scalar is a keyword of C++.
 #define float Rounded
-using hn::prover::operator""_f;
 // The exact noise has the sine, and not its polynomial.
 Rounded hn_i_polynomial_sine(uint q);
 inline Rounded hn_i_quarter_sine(uint q) {
   return rounding.mode == kExact ? exactly(std::sin(std::ldexp(q * std::numbers::pi, -31))) : hn_i_polynomial_sine(q);
 }
 #include "hashnoise.glsl"
+#ifdef ERRORS_OWN
+#include "own.hpp"
+#endif
 
 // Of an evaluation in doubles: a word is the index of one.
 inline const double* arguments = nullptr;
@@ -183,5 +219,6 @@ extern "C" void evaluate(std::int32_t function, std::int32_t mode, std::uint32_t
       if (mode == rounded::kExact) *out_exactly++ = word < rounded::results.size() ? rounded::results[word] : 0.0;
     }
     rounded::results.clear();
+    if (count > 1) singular.clear();
   }
 }

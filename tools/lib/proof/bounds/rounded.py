@@ -18,12 +18,12 @@ from pathlib import Path
 
 import numpy as np
 
-from base.tree import CONFORMANCE, GLSL, ROOT
+from base.tree import GLSL, ROOT
 from base.twin import compile_program
 from catalog.tables.functions import Column, read_functions
 
 SOURCE = Path(__file__).with_suffix(".cpp")
-FOLDER = ROOT / "build" / "prover"
+FOLDER = ROOT / "build" / "texts"
 MODES = ("nearest", "down", "up", "random")
 DOUBLES = "doubles"  # the mode in which nothing rounds
 # Macros. With FIXED only inputs and outputs round.
@@ -74,7 +74,7 @@ class Body:
         return Body(Column.listed(inputs), Column.listed(outputs), code)
 
 
-# C++ makes a float of 0.1f before a number of the text can take it; a Literal of conformance/prover keeps the decimals.
+# C++ makes a float of 0.1f before a number of the text can take it; a Literal of rounded.cpp keeps the decimals.
 LITERAL = re.compile(r"(?<![\w.])(\d+\.\d*(?:[eE][-+]?\d+)?)f\b")
 
 
@@ -114,8 +114,7 @@ class Text:
         self.bodies = dict(table()) if whole else {id: table()[id] for id in wanted} | others
         bodies = "".join(f"FUNCTION({body.code})\n" for body in self.bodies.values())
         # As the suite's twin: the functions need not be inlined, which takes long. Each text has its own variables.
-        options = ("-O1" if optimized or whole else "-O0", "-w", f"-I{CONFORMANCE / 'prover'}", "-shared", "-fPIC",
-                   "-fno-gnu-unique")
+        options = ("-O1" if optimized or whole else "-O0", "-w", "-shared", "-fPIC", "-fno-gnu-unique")
 
         def make(folder: Path) -> None:
             (folder / "rounded.inc").write_text(bodies, encoding="utf-8")
@@ -125,7 +124,7 @@ class Text:
 
         changed = (change(path.read_text(encoding="utf-8")) for path in sorted(GLSL.rglob("*.glsl")))
         self.library = ctypes.CDLL(str(made("rounded.so", [*options, *macros, bodies, *changed], [
-            SOURCE, Path(__file__), CONFORMANCE / "prover" / "literal.hpp"], make)))
+            SOURCE, Path(__file__)], make)))
 
     def __call__(self, id: str, rounding: Rounding, **columns: np.ndarray | float) -> list[np.ndarray]:
         """The results of a function: the floats of each output, at each point."""
