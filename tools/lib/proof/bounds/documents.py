@@ -6,20 +6,19 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 
 from base.tree import ROOT
 from catalog.tables import glsl
 from catalog.tables.functions import BANDWIDTH
 from catalog.tables.markdown import table, with_section
-from proof.bounds import gullies, jacobians, noises, own, rotations, rounded, sine, smoothness, sums, uniform
+from proof.bounds import jacobians, noises, smoothness, sums
 from proof.bounds.gradients import GRADIENTS, SINE, Gradient
-from proof.bounds.integers import fade_errors, slope_errors
 from proof.bounds.noises import ProvenBounds
-from proof.bounds.prover import Job, Prover
-from proof.bounds.sums import Sum
-from proof.bounds.table import Bounds, bounds_of, closer, rounded_up, scientific, shortest, slope_bounds_of
+from proof.bounds.table import bounds_of, rounded_up, scientific, shortest, slope_bounds_of
+from proof.errors import record
+from proof.errors.record import CELL, DERIVATIVE, FIXED, FLOATS, OFFSET, POSITION, VALUE
+from proof.errors.results import SETTINGS, Setting
 
 ACCURACY = "docs/measured/accuracy.md"
 KNOBS = "docs/reference/knobs.md"
@@ -53,141 +52,70 @@ def slopes_of(derived: Everything) -> Everything:
             if of_noise.slope or not of_noise.promise}
 
 
-def _bounds_table(derived: Everything, largest: str) -> str:
+def bounds_table(derived: Everything) -> str:
     rows = []
     for key, of_noise in derived.items():
         row = of_noise.bounds(*key).rounded()
         if math.isinf(row.lipschitz) or "_vector" in key[0]:
             continue  # a sentence has random numbers, and that each component of a vector is such a noise
         rows.append([name_of(key), shortest(of_noise.range, 6), f"{row.lipschitz:.2f}", scientific(of_noise.cell_error),
-                     scientific(of_noise.error), f"{row.limit:g}", scientific(of_noise.fixed_error),
-                     f"{row.fixed_limit:g}"])
-    return table(("", "range, exact", "L", "fast and precise: from a cell", "from a position", largest,
-                  "fixed: error", largest), rows)
+                     scientific(of_noise.error), scientific(of_noise.fixed_error)])
+    return table(("", "range", "L", "floats: from a cell", "from a position", "fixed"), rows)
 
 
-def noise_table(derived: Everything) -> str:
-    return _bounds_table(values_of(derived), "largest value")
+JACOBIANED = sums.SLOPED + sums.SHIFTS + sums.FLOWS  # sums with a table of their own
 
 
-def slope_table(derived: Everything) -> str:
-    return _bounds_table(slopes_of(derived), "largest derivative")
+def title_of(setting: Setting, dims: int, place: str = POSITION) -> str:
+    """Of a row: the tables keep them, since frozen bounds have these names."""
+    if setting.is_own:
+        return f"the same over `hn_simplex_d(vec{dims})`, in a loop"
+    type_ = f"hn_place{dims}" if place == CELL else f"vec{dims}" if dims > 1 else "float"
+    words = "a derivative" if setting.sum == "fbm_d" else setting.words
+    return f"`hn_{setting.sum}({type_})`" + (" " if words == "further out" else ", ") * bool(words) + words
 
 
-EXAMPLES = (  # of octave sums: a title, the number of dimensions, the sum
-    ("`hn_fbm(hn_place2)`, a tile, exact positions", 2,
-     Sum("fbm", 16.0, 5, 2.0, 0.5, rotates=False, from_cell=True, exact_positions=True)),
-    ("`hn_fbm(hn_place2)`, a tile", 2, Sum("fbm", 16.0, 5, 2.0, 0.5, rotates=False, from_cell=True)),
-    ("`hn_fbm(float)`", 1, Sum("fbm", 16.0, 5, 2.0, 0.5)),
-    ("`hn_fbm(vec2)`", 2, Sum("fbm", 16.0, 5, 2.0, 0.5)),
-    ("`hn_fbm(vec3)`", 3, Sum("fbm", 16.0, 5, 2.0, 0.5)),
-    ("`hn_fbm(vec4)`", 4, Sum("fbm", 16.0, 5, 2.0, 0.5)),
-    ("`hn_fbm(vec3)` further out", 3, Sum("fbm", 1024.0, 8, 2.0, 0.5)),
-    ("`hn_fbm(hn_place3)` further out", 3, Sum("fbm", 1024.0, 8, 2.0, 0.5, from_cell=True)),
-    ("`hn_fbm(vec2)`, 4.5 octaves", 2, Sum("fbm", 16.0, 4.5, 2.0, 0.5)),
-    ("`hn_fbm(vec2)`, a footprint of 1/16", 2, Sum("fbm", 16.0, 5, 2.0, 0.5, footprint=1 / 16)),
-    ("`hn_turbulence(vec2)`", 2, Sum("turbulence", 16.0, 5, 2.0, 0.5)),
-    ("`hn_clouds(vec2)`", 2, Sum("clouds", 16.0, 5, 2.0, 0.5)),
-    ("`hn_billow(vec2)`", 2, Sum("billow", 16.0, 5, 2.0, 0.5)),
-    ("`hn_ridged(vec2)`", 2, Sum("ridged", 16.0, 5, 2.0, 0.5)),
-    ("`hn_ping_pong(vec2)`, strength 2", 2, Sum("ping_pong", 16.0, 5, 2.0, 0.5, strength=2.0)),
-    ("`hn_weighted(vec2)`, strength 1", 2, Sum("weighted", 16.0, 5, 2.0, 0.5, strength=1.0)))
+def error_of(setting: Setting, dims: int, gradient: str, place: str, arithmetic: str, result: str = VALUE) -> str:
+    return scientific(record.published(setting.sum, dims, gradient, result, place, arithmetic, setting.words), 2)
 
 
-def sum_tolerances(derived: Everything, dims: int, octave_sum: Sum) -> list[float]:
-    """In floats and fixed, for each kind of gradient that has a noise."""
-    keys = [(NOISE_OF_SUMS, dims, gradient) for gradient in GRADIENTS if (NOISE_OF_SUMS, dims, gradient) in derived]
-    return [tolerance(octave_sum, closer(derived[key].bounds(*key).rounded())) for key in keys
-            for tolerance in (sums.octave_tolerance, sums.fixed_octave_tolerance)]
-
-
-def sums_table(derived: Everything) -> str:
+def sums_table() -> str:
     head = [f"{gradient.name}, {arithmetic}" for gradient in GRADIENTS for arithmetic in ("fast and precise", "fixed")]
-    rows = [[title] + [scientific(tolerance, 2) for tolerance in sum_tolerances(derived, *arguments)]
-            for title, *arguments in EXAMPLES]
-    return table(("", *head), [row + [""] * (1 + len(head) - len(row)) for row in rows])
+    rows = []
+    for setting in SETTINGS:
+        for dims, place in ((dims, place) for dims in setting.dims for place in setting.places if setting.sum in sums.KINDS):
+            errors = [error_of(setting, dims, gradient, of_place, arithmetic) for gradient in setting.gradients_in(dims)
+                      for of_place, arithmetic in ((place, FLOATS), (setting.places[-1], FIXED))]
+            rows.append([title_of(setting, dims, place), *errors, *[""] * (len(head) - len(errors))])
+    return table(("", *head), rows)
 
 
-JACOBIAND = (  # of sums with slopes, and of warps: a title, the sum, and a noise if it is not the sum's own
-    ("`hn_fbm_d(vec{})`, a derivative", Sum("fbm_d", 16.0, 5, 2.0, 0.5)),
-    ("the same over `hn_simplex_d(vec{})`, in a loop", Sum("fbm_d", 16.0, 5, 2.0, 0.5), "simplex"),
-    ("`hn_eroded(vec{})`, strength 1", Sum("eroded", 16.0, 5, 2.0, 0.5, strength=1.0)),
-    ("`hn_eroded(vec{})`, strength 16", Sum("eroded", 16.0, 5, 2.0, 0.5, strength=16.0)),
-    ("`hn_warp(vec{})`, amplitude 1/2", Sum("warp", 16.0, 5, 2.0, 0.5, amplitude=0.5)),
-    ("`hn_warp_progressive(vec{})`, amplitude 1/4", Sum("warp_progressive", 16.0, 5, 2.0, 0.5, amplitude=0.25)),
-    ("`hn_warp_progressive(vec{})`, amplitude 1/2", Sum("warp_progressive", 16.0, 5, 2.0, 0.5, amplitude=0.5)),
-    ("`hn_warp_progressive(vec{})`, amplitude 1", Sum("warp_progressive", 16.0, 5, 2.0, 0.5, amplitude=1.0)),
-    ("`hn_curl_fbm(vec{})`", Sum("curl_fbm", 16.0, 5, 2.0, 0.5), "curl"),
-    ("`hn_curl_fbm(vec{})`, with a phase", Sum("curl_fbm", 16.0, 5, 2.0, 0.5, phase=0.25), "curl_phase"))
-
-
-def noises_of_jacobians(derived: Everything, dims: int, kind: str, other: str = "") -> tuple[Bounds, ...]:
-    """The bounds of the noise that such a sum is over, its own or another, and of its derivatives if these count."""
-    if kind in sums.FLOWS:
-        key = (other, dims, None)
-        return (derived[key].bounds(*key).rounded() if key in derived else bounds_of(other, dims, "none"),)
-    noise, gradient = (NOISE_OF_SUMS, GRADIENTS[0]) if not other and kind not in sums.SHIFTS else (other or "value", None)
-    if (noise, dims, gradient) not in derived:
-        return bounds_of(noise, dims, "none"), slope_bounds_of(f"{noise}_d", dims)
-    value, slope = derived[noise, dims, gradient], derived[f"{noise}_d", dims, gradient].slope
-    return (value.bounds(noise, dims, gradient).rounded(), slope.bounds(f"{noise}_d", dims, gradient).rounded())
-
-
-def jacobian_tolerances(derived: Everything, dims: int, s: Sum, other: str = "") -> list[float]:
-    """In floats from a position, in floats from a cell, and fixed."""
-    bounds = noises_of_jacobians(derived, dims, s.kind, other)
-    floats, fixed = jacobians.TOLERANCES[s.kind]
-    return [floats(s, *bounds), floats(replace(s, from_cell=True), *bounds), fixed(s, *bounds)]
-
-
-def jacobians_table(derived: Everything) -> str:
-    rows = [[title.format(dims)] + [scientific(tolerance, 2) for tolerance in jacobian_tolerances(derived, dims, *of)]
-            for dims in (2, 3) for title, *of in JACOBIAND]
+def jacobians_table() -> str:
+    rows = []
+    for dims in (2, 3):
+        for setting in (setting for setting in SETTINGS if setting.sum in JACOBIANED):
+            result = DERIVATIVE if setting.sum == "fbm_d" else VALUE
+            rows.append([title_of(setting, dims), *(error_of(setting, dims, setting.gradients[0], place, arithmetic, result)
+                                                    for place, arithmetic in ((POSITION, FLOATS), (CELL, FLOATS), (CELL, FIXED)))])
     return table(("", "fast and precise: from a position", "from a cell", "fixed"), rows)
 
 
-CUT = tuple(  # of gullies: a title, the sum, the length of the slope, the depth
-    (f"{count} octaves, depth {depth:g}, a slope of {slope:g}",
-     Sum("fbm", 16.0, count, 2.0, 0.5, rotates=False, from_cell=True), slope, depth)
-    for count, slope, depth in ((2, 1.0, 0.1), (3, 1.0, 0.05), (3, 1.0, 0.1), (3, 3.0, 0.1), (5, 1.0, 0.05),
-                                (5, 3.0, 0.05), (5, 1.0, 0.1), (5, 3.0, 0.1), (5, 3.0, 0.2)))
-
-
-def gullies_table(_: Everything) -> str:
-    bounds = gullies.bounds().rounded()
-    rows = [[title, *(scientific(error, 2) for of in (gullies.float_tolerance, gullies.fixed_tolerance)
-                      for error in of(s, slope, depth, bounds))] for title, s, slope, depth in CUT]
+def gullies_table() -> str:
+    rows = [[setting.words, *(error_of(setting, 2, "none", CELL, arithmetic, result)
+                              for arithmetic in (FLOATS, FIXED) for result in (VALUE, DERIVATIVE))]
+            for setting in SETTINGS if setting.sum == "gullies"]
     return table(("", "fast and precise: height", "a slope", "fixed: height", "a slope"), rows)
 
 
 TABLES: dict[str, Callable[[Everything], str]] = {
-    "noises": noise_table, "derivatives": slope_table, "sums": sums_table, "Jacobians": jacobians_table,
-    "gullies": gullies_table, "steps": lambda _: smoothness.steps_table()}
+    "noises": lambda derived: bounds_table(values_of(derived)),
+    "derivatives": lambda derived: bounds_table(slopes_of(derived)), "sums": lambda _: sums_table(),
+    "Jacobians": lambda _: jacobians_table(), "gullies": lambda _: gullies_table(), "steps": lambda _: smoothness.steps_table()}
 
 
-EXAMPLE = "noise2d.perlin_cell"
-
-
-def example() -> str:
-    """The parts of a bound by the lines of the text that round, in the box where it is largest."""
-    prover = Prover({EXAMPLE: rounded.table()[EXAMPLE]}, "PROVER_TRACE", options=own.OPTIONS)
-    proven, = prover.prove([Job(EXAMPLE, ("value",), {}, tolerance=1e-4)])
-    found: dict[str, list[float]] = {}
-    for size, frames in proven.parts:
-        found.setdefault(own.place_of(frames, prover), []).append(size)
-    rows = []
-    for place, sizes in found.items():
-        name, line = (ROOT / place).resolve().relative_to(ROOT).as_posix().rsplit(":", 1)
-        code = (ROOT / name).read_text(encoding="utf-8").splitlines()[int(line) - 1].split("= ", 1)[1]
-        rows.append([f"`{code}`", f"`{name.removeprefix('glsl/hashnoise/')}:{line}`", str(len(sizes)), scientific(sum(sizes))])
-    ends = " and ".join(f"[{lo:.5f}, {hi:.5f}]" for lo, hi in proven.box)
-    text = table(("step", "where", "numbers that err", "adds"), rows)
-    return f"{text}\nThe fractions are in {ends}, and the sum is {scientific(proven.bound, 4)}: one of {proven.boxes} boxes.\n"
-
-
-def with_tables(text: str, derived: Everything, *more: str) -> str:
-    """The page with its tables written anew, and the example if `more` names it."""
-    for name, write in [*TABLES.items(), *((name, lambda _: example()) for name in more)]:
+def with_tables(text: str, derived: Everything) -> str:
+    """The page with its tables written anew."""
+    for name, write in TABLES.items():
         text = with_section(ACCURACY, text, f"tools/make bounds: {name}", write(derived))
     return text
 
@@ -210,28 +138,23 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
     plane, space = (derived[NOISE_OF_SUMS, dims, GRADIENTS[0]] for dims in (2, 3))
     stated = [(KNOBS, f"| {scientific(plane.error)} | {scientific(space.error)} |"),
               (KNOBS, f"| {scientific(plane.fixed_error)} | {scientific(space.fixed_error)} |"),
-              (KNOBS, f"with `HN_FIXED` within {scientific(sine.fixed_sine_error(), 2)}")]
-    steepest = [shortest(jacobians.longest_gradient(*noises_of_jacobians(derived, dims, "fbm_d")), 3) for dims in (2, 3)]
+              (KNOBS, f"with `HN_FIXED` within {scientific(of_sine(True), 2)}")]
+    steepest = [shortest(jacobians.longest_gradient(bounds_of(NOISE_OF_SUMS, dims, GRADIENTS[0].name),
+                                                    slope_bounds_of(f"{NOISE_OF_SUMS}_d", dims)), 3) for dims in (2, 3)]
     stated.append((ACCURACY, f"no longer than {steepest[0]} in 2D and {steepest[1]} in 3D"))
     steepest_component = max(bounds_of_slopes.limit for bounds_of_slopes in jacobians.fitting_slopes())
     stated.append((SUMS, f"has slopes up to {shortest(steepest_component, 3)}"))
     limits = [f"{derived[NOISE_OF_SUMS, dims, SINE].bounds('', dims, SINE).rounded().limit:g} in {dims}D"
               for dims in (2, 3)]
-    stated.append((ACCURACY, f"in floats at most {limits[0]}, {limits[1]}"))
     stated += [(ACCURACY, text) for text in (
-        f"by -{scientific(-slope_errors().min())} to {scientific(slope_errors().max())},",
-        f"in 3D: {overflow(derived):g} * 2^31",
-        f"{jacobians_overflow():g} * 2^31 in a sum of slopes",
-        f"{scientific(-fade_errors().min())} too small",
-        f"{scientific(fade_errors().max())} too large",
-        f"|s - sin| <= {scientific(sine.sine_bound())}",
-        f"2^-19 = {scientific(SINE.component_error)}", f"which is {scientific(sine.fixed_sine_error())}:",
-        f"at most 1 - {math.floor((1 - sine.sine_largest()) * 1e9) / 1e9:.2e}".replace("e-0", "e-"),
-        f"adds {scientific(sums.cloud_error())} ",
-        f"within {scientific(rotations.float_error())} of those of the phase",
-        f"which adds {scientific(rotations.fixed_rounding(3))} for each unit")]
-    stated += [(ACCURACY, text) for text in (*uniform.quotes(), *gullies.quotes())]
+        f"in floats at most {limits[0]}, {limits[1]}", f"in 3D: {overflow(derived):g} * 2^31",
+        f"{jacobians_overflow():g} * 2^31 in a sum of slopes")]
     return stated + [quote for name in noises.names() for quote in noises.find(name).quotes()]
+
+
+def of_sine(fixed: bool) -> float:
+    """The error of a component of the sine gradient."""
+    return record.published("sine", 0, "sine", arithmetic=FIXED if fixed else FLOATS)
 
 
 def missing_quotes(derived: Everything, root: Path = ROOT) -> list[str]:
@@ -295,7 +218,7 @@ def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gr
     if noise_of(function) in noises.names():
         proof, dims = noises.find(noise_of(function)), dimensions_of(function)
         if kind == "offset":
-            return proof.offset_error(dims, fixed) if proof.offset_error else None
+            return offset_error(noise_of(function), dims, fixed)
         if kind == "range" and proof.ends:
             ends = proof.ends(dims)
             return ends[place] if place < len(ends) else None
@@ -305,21 +228,23 @@ def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gr
             return of_noise.range if of_noise.promise else max(of_noise.largest, of_noise.fixed_largest)
         return of_noise.fixed_error if fixed else of_noise.cell_error if kind == "in a cell" else of_noise.error
     if function.name == "hn_gradient" and kind == "error":
-        return sine.fixed_sine_error() if fixed else SINE.component_error
+        return of_sine(fixed)
     if function.name == "hn_clouds" and kind == "error":
-        return sums.cloud_error() if fixed else beyond_fbm("clouds")
+        return record.published("clouds", 0, "none", "density", arithmetic=FIXED if fixed else FLOATS)
     if function.name == "hn_fraction" and kind == "error":
         return 2.0**-24  # to which it is cut off
     if function.name == "hn_fbm_d" and kind == "range":
         return sums.ROTATIONS[0]  # by which a derivative's range grows
     if function.name in UNIFORM and kind == "error":
-        return getattr(uniform.errors(fixed), UNIFORM[function.name])
+        return record.published("uniform", 0, "none", UNIFORM[function.name], arithmetic=FIXED if fixed else FLOATS)
     return None
 
 
-def beyond_fbm(kind: str) -> float:
-    """The error of a sum beyond an fBm's: the error of no octaves."""
-    return sums.octave_tolerance(Sum(kind, 0.0, 0, 2.0, 0.5), Bounds(NOISE_OF_SUMS, 2, "none", *[0.0] * 6))
+def offset_error(noise: str, dims: int, fixed: bool) -> float | None:
+    """In floats the larger one of those from a position and from a cell."""
+    found = [entry.published for key, entry in record.read().items() if (key.name, key.dims, key.result) == (noise, dims, OFFSET)
+             and (key.arithmetic == FIXED) == fixed]
+    return max(found, default=None)
 
 
 def wrong_numbers(function: glsl.Declaration, derived: Everything) -> dict[tuple, str]:

@@ -1,6 +1,6 @@
 """The text is the contract's: in exact arithmetic each function returns the exact value.
 
-Only where this is so is a bound of the text's roundings a bound of the noise. Doubles stand for exact arithmetic, and
+Only where this is so are errors of the text errors of the noise. Doubles stand for exact arithmetic, and
 constants keep their decimals. The exact values are the oracle's, in the golden files: edges and drawn places, seeds,
 periods, phases, metrics, jitters and settings.
 
@@ -12,7 +12,7 @@ found at many of them.
 
 The results differ far less than floats do:
 
-    DOUBLES  of the largest result. Doubles are 2^29 times as fine as floats, and the largest bound of these is 5e-3.
+    DOUBLES  of the largest result. Doubles are 2^29 times as fine as floats.
     ANGLES   of the largest result of waves: the text cuts the phase of a wave, and a place's, to 2^-30 turns.
 
 Some places are not compared, as the text cuts numbers there, which the bounds take into account: positions of the
@@ -23,8 +23,8 @@ suite compares the text in floats with the golden files there.
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -32,22 +32,12 @@ from base import golden_values
 from base.golden_values import head_of
 from base.tree import GOLDEN
 from catalog.tables.configurations import DEFAULT_HASH
-from catalog.tables.functions import Column, Function, read_functions
-from proof.bounds.gradients import SINE
+from catalog.tables.functions import Function, read_functions
 from proof.bounds.rounded import EXACT, SINES, Text
-from proof.bounds.text import Line, cases, provers_of
 
 SETTINGS = {DEFAULT_HASH: (), f"{DEFAULT_HASH}+sine": (SINES,)}  # macros
 DOUBLES, ANGLES = 1e-12, 2.0**-25
 LEAST_JITTER = 2.0**-40
-CUT = 2.0**20  # steps of a fraction in HN_FIXED
-ROUNDED = 2.0**-17  # there known integers are rounded ones
-OPEN = 1e-5
-# With HN_FIXED the prover has no number of these where the words are known. Then all numbers of the line are made of one
-# integer, and some step has no table; and a table of derivatives has places beyond the box, where integers wrap.
-UNSEEN = ("noise1d.perlin_cell", "noise1d.perlin_d_cell", "noise2d.perlin_d_cell", "noise2d.perlin_d_phase_cell")
-SEEN = 1 / 3  # of the places of the others at least; long lines are not counted
-PLACES = 8  # of each function, at which the prover's numbers are compared
 DIGITS = 24  # binary ones, of the fraction of an octave's position in integers
 Columns = Mapping[str, np.ndarray]
 
@@ -141,54 +131,4 @@ def wrong_texts() -> list[str]:
             if wrong:
                 messages.append(f"{id}: without roundings the text is not the contract's at {wrong} of {count} places "
                                 f"of conformance/expected/golden/{id}.golden ({setting})")
-    return messages
-
-
-# --- The exact numbers beside which the prover compares the text ------------------------------------------------------
-
-
-def are_cut_by_none(golden: Golden) -> np.ndarray:
-    """Where HN_FIXED cuts no number. At the ends of cells weights are known, and so are weighted numbers."""
-    return np.all([column * CUT % 1 == 0 if name[0] != "f" else (column * CUT % 1 == 0) & (abs(column - 0.5) < 0.49)
-                   for name, column in golden.columns.items()], axis=0)
-
-
-def argument(column: Column, value: float, fixed: bool) -> str:
-    """For a job at a place; with HN_FIXED for a box that is as small as can be, as known integers are rounded ones."""
-    if column.type != "f32":
-        return f"word:{value}"
-    start = min(value, 1 - 1 / CUT)
-    return f"box:{start}:{start + 1 / CUT}" if fixed and 0 <= value <= 1 else f"float:{value}"
-
-
-def wrong_forms(lines: Iterable[Line], golden: Iterable[Golden]) -> list[str]:
-    """A message for each function where the exact value of the prover's number is not the contract's."""
-    messages, values, some = [], {(of.setting, of.function.id): of for of in golden}, list(cases(lines))
-    provers = provers_of(some)
-    outputs = {(case.line.macros, case.job.function, output): case for case in some for output in case.job.outputs}
-    for (macros, id, output), case in outputs.items():
-        line, job = case.line, case.job
-        if line.any_direction:  # these are not the contract's; without them wrong_texts compares all
-            continue
-        of = values.get((DEFAULT_HASH + "+sine" * (line.gradient is SINE), id))
-        if not of:  # golden.regenerated_is_committed reports a file that is missing
-            continue
-        right = of.values[[column.name for column in of.function.outputs].index(output)]
-        places = np.flatnonzero(compared(of) & (not line.fixed or are_cut_by_none(of)))
-        places = places[:: max(1, len(places) // PLACES)]
-        jobs = [replace(job, outputs=(output,), measure=measure, most=1, arguments={
-            one.name: argument(one, of.columns[one.name][place], line.fixed) for one in of.function.inputs})
-                for place in places for measure in ("exact_least", "exact_most")]
-        ends = np.array([proven.bound for proven in provers[macros].prove(jobs)])
-        least, most = -ends[::2], ends[1::2]
-        off = np.maximum(least - right[places], right[places] - most)
-        wrong = ~(off <= of.most(right) + ROUNDED * line.fixed * max(1.0, abs(right).max()))
-        # A decision that a rounding may change is open, and a constant is known to half a unit of a float.
-        if line.fixed:
-            seen = line.long or id in UNSEEN or np.isfinite(most - least).mean() >= SEEN
-        else:
-            seen = (most - least <= OPEN).any()
-        if wrong.any() or not seen:
-            messages.append(f"{id}: the prover compares another {output} than the contract's at {wrong.sum()} of "
-                            f"{len(places)} places, or any ({' '.join(macros) or 'HN_FAST'})")
     return messages

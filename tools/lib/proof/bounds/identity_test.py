@@ -1,21 +1,17 @@
-"""Tests of the comparison with the contract: it reports changes of the text, and numbers of the prover."""
+"""Tests of the comparison with the contract: it reports changes of the text."""
 
 import collections
 import functools
-import math
 import unittest
 from dataclasses import replace
-from unittest import mock
 
 import numpy as np
 
 from base.thorough import in_thorough_runs, some
 from base.tree import GLSL
 from catalog.tables.configurations import DEFAULT_HASH, read_configurations
-from proof.bounds import identity, sine
-from proof.bounds.prover import Proven
-from proof.bounds.rounded import EXACT, FIXED, Body, Text, with_true_numbers
-from proof.bounds.text import Line
+from proof.bounds import identity
+from proof.bounds.rounded import Text, with_true_numbers
 from proof.golden.files import Values
 from proof.golden.generator import generator_of
 from proof.golden.rows import redrawn
@@ -54,11 +50,6 @@ def mutated(mutants, text):
     return with_true_numbers(text)
 
 
-def places_of(of):
-    """The values at the places that are compared."""
-    return of.values[0][:: len(of.values[0]) // identity.PLACES]
-
-
 class Texts(unittest.TestCase):
     """identity.wrong_texts() finds none: `tools/make bounds --check`."""
 
@@ -92,28 +83,3 @@ class Texts(unittest.TestCase):
                     of.function.outputs, zip(*map(values.evaluate, rows)))])
             with self.subTest(of.function.id):
                 self.assertEqual(identity.differing(text, drawn)[0], 0)
-
-    def test_numbers_of_the_prover_that_are_others_are_found(self):
-        """Numbers beside the contract's, and numbers that may be any."""
-        line = Line("value", (1,))
-        of = next(of for of in identity.golden_files() if of.function.id == "noise1d.value_cell")
-        for off, width, found in ((0.0, 0.0, 0), (0.0, 1e-6, 0), (1e-9, 0.0, 1), (0.0, math.inf, 1)):
-            prover = mock.Mock()
-            prover.prove = lambda jobs: [Proven((job.measure == "exact_most" or -1) * value + width, 0, 1, 0, "")
-                                         for job, value in zip(jobs, np.repeat(places_of(of) + off, 2))]
-            with mock.patch.object(identity, "provers_of", return_value={(): prover}):
-                self.assertEqual(len(identity.wrong_forms([line], [of])), found)
-        prover.prove = lambda jobs: [Proven(math.inf, 0, 1, 0, "")] * len(jobs)
-        with mock.patch.object(identity, "provers_of", return_value={(FIXED,): prover}):
-            for more, found in (({}, 1), ({"long": True}, 0)):
-                self.assertEqual(len(identity.wrong_forms([Line("value", (1,), fixed=True, **more)], [of])), found)
-            with mock.patch.object(identity, "UNSEEN", (of.function.id,)):
-                self.assertEqual(identity.wrong_forms([Line("value", (1,), fixed=True)], [of]), [])
-
-    def test_the_sine_is_the_proofs(self):
-        """Which has the coefficients once more (sine.py)."""
-        text = Text([], sine=Body.of(
-            "q:u32", "sine:f32", "return uvec4(bits_of(hn_i_polynomial_sine(a.x)), 0u, 0u, 0u);"))
-        x = np.arange(0, 2**24 + 1, 2**12)
-        found, = text("sine", EXACT, q=x * 64)
-        self.assertLess(abs(found - sine.sine_polynomial(x / 2**24)).max(), 1e-15)

@@ -2,21 +2,11 @@
 
 from __future__ import annotations
 
-import functools
 import math
 
 import catalog.model
 from proof.bounds.integers import FADE_ONE, SLOPE_UNIT, UNIT
-from proof.bounds.sums import (
-    FLOWS,
-    LARGEST_STRENGTH,
-    ROTATIONS,
-    SHIFTS,
-    Sum,
-    fixed_octave_tolerance,
-    octave_tolerance,
-    tolerances,
-)
+from proof.bounds.sums import LARGEST_STRENGTH, ROTATIONS, SHIFTS
 from proof.bounds.table import Bounds, slope_bounds_of
 
 LARGEST_GROWTH, LARGEST_SHIFT = 64.0, 256.0  # for which the bounds are promised
@@ -29,9 +19,9 @@ FITTING = tuple(noise.name + phase for noise in catalog.model.read().noises  # w
                 if noise.shape in ("slopes", "distance_with_slopes") for phase in ("", "_phase")[:1 + ("phase" in noise.options)])
 
 
-def stretch(s: Sum, dims: int) -> float:
+def stretch(dims: int) -> float:
     """How much the rotations between two octaves stretch a length."""
-    return math.prod(ROTATIONS[:dims - 1]) if s.rotates else 1.0
+    return math.prod(ROTATIONS[:dims - 1])
 
 
 def fitting_slopes() -> list[Bounds]:
@@ -40,42 +30,9 @@ def fitting_slopes() -> list[Bounds]:
 
 
 def longest_gradient(noise: Bounds, slope: Bounds) -> float:
-    """As in conformance/sums/sums.cpp."""
+    """How long the vector of all derivatives is at most: the sum of their sizes is at most L."""
     full, rest = divmod(noise.lipschitz, slope.limit)
     return min(math.sqrt(full * slope.limit**2 + rest**2), math.sqrt(noise.dimensions) * slope.limit)
-
-
-def clamped_amplitude(s: Sum) -> float:
-    return min(max(s.amplitude, 0.0), LARGEST_STRENGTH[s.kind])
-
-
-def is_bounded(s: Sum, longest: float = 0.0) -> bool:
-    """Whether the bounds are promised for these arguments, and this length of a gradient."""
-    if not (0 <= s.lacunarity <= 255 and 0 <= s.gain <= 1 and s.octaves <= 32):
-        return False
-    growth = [(s.gain * s.lacunarity)**i for i in range(s.count)]
-    return sum(growth) <= LARGEST_GROWTH and sum(growth) * longest <= LARGEST_RISE and (
-        s.kind != "warp_progressive" or clamped_amplitude(s) * max(growth, default=0.0) <= LARGEST_SHIFT)
-
-
-def fixed_tolerances(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
-    """The largest error of each result, where the bounds are promised."""
-    of_slopes = s.kind == "fbm_d"
-    found = tolerances(s, noise, slope, True)
-    if is_bounded(s, longest_gradient(noise, slope) if of_slopes else 0.0) and not (of_slopes and slope.fixed_limit > SLOPE_LIMIT):
-        return found
-    return [error if of_slopes and not i else math.inf for i, error in enumerate(found)]  # the value is fBm's
-
-
-def largest_tolerance(s: Sum, noise: Bounds, slope: Bounds, fixed: bool) -> float:
-    """Of a derivative, or of a component."""
-    found = fixed_tolerances(s, noise, slope) if fixed else tolerances(s, noise, slope)
-    return max(found[1:] if s.kind == "fbm_d" else found)
-
-
-TOLERANCES = dict.fromkeys(("fbm_d", "eroded", "warp", "warp_progressive"), tuple(  # in floats and fixed, from a sum and
-    functools.partial(largest_tolerance, fixed=fixed) for fixed in (False, True)))  # the bounds of its noise and of that's derivatives
-TOLERANCES |= dict.fromkeys(FLOWS, (octave_tolerance, fixed_octave_tolerance))  # from the bounds of its noise alone
 
 
 # --- Overflow ---------------------------------------------------------------------------------------------------------
@@ -84,7 +41,7 @@ def largest_intermediates(dims: int) -> dict[str, float]:
     """By name, bounds of the magnitudes that must stay below 2^31 where the bounds are promised, for any noise with
     derivatives: gain * lacunarity is then at most 63, since the first octave adds 1 to the sum. In a Jacobian a number
     is rounded down by less than 5 units for each octave, and earlier losses grow as the Jacobian does."""
-    stretched = stretch(Sum("fbm_d", 0.0, 32, 1.0, 1.0), dims)**31
+    stretched = stretch(dims)**31
     jacobian = stretched * ((LARGEST_GROWTH - 1) * FADE_ONE + 5 * LARGEST_GROWTH)
     slope, vector = math.sqrt(dims) * SLOPE_LIMIT, math.sqrt(dims) / UNIT
     falls = ((25 + 20) / 32) ** (dims - 1) * FALL_LIMIT

@@ -1,53 +1,27 @@
-"""Bounds the effect of fixed arithmetic (HN_FIXED, docs/reference/contract.md, sections 8 and 13) does to a sum over
-lattice points.
-
-A coordinate is cut to a multiple of 2^-20 cells, which moves the value by at most L * 2^-20 (CUT), and likewise a
-derivative. There the offsets are exact, and so are ramps and gradients. The rest is bounded over boxes of places, for
-each point that counts:
-
-    t    N rounds down by less than 2^-30, t by 2^-17 to the nearest. Where t would be 1 it is 2^-16 less.
-    W    and E, the eighth of the fall: see weights.py
-
-The value adds h(d) times the error of W, and what part(R, W) rounds down by. A derivative adds the error of W times
-|g_i|; part(g, W) is exact, since g is a multiple of 2^18 in its units; and of the product
-
-    2 part(part(R, E), D >> 2)        in units of 2^-27: R (8 E) d
-
-the error of E, what both parts round by, and up to 3 units of D that are lost.
-
-SCALE is as for Perlin noise.
-"""
+"""Bounds how large the integers of HN_FIXED are in a sum over lattice points (docs/reference/contract.md, section 13)."""
 
 from __future__ import annotations
 
-import functools
 import math
 
 import numpy as np
 
 from proof.bounds import kernels
-from proof.bounds.boxes import Boxes, cell, supremum
 from proof.bounds.gradients import LENGTH, OCTAHEDRAL
 from proof.bounds.integers import (
     FADE_ONE,
-    ONE,
     RAMP_ONE,
-    SLOPE_UNIT,
-    UNIT,
     fixed_scale,
     part_intermediate,
     scaled_intermediate,
-    scaling_error,
 )
-from proof.bounds.kernels import Kernel, Offsets
-from proof.bounds.weights import HALF_NEAR, NEAR_ONE
+from proof.bounds.kernels import Kernel
+from proof.errors import record
 
 
 def ramp_one(dims: int) -> int:
     return RAMP_ONE[dims]
 
-
-# --- A box of places --------------------------------------------------------------------------------------------------
 
 def part_rounding(factor, negative=False):
     """The rounding of part(d, t) for |t| up to the factor, a real number in units of 2^-18: see integers.py. If no t is
@@ -57,92 +31,9 @@ def part_rounding(factor, negative=False):
     return np.where(factor > 0, np.where(negative, np.maximum(high, low), high + low), 0.0)
 
 
-def near_error(kernel: Kernel, t):
-    """The error of t up to that number."""
-    return HALF_NEAR + kernel.fall * 2.0**-30 + np.where(t > 1 - 1 / NEAR_ONE, HALF_NEAR, 0.0)
-
-
-class Point:
-    """A lattice point's largest number in each box, and its error: of its ramp times the weight, or times the fall."""
-
-    def __init__(self, kernel: Kernel, boxes: Boxes, point):
-        self.offsets, self.one = Offsets.of(kernel, boxes, point), ramp_one(kernel.dims)
-        t, self.weights, self.fall = self.offsets.largest, kernel.weight, kernel.fall
-        self.counts, self.near_error = t > 0, near_error(kernel, t)
-        self.weight = kernel.weight.size(0, self.offsets.least, t)
-        self.weight_error = kernel.weight.fixed(self.offsets.least, t, self.near_error)
-        self.ramp, self.ramp_error = kernel.fixed_ramp(self.offsets)
-
-    def value(self):
-        error = ((self.ramp + self.ramp_error) * self.weight_error + self.ramp_error * self.weight
-                 + part_rounding(self.weight + self.weight_error) / self.one)
-        return np.where(self.counts, error, 0.0)
-
-    def falling(self, axis: int):
-        """The product of the ramp and the fall, times the offset."""
-        least, d = self.offsets.least, self.offsets.size[axis]
-        eighth = self.fall / 4 * self.weights.size(1, least, self.offsets.largest)  # E
-        error = self.weights.fixed_fall(least, self.offsets.largest, self.near_error, self.fall)
-        negative = self.offsets.middle[axis] + self.offsets.half <= 0
-        rounding = d * part_rounding(eighth + error) + part_rounding(d, negative)
-        off = d * (self.ramp * error + self.ramp_error * eighth) + self.ramp * (eighth + error) * 3 / ONE
-        return np.where(self.counts, 8 * (off + rounding / self.one), 0.0)
-
-    def upright(self, component: float):
-        """The weight, times a component of a gradient."""
-        return np.where(self.counts, component * self.weight_error, 0.0)
-
-
-LEVELS, TOLERANCE = {2: 10, 3: 8, 4: 7}, 0.01
-
-
-def error_supremum(kernel: Kernel, of_boxes) -> float:
-    """The supremum of the error that is given for each box."""
-    def bound(boxes: Boxes):
-        # The value in the middle of a box is no bound, but no box around it can have less.
-        return of_boxes(boxes), of_boxes(Boxes(30, (boxes.index * 2 + 1) << (29 - boxes.level)))
-    return supremum(bound, cell(kernel.dims, half=True), LEVELS[kernel.dims], TOLERANCE,
-                    None if kernel.triangles else 0)
-
-
-@functools.cache
-def rounding_effect(kernel: Kernel) -> float:
-    """All but CUT and SCALE, not scaled."""
-    return error_supremum(kernel, lambda boxes: sum(Point(kernel, boxes, point).value() for point in kernel.points))
-
-
-@functools.cache
-def slope_rounding_effect(kernel: Kernel) -> float:
-    """The effect on a derivative, per step."""
-    def of_boxes(boxes: Boxes):
-        points, component = [Point(kernel, boxes, point) for point in kernel.points], OCTAHEDRAL.component(kernel.dims)
-        return np.maximum.reduce([sum(point.upright(component) + point.falling(axis) for point in points)
-                                  for axis in range(kernel.dims)])
-    return error_supremum(kernel, of_boxes)
-
-
-# --- Bounds -----------------------------------------------------------------------------------------------------------
-
 def scale_of(kernel: Kernel) -> int:
     return fixed_scale(kernel.scale / 1024, kernel.dims)
 
-
-def scale_error(kernel: Kernel, unit: float) -> float:
-    return scaling_error(scale_of(kernel), unit)
-
-
-def error_parts(kernel: Kernel, lipschitz: float) -> dict[str, float]:
-    return {"cut": lipschitz / ONE, "points": kernel.scale / 1024 * rounding_effect(kernel),
-            "scaling": scale_error(kernel, UNIT)}
-
-
-def slope_error_parts(kernel: Kernel, lipschitz: float) -> dict[str, float]:
-    scale = kernel.steps * kernel.scale / 1024
-    return {"cut": lipschitz / ONE, "points": scale * slope_rounding_effect(kernel),
-            "scaling": kernel.steps * scale_error(kernel, SLOPE_UNIT)}
-
-
-# --- Overflow ---------------------------------------------------------------------------------------------------------
 
 def longest_ramp(kernel: Kernel) -> float:
     """For offsets of at most 1."""
@@ -182,7 +73,8 @@ def largest_slope_intermediates(kernel: Kernel) -> dict[str, float]:
     away = np.sqrt((kernel.radius - low) / kernel.fall)
     k = float((eighth * away).max()) * LENGTH[dims] * one * 1.001 + 4 * 1023
     moved = float((eighth * away * away).max()) * LENGTH[dims] * one * 1.001 + 4 * 1023
-    derivative = kernels.slope_of(kernel, OCTAHEDRAL) + slope_rounding_effect(kernel)
+    off = record.proven("simplex_d", dims, "none", record.DERIVATIVE, arithmetic=record.FIXED)
+    derivative = kernels.slope_of(kernel, OCTAHEDRAL) + off / (kernel.steps * kernel.scale / 1024)
     return {"falling": k, "k": part_intermediate(k, whole),
             "fall of the plane": 4 / 27 * 73728**3 / 2**16 + 2**16,
             "leaning": OCTAHEDRAL.component(dims) * one / 4 + 2 * (moved + 2 * 1023),

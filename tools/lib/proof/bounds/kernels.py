@@ -34,7 +34,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from proof.bounds.boxes import Bound, Boxes, cell, smooth, supremum
-from proof.bounds.gradients import OCTAHEDRAL, Gradient
+from proof.bounds.gradients import Gradient
 from proof.bounds.weights import CUBE, FIFTH, FOURTH, PLANE, Weight
 
 
@@ -63,12 +63,6 @@ class Kernel:
             every = corners + [tuple(x + 0.5 for x in corner) for corner in corners]
         return tuple(point for point in every if self.fall * sum(max(-x, x - 0.5, 0.0) ** 2 for x in point)
                      < self.radius)
-
-    # A ramp is the number that a weight multiplies: here of a gradient.
-
-    def fixed_ramp(self, offsets: Offsets) -> tuple[np.ndarray | float, np.ndarray | float]:
-        """The largest ramp of a point in each box, and its error in integers."""
-        return OCTAHEDRAL.support(offsets.size), 0.0
 
     def nearness(self, d: np.ndarray) -> np.ndarray:
         """t at offsets."""

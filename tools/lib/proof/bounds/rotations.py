@@ -17,17 +17,12 @@ sqrt(3) times a cosine, of angles that are 120 degrees apart: so |A| + |B| is at
 rounded, by b, and A, by a' beside the cosine and B / 2: this moves the noise by b (m - n / 2) + a' n = b sqrt(3)/2
 N(1/4 turn) + a' n, at most (sqrt(3)/2 b + a') R.
 
-IN FLOATS the text proves the rest: PROVEN in text.py.
-
-IN INTEGERS the cosine and the sine are off by the error of a sine, and by the angle that is cut off. In space B is 2
-sin(a) / sqrt(3) with 20277 / 2^15 for 4 (2 / sqrt(3) - 1), rounded down to a multiple of 2^-18, and B >> 1 rounds down
-to one. All parts of an error but the cut of the place and SCALE are moved by sqrt(2), or by 2. Two parts
-(docs/reference/contract.md, section 10) round down, with factors as large as A and B in units of 2^-18.
+IN INTEGERS two parts (docs/reference/contract.md, section 10) round down, with factors as large as A and B in units of
+2^-18.
 """
 
 from __future__ import annotations
 
-import functools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -37,56 +32,15 @@ import numpy as np
 from proof.bounds import sine
 from proof.bounds.gradients import Gradient
 from proof.bounds.integers import FADE_ONE, RAMP_ONE, fixed_scale, part_intermediate, scaled_intermediate
-from proof.bounds.noises import Proof, ProvenBounds, derived
+from proof.bounds.noises import Proof, ProvenBounds
+from proof.errors import record
 
 Words = Callable[[int, "Gradient | None"], dict[str, float]]
 
-ANGLE_CUT = 2 * math.pi * 2.0**-30  # a phase is cut off to a multiple of 2^-30 turns
 IN_SUM = {2: math.sqrt(2), 3: 2.0}  # |A| + |B|, by the number of dimensions
-OFF_IN_SUM = {2: 2.0, 3: 3.0}  # how far they are off, by the error of a cosine and a sine
 LARGEST_SHARE = {2: 1.0, 3: 2 / math.sqrt(3)}  # of A and of B
 # Two parts, each in units of its whole.
 MIXED_ROUNDING = {dims: 511 * in_sum + 2 + 2 * 511 for dims, in_sum in IN_SUM.items()}
-
-
-@functools.cache
-def float_error() -> float:
-    """The error of the cosine and the sine of a phase."""
-    return sine.sine_bound() + ANGLE_CUT
-
-
-@functools.cache
-def fixed_error() -> float:
-    return sine.fixed_sine_error() + ANGLE_CUT
-
-
-def fixed_rounding(dims: int) -> float:
-    """The rounding in integers, where a sine is at most 2^16."""
-    if dims == 2:
-        return 0.0
-    b = (1 + abs(20277 / 2**15 - 4 * (LARGEST_SHARE[3] - 1)) * 2**16) / FADE_ONE
-    return b / LARGEST_SHARE[3] + 1 / 2 / FADE_ONE
-
-
-def moved(dims: int, error: float, off: float, largest: float, rounding: float = 0.0) -> float:
-    """A noise of at most that size, if n and m are off by `error`, and the cosine and the sine by `off`, and what A and
-    B round by moves it by `rounding`."""
-    return (IN_SUM[dims] * error + (math.sqrt(2) * off + rounding) * largest
-            + (OFF_IN_SUM[dims] * off + 2 * rounding) * error)
-
-
-def rotated(still: ProvenBounds, dims: int, largest: float, lipschitz: float, unit: float,
-            ratio: float = 1.0) -> ProvenBounds:
-    """Bounds of a noise, or of its derivatives. In integers n has this unit, times the scale, which is so much of that
-    without a phase, and no more than it: SCALE is no more, either."""
-    if not still.fixed_parts:  # the text proves that error
-        return derived(still.promise, largest, lipschitz)
-    parts = {name: IN_SUM[dims] * ratio * value for name, value in still.fixed_parts.items()}
-    parts |= {"cut": still.fixed_parts["cut"] / still.lipschitz * lipschitz, "scaling": still.fixed_parts["scaling"]}
-    beside = ratio * sum(value for name, value in still.fixed_parts.items() if name not in ("cut", "scaling"))
-    parts["gradient"] = (moved(dims, beside, fixed_error(), largest, fixed_rounding(dims)) - IN_SUM[dims] * beside
-                         + MIXED_ROUNDING[dims] * unit)
-    return derived(still.promise, largest, lipschitz, parts=parts)
 
 
 def rotated_words(name: str, dims: int, value: float, scale: int) -> dict[str, float]:
@@ -100,26 +54,25 @@ def rotated_words(name: str, dims: int, value: float, scale: int) -> dict[str, f
 @dataclass(frozen=True)
 class Rotating:
     """A noise and its ranges, by the number of dimensions."""
-    still: Callable[[int], ProvenBounds]  # without a phase, with its derivatives
+    name: str  # without a phase
+    promise: float
     reach: Callable[[int], Sequence[float]]  # its range and Lipschitz constant with gradients at all phases
     slope_reach: Callable[[int], Sequence[float]]  # and those of a derivative
     scale: Callable[[int], float]
-    still_scale: Callable[[int], float]
     steps: Callable[[int], int] = lambda _: 1  # to a cell
 
     def bounds(self, dims: int, slope: bool) -> ProvenBounds:
-        still = self.still(dims)
-        return rotated(still.slope if slope else still, dims, *(self.slope_reach if slope else self.reach)(dims),
-                       self.unit(dims, slope), self.scale(dims) / self.still_scale(dims))
+        return ProvenBounds(*(0.0, *self.slope_reach(dims)) if slope else (self.promise, *self.reach(dims)))
 
     def unit(self, dims: int, slope: bool) -> float:
         """The unit of scaled ramps, or of the parts of a derivative."""
         return self.scale(dims) / RAMP_ONE[dims] * (4 * self.steps(dims) if slope else 1)
 
     def words(self, dims: int, slope: bool) -> dict[str, float]:
-        largest = self.bounds(dims, slope).fixed_largest
-        return {} if largest is None else rotated_words("derivative" if slope else "value", dims,
-                                                        largest / self.unit(dims, slope), fixed_scale(self.scale(dims), dims))
+        off = record.proven(f"{self.name}{'_d' * slope}_phase", dims, "octahedral" if self.name == "perlin" else "none",
+                            record.DERIVATIVE if slope else record.VALUE, arithmetic=record.FIXED)
+        return rotated_words("derivative" if slope else "value", dims,
+                             (self.bounds(dims, slope).range + off) / self.unit(dims, slope), fixed_scale(self.scale(dims), dims))
 
     def proofs(self, cases: tuple[tuple[int, Gradient | None], ...], words: Words, slope_words: Words
                ) -> tuple[Proof, Proof]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import astuple, dataclass, replace
+from dataclasses import dataclass, replace
 from decimal import ROUND_CEILING, Decimal
 from functools import cache
 from pathlib import Path
@@ -32,13 +32,6 @@ HEAD = """\
 //   value         the error of hn_uniform; slope, that of its derivative, times the reach
 //   reach         that of the first number of hn_distribution_fbm, divided by the reach; coefficient, that of another one
 //
-//   GULLIES_BOUNDS(value, lipschitz, wave_rate, slope, slope_lipschitz, slope_wave_rate, steepest, fixed_value,
-//                  fixed_slope)
-//
-//   value         the error of the waves of gullies in floats, from a cell; slope, that of a derivative of theirs
-//   lipschitz     how fast they change with the position; wave_rate, with the length by which a wave changes
-//   steepest      how long the vector of their derivatives is at most
-
 """
 
 
@@ -60,44 +53,7 @@ class Bounds:
         return replace(self, **numbers)
 
 
-# Errors of HN_FIXED that the text proves, and that are less than the published ones: from these the published bounds of
-# sums follow.
-CLOSER = {("perlin", 2, "octahedral"): 4.27e-5}
-
-
-def closer(bounds: Bounds) -> Bounds:
-    key = bounds.noise, bounds.dimensions, bounds.gradient
-    return replace(bounds, fixed_error=min(bounds.fixed_error, CLOSER.get(key, math.inf)))
-
-
 DIGITS = {"cell_error": 3, "error": 3, "lipschitz": 3, "limit": 6, "fixed_error": 3, "fixed_limit": 6}
-
-
-@dataclass(frozen=True)
-class GulliesBounds:
-    """The waves of gullies, as in HEAD."""
-    value: float
-    lipschitz: float
-    wave_rate: float
-    slope: float
-    slope_lipschitz: float
-    slope_wave_rate: float
-    steepest: float
-    fixed_value: float
-    fixed_slope: float
-
-    def rounded(self) -> GulliesBounds:
-        return GulliesBounds(*(float(rounded_up(number, 3)) for number in astuple(self)))
-
-
-@dataclass(frozen=True)
-class UniformBounds:
-    """The errors of a value; of a slope, times the reach; of the reach of a sum, divided by its noise's; and of
-    another number of its distribution."""
-    value: float
-    slope: float
-    reach: float
-    coefficient: float
 
 
 def rounded_up(value: float, digits: int) -> Decimal:
@@ -155,11 +111,6 @@ def read(path: Path = PATH, macro: str = "NOISE_BOUNDS") -> list[Bounds]:
     """The rows of the table, which hold rounded numbers: of values, or with SLOPE_BOUNDS of derivatives."""
     return [Bounds(noise.strip('"'), int(dimensions), gradient, *map(float, fields))
             for noise, dimensions, gradient, *fields in _rows(path, macro)]
-
-
-def read_gullies(path: Path = PATH) -> GulliesBounds:
-    row, = _rows(path, "GULLIES_BOUNDS")
-    return GulliesBounds(*map(float, row))
 
 
 @cache

@@ -1,20 +1,12 @@
 """Proofs for cellular noise, from docs/reference/contract.md, section 16. features.py, distances.py, moving.py and
 borders.py of the folder above have them; here they are put together.
 
-HN_CELLULAR and HN_CELLULAR_THREE. One bound holds for all metrics: the largest. The text proves that of floats. It is
-the hybrid metric's, whose distances are the largest; in fixed arithmetic it is the Euclidean one's, by the root of a
-small square. The errors of offsets are smaller. Rounding may take the cells of the third point along another axis, where
-a place is nearly as far from the centre of its cell along both. This axis is right for another place, no farther than
-2^-25 along each axis, since a coordinate 2 f - 1 is off by less than 2^-24. There the blocks of both axes have the third
-point, and the distances in either change by no more than L * 2^-25 on the way.
+HN_CELLULAR and HN_CELLULAR_THREE. One bound holds for all metrics: the largest, which is the hybrid metric's.
 
-HN_CELLULAR_PHASE. How fast distances change with the phase is not bounded here. One bound holds for the distances and
-for each component of an offset: the larger one. It is the offset's, which is rotated twice.
+HN_CELLULAR_PHASE. How fast distances change with the phase is not bounded here.
 
 HN_CELLULAR_D. The value is the first of hn_cellular, in the Euclidean metric. A derivative is a component of (position
-- point) / distance. An error of the position moves it by that over the distance: without a bound near the point. So the
-errors are for a derivative times the distance, in cells. They hold where the second distance is so much larger than the
-first that no other point is taken for the nearest one.
+- point) / distance: at most 1.
 
 HN_CELLULAR_SMOOTH. The sum of weights is largest where two points are at the place, in the middle of a wall, and others
 as near as they can be. It is nowhere 4, so it fits 32 bits in units of 2^-30.
@@ -29,24 +21,17 @@ import math
 from dataclasses import replace
 
 from proof.bounds import distances, features, moving
-from proof.bounds.boxes import SAFE
 from proof.bounds.gradients import Gradient
-from proof.bounds.noises import Proof, ProvenBounds, derived, listed
-from proof.bounds.table import scientific, shortest
+from proof.bounds.noises import Proof, ProvenBounds, listed
+from proof.bounds.table import shortest
 
 ACCURACY = "docs/measured/accuracy.md"
 CASES = ((2, None), (3, None))
-CLEAR = 1 / 8  # a distance between two points that is seldom less
 LARGEST_SMOOTH = 7 / 8  # where no point is within 1
 
 
-def proven(largest: float, lipschitz: float, cell_error: float | None, fixed: float, parts: dict[str, float]) -> ProvenBounds:
-    """Distances leave their range by their errors."""
-    return derived(largest, largest, lipschitz, cell_error, parts, fixed, largest + fixed)
-
-
-def total(parts: dict[str, float]) -> float:
-    return sum(parts.values()) * SAFE
+def bounds(largest: float, lipschitz: float) -> ProvenBounds:
+    return ProvenBounds(largest, largest, lipschitz)
 
 
 # --- Distances --------------------------------------------------------------------------------------------------------
@@ -54,9 +39,7 @@ def total(parts: dict[str, float]) -> float:
 def derive_distances(dims: int, count: int) -> ProvenBounds:
     """Bounds of so many distances."""
     most = {metric: features.largest_distance(dims, count, metric) for metric in features.METRICS}
-    lipschitz, fixed = (max(of(metric, dims, largest) for metric, largest in most.items())
-                        for of in (distances.metric_slope, distances.fixed_metric_error))
-    return proven(max(most.values()), lipschitz, None, fixed, distances.fixed_parts(dims))
+    return bounds(max(most.values()), max(distances.metric_slope(metric, dims, largest) for metric, largest in most.items()))
 
 
 def quotes() -> list[tuple[str, str]]:
@@ -76,8 +59,7 @@ def of_distances(first: int, count: int) -> Proof:
 # --- Points that move -------------------------------------------------------------------------------------------------
 
 def derive_phase(dims: int, _: Gradient | None) -> ProvenBounds:
-    fixed = max(moving.fixed_distance_error(dims), moving.offset_error(dims, True))
-    return proven(moving.largest_distance(dims, 2), math.sqrt(dims), None, fixed, moving.fixed_parts(dims))
+    return bounds(moving.largest_distance(dims, 2), math.sqrt(dims))
 
 
 def ends_of_phase(dims: int) -> list[float]:
@@ -86,22 +68,14 @@ def ends_of_phase(dims: int) -> list[float]:
 
 def quotes_of_phase() -> list[tuple[str, str]]:
     plane, space = (listed(ends_of_phase(dims)) for dims in (2, 3))
-    off = [moving.fixed_distance_error(dims) for dims in (2, 3)]
-    return [(ACCURACY, f"With a phase the two distances stay below {plane} in 2D, and below {space} in 3D"),
-            (ACCURACY, f"the distances are within {scientific(off[0])} in 2D and {scientific(off[1])} in 3D")]
+    return [(ACCURACY, f"With a phase the two distances stay below {plane} in 2D, and below {space} in 3D")]
 
 
 # --- Derivatives ------------------------------------------------------------------------------------------------------
 
 def derive_d(dims: int, _: Gradient | None) -> ProvenBounds:
-    largest, parts = features.largest_distance(dims, 1), distances.fixed_parts(dims)
-    value = proven(largest, math.sqrt(dims), None, total(parts), parts)
-    return replace(value, slope=derive_slope(dims))
-
-
-def derive_slope(dims: int) -> ProvenBounds:
-    parts = distances.fixed_direction_parts(dims)
-    return ProvenBounds(0.0, 1.0, 2 * math.sqrt(dims), None, None, None, total(parts), 1 + 2.0**-14, parts)
+    value = bounds(features.largest_distance(dims, 1), math.sqrt(dims))
+    return replace(value, slope=ProvenBounds(0.0, 1.0, 2 * math.sqrt(dims)))
 
 
 # --- The smooth one ---------------------------------------------------------------------------------------------------
@@ -111,9 +85,7 @@ def least_smooth(dims: int) -> float:
 
 
 def derive_smooth(dims: int, _: Gradient | None) -> ProvenBounds:
-    lipschitz, parts = features.most_within(dims) ** 0.25 * math.sqrt(dims), distances.fixed_smooth_parts(dims)
-    bounds = proven(LARGEST_SMOOTH, lipschitz, None, total(parts), parts)
-    return replace(bounds, fixed_largest=LARGEST_SMOOTH)
+    return bounds(LARGEST_SMOOTH, features.most_within(dims) ** 0.25 * math.sqrt(dims))
 
 
 def quotes_of_smooth() -> list[tuple[str, str]]:
@@ -124,35 +96,23 @@ def quotes_of_smooth() -> list[tuple[str, str]]:
 # --- Borders ----------------------------------------------------------------------------------------------------------
 
 def derive_border(dims: int, _: Gradient | None) -> ProvenBounds:
-    parts = distances.fixed_border_parts(dims)
-    return proven(features.largest_border(dims), math.sqrt(dims), distances.border_error(dims), total(parts), parts)
+    return bounds(features.largest_border(dims), math.sqrt(dims))
 
 
 def quotes_of_border() -> list[tuple[str, str]]:
-    floats = [scientific(distances.border_error(dims, apart=CLEAR)) for dims in (2, 3)]
-    fixed = [scientific(sum(distances.fixed_border_parts(dims, CLEAR).values())) for dims in (2, 3)]
     largest = [shortest(features.largest_border(dims), 3) for dims in (2, 3)]
-    return [(ACCURACY, f"at most {floats[0]} in 2D and {floats[1]} in 3D, or {fixed[0]} and {fixed[1]} with"),
-            (ACCURACY, f"to a border stays below {largest[0]} and {largest[1]}.")]
+    return [(ACCURACY, f"to a border stays below {largest[0]} and {largest[1]}.")]
 
 
 # --- By name ----------------------------------------------------------------------------------------------------------
 
-def offset_error(dims: int, fixed: bool) -> float:
-    """A component of the offset of a point that is nearest in any metric errs by this, from a position or a cell, in cells.
-    In floats it is the published error, which the text proves of hn_cellular; hn_cell_border has the same."""
-    return 2.5 * distances.PLACE if fixed else math.nextafter({2: 3.88e-7, 3: 1.05e-6}[dims], 0.0)
-
-
 PROOFS = {
-    "cellular": replace(of_distances(1, 2), offset_error=offset_error),
+    "cellular": of_distances(1, 2),
     "cellular_three": of_distances(3, 3),
     "cellular_phase": Proof(CASES, derive_phase, lambda dims, _: moving.largest_intermediates(dims),
-                            ends_of_phase, quotes=quotes_of_phase, offset_error=moving.offset_error,
-                            moved_by_sines=moving.moved_by_sines, length=lambda dims: moving.largest_distance(dims, 2)),
+                            ends_of_phase, quotes=quotes_of_phase),
     "cellular_d": Proof(CASES, derive_d, lambda dims, _: (
-        distances.largest_intermediates(dims) | distances.largest_direction_intermediates(dims)),
-                        length=lambda dims: features.largest_distance(dims, 1)),
+        distances.largest_intermediates(dims) | distances.largest_direction_intermediates(dims))),
     "cellular_smooth": Proof(
         CASES, derive_smooth,
         lambda dims, _: distances.largest_intermediates(dims) | distances.largest_smooth_intermediates(dims),
@@ -160,4 +120,4 @@ PROOFS = {
     "cell_border": Proof(
         CASES, derive_border,
         lambda dims, _: distances.largest_intermediates(dims) | distances.largest_border_intermediates(dims),
-        least=lambda _: 0.0, offset_error=offset_error, quotes=quotes_of_border)}
+        least=lambda _: 0.0, quotes=quotes_of_border)}

@@ -25,16 +25,8 @@ of them. Both factors are sinusoids of the angle, so their product is one of twi
 derivative is at most twice the product of their amplitudes, which are derivatives along some directions.
 
 Let S be the largest |a_y| + |a_z| + |b_y| + |b_z|, or with two other axes. It is the sum of H and H_m along
-(0, +-1, +-1), so it is bounded likewise, over places alone. Whatever changes each derivative by at most e moves a
-component by at most S e + 2 e^2: the place, and the errors of the derivatives. If it changes b's by d more, it
-moves a component by (|a_y| + |a_z|) d + 2 e d more, where the sum is at most L of hn_simplex. |a_y b_z| + |a_z b_y| is at
-most a quarter of S^2.
-
-In floats, in space, the fraction that is moved rounds once, to one in [m, 1], whose floats are at most 2^-24 apart. (The
-difference, of a fraction from 1 - m on, is exact.) So the derivatives of the second noise are off as from a position, and
-the other ones as from a cell: by the published errors, which the text proves. The products and the difference round. In
-integers the move is exact, and prod(a, b) is below the product by less than 2 units of 2^-20, 1 for the low digits and 1
-for the shift. The result is rounded to a multiple of 2^-16.
+(0, +-1, +-1), so it is bounded likewise, over places alone. A move of the
+place that changes each derivative by at most e moves a component by at most S e + 2 e^2.
 
 With a phase the gradients are ROTATED (gradients.py), and each noise has a phase of its own. All of the above holds,
 as rotated gradients have the same symmetries. (These are bounds for all pairs of phases.)
@@ -50,18 +42,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from proof.bounds.boxes import SAFE, Boxes, cell, supremum
-from proof.bounds.floats import UNIT, rounding
+from proof.bounds.boxes import Boxes, cell, supremum
 from proof.bounds.gradients import LENGTH, OCTAHEDRAL, ROTATED, Gradient
 from proof.bounds.kernels import ROTATING, SIMPLEX, Jet, Kernel, Offsets, Quantity, jet, vector, weight_jet
-from proof.bounds.noises import Proof, ProvenBounds, derived, simplex
-from proof.bounds.table import bounds_of, slope_bounds_of
+from proof.bounds.noises import Proof, ProvenBounds, simplex
+from proof.errors import record
 
 TOLERANCE, LEVEL = 1e-3, 10
 PARTS = 64  # of a quarter, between directions
 MOVE = (0.5, 0.0, 0.25)
 AXES = ((1, 2), (0, 1))  # of the planes of the components along x, whose bounds that along y shares, and along z
-FIXED_PRODUCT = 2.0**-20  # the unit of prod
 KERNELS = {OCTAHEDRAL: SIMPLEX, ROTATED: ROTATING}
 
 Points = Sequence[np.ndarray]
@@ -163,11 +153,6 @@ def largest_sum(gradient: Gradient = OCTAHEDRAL) -> float:
 
 # --- Bounds -----------------------------------------------------------------------------------------------------------
 
-def off(error: float, gradient: Gradient) -> float:
-    """How far a component is off, if each derivative is by that."""
-    return largest_sum(gradient) * error + 2 * error**2
-
-
 @dataclass(frozen=True)
 class Curl:
     """Without a phase, or with one."""
@@ -176,32 +161,18 @@ class Curl:
     slope: Callable[[int], ProvenBounds]  # of the derivatives, by the number of dimensions
     words: Callable[[int, Gradient | None], dict[str, float]]  # on the way to these
 
-    def float_error(self) -> float:
-        """In space, from the errors of the derivatives, from a cell and from a position; or the published one, which stays,
-        as it is no less."""
-        row, largest = slope_bounds_of(f"simplex_d{self.phase}", 3), largest_sum(self.gradient)
-        more = row.error - row.cell_error
-        error = off(row.cell_error, self.gradient) + more * (
-            bounds_of(f"simplex{self.phase}", 3, "none").lipschitz + 2 * row.cell_error)
-        error += UNIT * (largest**2 / 4 + error)
-        error += float(rounding(largest_product(self.gradient) + error))
-        return max(error, math.nextafter(bounds_of(f"curl{self.phase}", 3, "none").cell_error, 0.0))
-
     def derive(self, dims: int, _: Gradient | None) -> ProvenBounds:
         slope = self.slope(dims)
         if dims == 2:
             return slope
-        exact, lipschitz = largest_product(self.gradient), largest_sum(self.gradient) * slope.lipschitz
-        cut = off(slope.fixed_parts["cut"], self.gradient)
-        parts = {"cut": cut, "points": off(slope.fixed_error, self.gradient) - cut + 2 * FIXED_PRODUCT,
-                 "scaling": 2.0**-17}
-        return derived(0.0, exact, lipschitz, self.float_error(), parts, fixed_largest=exact + sum(parts.values()) * SAFE)
+        return ProvenBounds(0.0, largest_product(self.gradient), largest_sum(self.gradient) * slope.lipschitz)
 
     def largest_intermediates(self, dims: int, _: Gradient | None) -> dict[str, float]:
         of_derivatives = self.words(dims, None)
         if dims == 2:
             return of_derivatives
-        derivative = self.slope(3).fixed_largest * 2**19
+        off = record.proven(f"simplex_d{self.phase}", 3, "none", record.DERIVATIVE, arithmetic=record.FIXED)
+        derivative = (self.slope(3).range + off) * 2**19
         product = (derivative / 2**9 + 1) ** 2 + 2 * (derivative / 2**9 + 1) * 511 / 2**9 + 2
         return of_derivatives | {"product": product, "difference of products": 2 * product + 8}
 

@@ -16,11 +16,6 @@ the gradients is the sum over the axes of
 with u_i = s(f_i) (the weights of the other axes sum to 1, and u_i <= 1/2 just where f_i <= 1/2), so it is n/2, in the
 middle of the cell.
 
-FIXED. The text proves the errors (text.py), but not of derivatives in 4D, and with a phase in 3D. They are off by L of
-the derivative times 2^-20, as a coordinate is cut; by FADE with the slope of a fade, see integers.py; by roundings
-(slope_rounding, there), and by the scale: (((n + 256) >> 9) * S + 256) >> 9 is off by at most 256 S / 2^18 + 1/2 units of
-2^-19.
-
 The scales of the octahedral gradient leave 1 less the range of the exact noise, more than the error: |hn_perlin| <= 1.
 Octave sums round by less than 2 units of 2^-21 an octave (sums.py), 64 in 32 octaves; of the first, whose weight is 2^18,
 the same room is left.
@@ -32,22 +27,12 @@ from dataclasses import replace
 
 from proof.bounds import suprema
 from proof.bounds.gradients import OCTAHEDRAL, ROTATED, SINE, Gradient
-from proof.bounds.integers import (
-    ONE,
-    RAMP_ONE,
-    SLOPE_UNIT,
-    fixed_scale,
-    largest_slope_fade_effect,
-    scaled_intermediate,
-    scaling_error,
-    slope_intermediates,
-    slope_rounding,
-)
-from proof.bounds.noises import Proof, ProvenBounds, derived, listed, of_components
+from proof.bounds.integers import RAMP_ONE, fixed_scale, scaled_intermediate, slope_intermediates
+from proof.bounds.noises import Proof, ProvenBounds, of_components
 from proof.bounds.rotations import Rotating
 from proof.bounds.table import shortest
+from proof.errors import record
 
-ACCURACY = "docs/measured/accuracy.md"
 SCALE = {OCTAHEDRAL: {1: 2.0, 2: 1831 / 1024, 3: 985 / 1024, 4: 953 / 1024},
          ROTATED: {2: 1831 / 1024, 3: 879 / 1024}, SINE: {2: 1.0, 3: 1.0}}
 
@@ -77,14 +62,7 @@ def slope_lipschitz_bound(dims, gradient=OCTAHEDRAL):
     return scaled(suprema.SLOPE_LIPSCHITZ, dims, gradient)
 
 
-# --- Fixed, derivatives ------------------------------------------------------------------------------------------------
-
-def slope_error_parts(dims):
-    scale, one = SCALE[OCTAHEDRAL][dims], RAMP_ONE[dims]
-    return {"cut": slope_lipschitz_bound(dims) / ONE, "fade": scale * largest_slope_fade_effect(dims, OCTAHEDRAL),
-            "interpolation": scale * slope_rounding(dims) / (one / 4),
-            "scaling": scaling_error(fixed_scale(SCALE[OCTAHEDRAL][dims], dims), SLOPE_UNIT)}
-
+# --- Overflow ---------------------------------------------------------------------------------------------------------
 
 # Two derivatives in space have slopes of at most 15/8 times two differences of ramps. The differences of four ramps with
 # the offsets x, 1 - x and y, 1 - y are 4 ramps of at most 1 + max(|x|, |y|), which sum to at most 7: the maxima are
@@ -106,43 +84,34 @@ def largest_slope_intermediates(dims, slope):
 
 def derive(dims: int, gradient: Gradient) -> ProvenBounds:
     exact = range_bound(dims, gradient)
-    return derived(exact if gradient is SINE else 1.0, exact, lipschitz_bound(dims, gradient))
+    return ProvenBounds(exact if gradient is SINE else 1.0, exact, lipschitz_bound(dims, gradient))
 
 
 def derive_d(dims: int, gradient: Gradient) -> ProvenBounds:
-    return replace(derive(dims, gradient), slope=derived(0.0, slope_bound(dims), slope_lipschitz_bound(dims), None,
-                                                         slope_error_parts(dims) if dims == 4 else None))
+    return replace(derive(dims, gradient), slope=ProvenBounds(0.0, slope_bound(dims), slope_lipschitz_bound(dims)))
 
 
-def with_parts(dims: int) -> ProvenBounds:
-    """For the noise with a phase, in space with the parts of the errors of derivatives in HN_FIXED."""
-    of = derive_d(dims, OCTAHEDRAL)
-    return of if dims == 2 else replace(of, slope=replace(of.slope, fixed_parts=slope_error_parts(dims)))
-
-
-def largest_intermediates_d(dims: int, _: Gradient) -> dict[str, float]:
-    return largest_slope_intermediates(dims, slope_bound(dims) + sum(slope_error_parts(dims).values())) if dims == 4 else {}
+def largest_intermediates_d(dims: int, _: Gradient | None = None) -> dict[str, float]:
+    """In 3D, of the noise with a phase; in 4D."""
+    off = record.proven("perlin_d", dims, "octahedral", record.DERIVATIVE, arithmetic=record.FIXED)
+    return largest_slope_intermediates(dims, slope_bound(dims) + off)
 
 
 def quotes() -> list[tuple[str, str]]:
     """The claims of prose on its range."""
     exact = [shortest(range_bound(dims, OCTAHEDRAL), 5) for dims in (1, 2, 3, 4)]
     below = f"{', '.join(exact[:3])} and {exact[3]}"
-    return [("docs/reference/knobs.md", f"noise stays below {below} in 1D to 4D."), (ACCURACY, f"stays below {below}.")]
+    return [("docs/reference/knobs.md", f"noise stays below {below} in 1D to 4D.")]
 
 
 CASES = tuple((dims, OCTAHEDRAL) for dims in (1, 2, 3, 4))
 PERLIN = Proof((*CASES, (2, SINE), (3, SINE)), derive, quotes=quotes)
-PERLIN_D = Proof(CASES, derive_d, largest_intermediates_d)
+PERLIN_D = Proof(CASES, derive_d, lambda dims, _: largest_intermediates_d(dims) if dims == 4 else {})
 PHASE, PHASE_D = Rotating(
-    with_parts, lambda dims: [of(dims, ROTATED) for of in (range_bound, lipschitz_bound)],
-    lambda dims: [of(dims, ROTATED) for of in (slope_bound, slope_lipschitz_bound)],
-    lambda dims: SCALE[ROTATED][dims], lambda dims: SCALE[OCTAHEDRAL][dims]).proofs(
-        CASES[1:3], lambda *_: {}, lambda dims, _: {} if dims == 2 else largest_slope_intermediates(
-            dims, slope_bound(dims) + sum(slope_error_parts(dims).values())))
+    "perlin", 1.0, lambda dims: [of(dims, ROTATED) for of in (range_bound, lipschitz_bound)],
+    lambda dims: [of(dims, ROTATED) for of in (slope_bound, slope_lipschitz_bound)], lambda dims: SCALE[ROTATED][dims]).proofs(
+        CASES[1:3], lambda *_: {}, lambda dims, _: {} if dims == 2 else largest_intermediates_d(dims))
 PROOFS = {
     "perlin": PERLIN, "perlin_d": PERLIN_D, "perlin_d_phase": PHASE_D,
-    "perlin_phase": replace(PHASE, quotes=lambda: [
-        (ACCURACY,
-         f"With a phase `hn_perlin` stays below {listed([range_bound(dims, ROTATED) for dims in (2, 3)])} in 2D")]),
+    "perlin_phase": PHASE,
     "perlin_vector": of_components(PERLIN), "perlin_vector_d": of_components(PERLIN_D)}

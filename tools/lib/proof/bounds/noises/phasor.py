@@ -18,11 +18,7 @@ The supremum over all angles is the sum of the magnitudes. |k.u| is at most the 
 axis, for any signs of u. For given angles the sum is as smooth as the weights: so in a box it is bounded by its values
 at the vertices and its second derivatives, as in kernels.py.
 
-FIXED, as in kernel_fixed.py. The wave is cut to a multiple of 2^-16 along each axis, which turns a point by up to that
-times its offset. The product along each axis rounds down by less than 2^-32 turns. Sines times 2^13 are exact.
-
-BANDWIDTH. The wave of a point is at most 16 along each axis, too, so ranges and slopes are the same. In integers the wave,
-the bandwidth and the product are cut by less than 2^-16 each.
+BANDWIDTH. The wave of a point is at most 16 along each axis, too, so ranges and slopes are the same.
 
 NO OVERFLOW. K is at most 2^20. An offset is at most 1 step along an axis, and the contract's product takes the high and
 the low 10 bits in turn: the low ones are below 2^10, and the high ones are at most 2^10. The words on the way to a
@@ -33,40 +29,31 @@ from __future__ import annotations
 
 import functools
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
-from proof.bounds import kernel_fixed, kernels, rotations
+from proof.bounds import kernel_fixed, kernels
 from proof.bounds.boxes import cell, supremum
 from proof.bounds.gradients import Gradient
 from proof.bounds.integers import word
 from proof.bounds.kernels import Jet, Kernel, Offsets, dot, weight_jet
-from proof.bounds.noises import Proof, ProvenBounds, derived, listed
+from proof.bounds.noises import Proof, ProvenBounds
 from proof.bounds.sine import fixed_sine_largest
-from proof.bounds.table import shortest
 from proof.bounds.weights import EVEN
 
 WAVES = 16  # per cell along an axis, at most
-WAVE_CUT, ANGLE_UNIT = 2.0**-16, 2.0**-32  # in waves per cell, and in turns
+WAVE_CUT = 2.0**-16  # in waves per cell
 
 
 @dataclass(frozen=True, eq=False)
 class Waves(Kernel):
     """With so many waves per cell along an axis at most, in place of gradients."""
     waves: float = WAVES
-    is_own: bool = False  # each point has a wave of its own
-    wave_cut: float = WAVE_CUT  # of a component in integers
-
-    def fixed_ramp(self, offsets: Offsets) -> tuple[float, np.ndarray]:
-        """With the error of the cosine and the sine of a point."""
-        along = self.wave_cut * offsets.size.sum(axis=0) / self.steps + self.dims * ANGLE_UNIT
-        return 1.0, rotations.fixed_error() + TURN * along
 
 
 # The lattices and the distances are hn_simplex's.
 KERNELS = {2: Waves(2, 819 / 1024, 1, 762, EVEN, triangles=True), 3: Waves(3, 1.0, 2, 674, EVEN)}
-OWN = {dims: replace(kernel, is_own=True, wave_cut=3 * WAVE_CUT) for dims, kernel in KERNELS.items()}
 CASES = tuple((dims, None) for dims in KERNELS)
 TURN = 2 * math.pi
 RAMP_ONE = 2**29  # the unit of the factors of weights
@@ -124,23 +111,8 @@ def lipschitz_of(kernel: Waves) -> float:
 
 # --- Proofs -----------------------------------------------------------------------------------------------------------
 
-def derived_value(kernel: Waves) -> ProvenBounds:
-    lipschitz = lipschitz_of(kernel)
-    return derived(1.0, range_of(kernel), lipschitz, parts=kernel_fixed.error_parts(kernel, lipschitz))
-
-
 def derive(dims: int, _: Gradient | None) -> ProvenBounds:
-    return derived_value(KERNELS[dims])
-
-
-def derive_own(dims: int, _: Gradient | None) -> ProvenBounds:
-    return derived_value(OWN[dims])
-
-
-def length(proven: ProvenBounds) -> float:
-    """How long value and quadrature can be, as computed: in integers, where errors are larger, both leave their range by
-    their error, but for the cut of the place."""
-    return proven.range + math.sqrt(2) * (proven.fixed_largest - proven.range)
+    return ProvenBounds(1.0, range_of(KERNELS[dims]), lipschitz_of(KERNELS[dims]))
 
 
 @functools.cache
@@ -162,13 +134,5 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
             **kernel_fixed.weighted_intermediates(kernel, fixed_sine_largest() * RAMP_ONE)}
 
 
-def quotes() -> list[tuple[str, str]]:
-    below = listed([range_of(kernel) for kernel in KERNELS.values()])
-    long, own = ([shortest(length(of(dims, None)), 5) for dims in KERNELS] for of in (derive, derive_own))
-    return [("docs/measured/accuracy.md", text) for text in (
-        f"`hn_phasor` stays below {below} in 2D and 3D",
-        f"are at most {long[0]} long in 2D and {long[1]} in 3D, and with a bandwidth {own[0]} and {own[1]}")]
-
-
-PROOFS = {"phasor": Proof(CASES, derive, largest_intermediates, quotes=quotes),
-          "phasor_bandwidth": Proof(CASES, derive_own, largest_intermediates)}
+PROOFS = {"phasor": Proof(CASES, derive, largest_intermediates),
+          "phasor_bandwidth": Proof(CASES, derive, largest_intermediates)}

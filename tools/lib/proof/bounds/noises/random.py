@@ -22,7 +22,7 @@ LARGEST = 1 - 2.0**-24
 
 
 def derive(_: int, __: Gradient | None) -> ProvenBounds:
-    return ProvenBounds(1.0, LARGEST, math.inf, 0.0, 0.0, LARGEST, LARGEST, LARGEST, {"cut": LARGEST})
+    return ProvenBounds(1.0, LARGEST, math.inf)
 
 
 # The number is an integer of 24 bits before it is a float.

@@ -10,8 +10,6 @@ within +-1, too. A derivative is s'(f_1) times an interpolation of differences o
 15/8 * 2.
 
 LIPSCHITZ. See suprema.py. At a corner's number within +-1, L is the largest sum_o |D w_o|.
-
-In HN_FAST and HN_FIXED the text proves the errors (text.py).
 """
 
 from __future__ import annotations
@@ -21,18 +19,18 @@ from dataclasses import replace
 from proof.bounds import suprema
 from proof.bounds.boxes import FADE_MAX
 from proof.bounds.gradients import Gradient
-from proof.bounds.noises import Proof, ProvenBounds, derived, of_components
+from proof.bounds.noises import Proof, ProvenBounds, of_components
 
 STEEPEST = 2 * FADE_MAX[1]
 
 
 def derive(dims: int, _: Gradient | None) -> ProvenBounds:
-    return derived(1.0, 1.0, suprema.largest(suprema.LIPSCHITZ, dims, None))
+    return ProvenBounds(1.0, 1.0, suprema.largest(suprema.LIPSCHITZ, dims, None))
 
 
 def derive_slope(dims: int) -> ProvenBounds:
     lipschitz = suprema.largest(suprema.SLOPE_LIPSCHITZ, dims, None)
-    return derived(0.0, STEEPEST, lipschitz)
+    return ProvenBounds(0.0, STEEPEST, lipschitz)
 
 
 CASES = tuple((dims, None) for dims in (1, 2, 3, 4))

@@ -6,8 +6,6 @@ LIPSCHITZ. L is the largest sum over the 4^n points of |D B|, D the derivative a
 weights: as in suprema.py, with points for corners. Along an axis sum |b'| is at most 3/2 (in the middle), sum |b''| is
 f + 1 - f + |3 f - 2| + |1 - 3 f|, at most 4, and sum |b'''| is 8. So the second derivative along an axis, of D B for
 any signs, is at most 8 + (n - 1) * 4 * 3/2.
-
-The text proves the errors (text.py), in HN_FIXED at places that are rounded to 2^-15.
 """
 
 from __future__ import annotations
@@ -17,12 +15,10 @@ import itertools
 
 import numpy as np
 
-from proof.bounds.boxes import SAFE, cell, smooth, supremum
+from proof.bounds.boxes import cell, smooth, supremum
 from proof.bounds.gradients import Gradient
-from proof.bounds.integers import FADE_ONE, UNIT, fractions, part_roundings, word
-from proof.bounds.noises import Proof, ProvenBounds, derived
+from proof.bounds.noises import Proof, ProvenBounds
 
-NUMBER_ONE = 2**29  # the unit of numbers of hashes
 TOLERANCE, LEVELS = 1e-4, {1: 16, 2: 12, 3: 9}
 
 
@@ -56,31 +52,8 @@ def lipschitz_bound(dims: int) -> float:
     return supremum(bound, cell(dims), LEVELS[dims], TOLERANCE, 0)
 
 
-def sixth_of_cube(x):
-    square = word(x * x)
-    return word((square >> 15) * x + (word((square & 32767) * x) >> 15)) // 6
-
-
-@functools.cache
-def splines():
-    """b_-1 to b_2 of the contract for every fraction, in units of 2^-18."""
-    x = word(fractions() + 16) >> 5
-    before, after = sixth_of_cube(2**15 - x), sixth_of_cube(x)
-    first, last = word(before + 2**11) >> 12, word(after + 2**11) >> 12
-    second = word(word(715829931 + 3 * after) - word(x * x)) >> 12
-    return np.array([first, second, FADE_ONE - first - second - last, last])
-
-
-def fixed_largest(dims: int) -> float:
-    """A mean of numbers up to 1, but for its roundings: no weight is negative, and the weights sum to 1."""
-    if splines().min() < 0 or (splines().sum(axis=0) != FADE_ONE).any():
-        raise ValueError("a weight is negative, or the weights do not sum to 1")
-    interpolation = dims * float(part_roundings(splines()).sum(axis=0).max()) / NUMBER_ONE
-    return (1 + interpolation + UNIT / 2) * SAFE
-
-
 def derive(dims: int, _: Gradient | None) -> ProvenBounds:
-    return derived(1.0, 1.0, lipschitz_bound(dims), fixed_largest=fixed_largest(dims))
+    return ProvenBounds(1.0, 1.0, lipschitz_bound(dims))
 
 
 PROOFS = {"value_cubic": Proof(tuple((dims, None) for dims in (1, 2, 3)), derive)}
