@@ -37,7 +37,6 @@ const Bounds kBounds = [] {
 #define SLOPE_BOUNDS(...) bounds.slope.push_back({__VA_ARGS__});
 #define SINE_BOUNDS(error, fixed_error) bounds.sine_error = error;
 #define UNIFORM_BOUNDS(...) bounds.uniform = {__VA_ARGS__};
-#define GULLIES_BOUNDS(...)
 #include "expected/bounds.inc"
   return bounds;
 }();

@@ -22,8 +22,8 @@ HN_FN hn_vec3 hn_i_cellular_d(hn_i_neighbourhood2 cells, hn_i_num2 f, hn_i_num j
 //   example  vec3 n = hn_cellular_d(uv * 8.0, 7u);
 //   returns  the distance, and its derivatives along x and y: a vector of length 1 away from the point, which is
 //            (position - point) / distance; 0 at the point. It jumps where another point becomes the nearest
-//   error    hn_cellular's, and of a derivative at most 2.57e-6 divided by the distance, in any rounding mode
-//            (docs/measured/accuracy.md). HN_FIXED 1.08e-5 divided by it. From a cell at most 2.40e-6 divided by it
+//   error    hn_cellular's, and of a derivative at most 1.92e-6 divided by the distance, in any rounding mode
+//            (docs/measured/accuracy.md). HN_FIXED 8.30e-6 divided by it. From a cell at most 1.92e-6 divided by it
 //   period   2^32 cells per axis, or the tile's
 //   cost     hn_cellular's and one more hash
 //   source   docs/reference/contract.md, section 16

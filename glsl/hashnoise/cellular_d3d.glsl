@@ -22,8 +22,8 @@ HN_FN hn_vec4 hn_i_cellular_d(hn_i_neighbourhood3 cells, hn_i_num3 f, hn_i_num j
 //   example  vec4 n = hn_cellular_d(vec3(uv * 8.0, 0.5), 7u);
 //   returns  the distance, and its derivatives along x, y and z: a vector of length 1 away from the point, which is
 //            (position - point) / distance; 0 at the point. It jumps where another point becomes the nearest
-//   error    hn_cellular's, and of a derivative at most 3.52e-6 divided by the distance, in any rounding mode
-//            (docs/measured/accuracy.md). HN_FIXED 1.20e-5 divided by it. From a cell at most 3.31e-6 divided by it
+//   error    hn_cellular's, and of a derivative at most 1.75e-6 divided by the distance, in any rounding mode
+//            (docs/measured/accuracy.md). HN_FIXED 8.46e-6 divided by it. From a cell at most 1.74e-6 divided by it
 //   period   2^32 cells per axis, or the tile's
 //   cost     hn_cellular's and one more hash
 //   source   docs/reference/contract.md, section 16

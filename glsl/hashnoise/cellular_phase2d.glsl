@@ -26,8 +26,8 @@ HN_FN hn_i_rank4 hn_i_nearest(hn_place2 place, hn_i_turn2 turn, hn_float jitter,
 //   returns  the two distances, in cells, by the Euclidean metric: the first in [0, 1.1438], the second in [0, 1.4367]
 //            (proven bounds), and not below the first. Both are continuous (HN_FIXED: in steps of 2^-18), in the phase,
 //            too
-//   error    at most 5.38e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            1.22e-4. From a cell at most 5.30e-6
+//   error    at most 5.08e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            1.22e-4. From a cell at most 5.08e-6
 //   period   2^32 cells per axis, or the tile's
 //   cost     hn_cellular's, a sine and a cosine of 6 multiplications of floats each, and 8 multiplications
 //   source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
@@ -44,7 +44,7 @@ HN_FN hn_vec2 hn_cellular_phase(hn_vec2 p, hn_float phase, hn_float jitter, hn_u
 //   offset   set to the vector from the position to that point, in cells
 //   example  ivec2 nearest; vec2 offset; float f1 = hn_cellular_phase(uv * 8.0, 0.25, 1.0, 7u, nearest, offset).x;
 //   returns  as above
-//   error    as above; of the offset at most 5.30e-6. HN_FIXED 1.22e-4
+//   error    as above; of the offset at most 4.34e-6. HN_FIXED 1.22e-4
 //   cost     as above; one more hash
 //   (parameters as above)
 HN_FN hn_vec2 hn_cellular_phase(hn_place2 place, hn_float phase, hn_float jitter, hn_uint seed,

@@ -28,8 +28,8 @@ HN_FN hn_i_rank4 hn_i_nearest(hn_place3 place, hn_i_turn3 turn, hn_float jitter,
 //   returns  the two distances, in cells, by the Euclidean metric: the first in [0, 1.208], the second in [0, 1.3892]
 //            (proven bounds), and not below the first. Both are continuous (HN_FIXED: in steps of 2^-18), in the phase,
 //            too
-//   error    at most 1.15e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            3.01e-4. From a cell at most 1.14e-5
+//   error    at most 6.78e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            2.54e-4. From a cell at most 6.78e-6
 //   period   2^32 cells per axis, or the tile's
 //   cost     hn_cellular's, a sine and a cosine of 6 multiplications of floats each, and 21 multiplications
 //   source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
@@ -47,7 +47,7 @@ HN_FN hn_vec2 hn_cellular_phase(hn_vec3 p, hn_float phase, hn_float jitter, hn_u
 //   example  ivec3 nearest; vec3 offset; float f1 = hn_cellular_phase(vec3(uv * 8.0, 0.5), 0.25, 1.0, 7u, nearest,
 //            offset).x;
 //   returns  as above
-//   error    as above; of the offset at most 1.14e-5. HN_FIXED 3.01e-4
+//   error    as above; of the offset at most 7.32e-6. HN_FIXED 3.00e-4
 //   cost     as above; one more hash
 //   (parameters as above)
 HN_FN hn_vec2 hn_cellular_phase(hn_place3 place, hn_float phase, hn_float jitter, hn_uint seed,

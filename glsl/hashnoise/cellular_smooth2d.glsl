@@ -31,8 +31,8 @@ HN_FN hn_float hn_i_cellular_smooth(hn_i_neighbourhood2 cells, hn_i_num2 f, hn_i
 //   returns  1 - (the sum of (1 - distance)^4 over these points + 1/4096)^(1/4): a little below the first distance of
 //            hn_cellular, in [-0.1937, 7/8] (proven bound), continuously differentiable but for the points themselves
 //            (HN_FIXED: in steps of 2^-19)
-//   error    at most 4.15e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            2.46e-4. From a cell at most 4.02e-6
+//   error    at most 2.68e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            1.79e-4. From a cell at most 2.68e-6
 //   period   2^32 cells per axis, or the tile's
 //   cost     9 hashes (none with HN_HASH_LATTICE), 9 multiplications and 11 square roots; 2 more multiplications to
 //            spread the coordinates, and 2 more for a seed that is not constant

@@ -39,8 +39,8 @@ HN_FN hn_vec3 hn_i_cellular_three(hn_place2 place, hn_i_num jitter, hn_int metri
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   example  float f3 = hn_cellular_three(uv * 8.0, 7u).z;
 //   returns  the three distances, in cells, ascending: the third in [0, 1.5812] (proven bound)
-//   error    at most 4.22e-6 against the exact value, in any metric and rounding mode (docs/measured/accuracy.md).
-//            HN_FIXED 6.81e-5. From a cell at most 3.84e-6
+//   error    at most 2.58e-6 against the exact value, in any metric and rounding mode (docs/measured/accuracy.md).
+//            HN_FIXED 6.81e-5. From a cell at most 2.58e-6
 //   period   2^32 cells per axis, or the tile's
 //   cost     12 hashes (none with HN_HASH_LATTICE) and 12 multiplications, and what hn_cellular costs besides
 //   source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16

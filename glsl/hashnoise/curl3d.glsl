@@ -69,8 +69,8 @@ HN_FN hn_place3 hn_i_between_points(hn_place3 place) {
 //   example  vec3 n = hn_curl(vec3(uv * 8.0, 0.5), 7u);
 //   returns  each component in [-31.1, 31.1], in squared noise per squared cell, once continuously differentiable
 //            (HN_FIXED: in steps of 2^-16)
-//   error    at most 7.34e-4 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            1.56e-2. From a cell at most 6.78e-4
+//   error    at most 2.02e-4 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            1.02e-2. From a cell at most 2.02e-4
 //   period   2^32 cells per axis, or the tile's
 //   cost     twice hn_simplex_d's
 //   source   DeWolf, "Divergence-free noise", 2005; docs/reference/contract.md, section 15

@@ -42,8 +42,8 @@ HN_FN hn_vec3 hn_i_curl(hn_place3 place, hn_i_curl_rotation3 rotation, hn_uint s
 //   example  vec3 n = hn_curl(vec3(uv * 8.0, 0.5), 0.25, 7u);
 //   returns  each component in [-34.1, 34.1], in squared noise per squared cell, once continuously differentiable, and
 //            smooth in the phase (HN_FIXED: in steps of 2^-16)
-//   error    at most 1.64e-3 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            3.79e-2
+//   error    at most 3.00e-4 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            1.22e-2
 //   period   2^32 cells per axis, or the tile's
 //   cost     twice hn_simplex_d's with a phase
 //   source   DeWolf, "Divergence-free noise", 2005; Perlin and Neyret, "Flow noise", 2001;

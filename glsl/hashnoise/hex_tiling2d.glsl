@@ -40,7 +40,7 @@ HN_FN hn_vec3 hn_i_in_cells(hn_i_num3 steps) {
 //   returns  weights, hashes (words) and offsets (x, y). The weights are in [0, 1], continuous, and change by at most
 //            sqrt(5) per cell; an offset is at most 0.56 long
 //   error    at most 4.77e-7 against the exact weights, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            2.87e-6. From a cell at most 2.99e-7; of the offset at most 2.39e-7. HN_FIXED 9.54e-7. Where a corner
+//            2.87e-6. From a cell at most 2.99e-7; of the offset at most 2.38e-7. HN_FIXED 9.54e-7. Where a corner
 //            changes, up to the error, it may be either
 //   period   2^31 cells per axis, or the tile's
 //   cost     3 hashes (none with HN_HASH_LATTICE) and 12 multiplications; 2 more to spread the coordinates, and 2 more

@@ -27,8 +27,8 @@ HN_FN hn_i_num hn_i_perlin(hn_i_cell_corners2 corners, hn_i_num2 f, hn_uint seed
 //   returns  [-1, 1] (proven bound 0.90913), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
 //            in steps of 2^-21); with HN_GRADIENT_SINE, which is not scaled, [-1, 1] and the rest alike
 //   error    at most 2.67e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md);
-//            HN_GRADIENT_SINE 4.58e-6. HN_FIXED 4.30e-5; HN_GRADIENT_SINE 7.99e-5. From a cell at most 2.44e-6;
-//            HN_GRADIENT_SINE 4.36e-6
+//            HN_GRADIENT_SINE 2.42e-6. HN_FIXED 4.30e-5; HN_GRADIENT_SINE 7.99e-5. From a cell at most 2.44e-6;
+//            HN_GRADIENT_SINE 2.42e-6
 //   period   2^32 cells per axis, or the tile's (HN_GRADIENT_SINE with HN_HASH_PARTIAL_FNV1: no more than 2^31)
 //   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 2 more to spread the coordinates, and 2 more
 //            for a seed that is not constant. HN_GRADIENT_SINE: 6 hashes and 8 sines of 10 multiplications each, 6 of

@@ -27,9 +27,9 @@ HN_FN hn_i_num hn_i_perlin(hn_i_cell_corners3 corners, hn_i_num3 f, hn_uint seed
 //   example  float n = hn_perlin(vec3(uv * 8.0, 0.5), 7u);
 //   returns  [-1, 1] (proven bound 0.99689), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
 //            in steps of 2^-21); with HN_GRADIENT_SINE, which is not scaled, [-3/2, 3/2] and the rest alike
-//   error    at most 4.45e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md);
-//            HN_GRADIENT_SINE 8.12e-6. HN_FIXED 5.40e-5; HN_GRADIENT_SINE 1.40e-4. From a cell at most 4.14e-6;
-//            HN_GRADIENT_SINE 7.70e-6
+//   error    at most 3.40e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md);
+//            HN_GRADIENT_SINE 3.16e-6. HN_FIXED 5.40e-5; HN_GRADIENT_SINE 1.04e-4. From a cell at most 3.40e-6;
+//            HN_GRADIENT_SINE 3.16e-6
 //   period   2^32 cells per axis, or the tile's (HN_GRADIENT_SINE with HN_HASH_PARTIAL_FNV1: no more than 2^31)
 //   cost     8 hashes (none with HN_HASH_LATTICE) and 8 multiplications; 3 more to spread the coordinates, and 2 more
 //            for a seed that is not constant. HN_GRADIENT_SINE: 14 hashes and 24 sines of 10 multiplications each, 6 of

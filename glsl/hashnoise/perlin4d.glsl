@@ -40,8 +40,8 @@ HN_FN hn_i_num hn_i_perlin(hn_i_cell_corners4 corners, hn_i_num4 f, hn_uint seed
 //   example  float n = hn_perlin(vec4(uv * 8.0, 0.5, 0.25), 7u);
 //   returns  [-1, 1] (proven bound 0.99904), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
 //            in steps of 2^-21)
-//   error    at most 7.28e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            6.93e-5. From a cell at most 6.90e-6
+//   error    at most 3.48e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            6.93e-5. From a cell at most 3.48e-6
 //   period   2^32 cells per axis, or the tile's
 //   cost     16 hashes (none with HN_HASH_LATTICE) and 16 multiplications; 4 more to spread the coordinates, and 2 more
 //            for a seed that is not constant

@@ -31,8 +31,8 @@ HN_FN hn_vec2 hn_i_perlin_d(hn_i_cell_corners1 corners, hn_i_num f, hn_uint seed
 //   example  vec2 n = hn_perlin_d(uv.x * 8.0, 7u);
 //   returns  the value and its derivative. A derivative is per cell, in [-2.69, 2.69], once continuously differentiable
 //            (HN_FIXED: in steps of 2^-19)
-//   error    hn_perlin's, and of a derivative at most 7.47e-6 against the exact value, in any rounding mode
-//            (docs/measured/accuracy.md). HN_FIXED 1.72e-4. From a cell at most 6.57e-6
+//   error    hn_perlin's, and of a derivative at most 5.36e-6 against the exact value, in any rounding mode
+//            (docs/measured/accuracy.md). HN_FIXED 1.72e-4. From a cell at most 4.72e-6
 //   period   2^32 cells, or the tile's
 //   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 10

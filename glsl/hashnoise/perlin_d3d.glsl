@@ -57,8 +57,8 @@ HN_FN hn_vec4 hn_i_scaled_perlin_d(hn_i_num4 n) { return hn_i_scaled_d(n, 985); 
 //   example  vec4 n = hn_perlin_d(vec3(uv * 8.0, 0.5), 7u);
 //   returns  the value and its derivatives along x, y and z. A derivative is per cell, in [-3.61, 3.61], once
 //            continuously differentiable (HN_FIXED: in steps of 2^-19)
-//   error    hn_perlin's, and of a derivative at most 1.98e-5 against the exact value, in any rounding mode
-//            (docs/measured/accuracy.md). HN_FIXED 2.28e-4. From a cell at most 1.88e-5
+//   error    hn_perlin's, and of a derivative at most 1.17e-5 against the exact value, in any rounding mode
+//            (docs/measured/accuracy.md). HN_FIXED 2.28e-4. From a cell at most 1.04e-5
 //   period   2^32 cells per axis, or the tile's
 //   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 10

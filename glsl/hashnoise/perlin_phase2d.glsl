@@ -34,8 +34,8 @@ HN_FN hn_vec3 hn_i_perlin_phase_d(hn_uvec4 h, hn_i_num2 f, hn_i_num2 rotation) {
 //   example  float n = hn_perlin(uv * 8.0, 0.25, 7u);
 //   returns  [-1, 1] (proven bound 0.99958), mean 0, 0 at lattice points, twice continuously differentiable, and smooth
 //            in the phase. With a phase of 0 it is hn_perlin, within the error.
-//   error    at most 5.46e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            1.18e-4
+//   error    at most 3.76e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            1.10e-4
 //   period   2^32 cells per axis, or the tile's
 //   cost     the hashes of hn_perlin, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/reference/contract.md, section 14
@@ -48,7 +48,7 @@ HN_FN hn_float hn_perlin(hn_vec2 p, hn_float phase, hn_uint seed) { return hn_pe
 // The noise with the derivatives along x and y, as of hn_perlin_d. The value is as above.
 //   example  vec3 n = hn_perlin_d(uv * 8.0, 0.25, 7u);
 //   returns  the value and its derivatives, per cell, in [-2.93, 2.93]
-//   error    of a derivative at most 2.36e-5. HN_FIXED 4.51e-4
+//   error    of a derivative at most 1.08e-5. HN_FIXED 4.51e-4
 //   cost     as above, and about twice the rest
 //   (parameters as above)
 HN_FN hn_vec3 hn_perlin_d(hn_place2 place, hn_float phase, hn_uint seed) {

@@ -41,8 +41,8 @@ HN_FN hn_vec4 hn_i_perlin_phase_d(hn_i_cell_corners3 corners, hn_i_num3 f, hn_i_
 //   example  float n = hn_perlin(vec3(uv * 8.0, 0.5), 0.25, 7u);
 //   returns  [-1, 1] (proven bound 0.99935), mean 0, 0 at lattice points, twice continuously differentiable, and smooth
 //            in the phase. With a phase of 0 it is hn_perlin times 879/985, within the error.
-//   error    at most 9.97e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            1.55e-4
+//   error    at most 4.04e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            1.11e-4
 //   period   2^32 cells per axis, or the tile's
 //   cost     the hashes of hn_perlin, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/reference/contract.md, section 14
@@ -54,7 +54,7 @@ HN_FN hn_float hn_perlin(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_pe
 // The noise with the derivatives along x, y and z, as of hn_perlin_d. The value is as above.
 //   example  vec4 n = hn_perlin_d(vec3(uv * 8.0, 0.5), 0.25, 7u);
 //   returns  the value and its derivatives, per cell, in [-3.34, 3.34]
-//   error    of a derivative at most 4.20e-5. HN_FIXED 5.96e-4
+//   error    of a derivative at most 1.17e-5. HN_FIXED 4.26e-4
 //   cost     as above, and about twice the rest
 //   (parameters as above)
 HN_FN hn_vec4 hn_perlin_d(hn_place3 place, hn_float phase, hn_uint seed) {

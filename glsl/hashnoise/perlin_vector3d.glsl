@@ -17,8 +17,8 @@
 //   example  vec3 n = hn_perlin_vector(vec3(uv * 8.0, 0.5), 7u);
 //   returns  along x hn_perlin, and along y and z other such noises, each in [-1, 1] (proven bound 0.99689), mean 0, 0
 //            at lattice points, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
-//   error    of each at most 4.45e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md).
-//            HN_FIXED 5.40e-5. From a cell at most 4.14e-6
+//   error    of each at most 3.40e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md).
+//            HN_FIXED 5.40e-5. From a cell at most 3.40e-6
 //   period   2^32 cells per axis, or the tile's
 //   cost     hn_perlin's, and twice the same again without the hashes; for each corner two multiplications more
 //   source   Perlin, "Improving noise", 2002; docs/reference/contract.md, section 22

@@ -18,8 +18,8 @@
 //   example  hn_derivatives2x2 n = hn_perlin_vector_d(uv * 8.0, 7u);
 //   returns  value, and in dx and dy its derivatives along x and y. A derivative is per cell, in [-2.91, 2.91], once
 //            continuously differentiable (HN_FIXED: in steps of 2^-19)
-//   error    hn_perlin_vector's, and of a derivative at most 1.33e-5 against the exact value, in any rounding
-//            mode (docs/measured/accuracy.md). HN_FIXED 2.01e-4. From a cell at most 1.24e-5
+//   error    hn_perlin_vector's, and of a derivative at most 9.48e-6 against the exact value, in any rounding
+//            mode (docs/measured/accuracy.md). HN_FIXED 2.01e-4. From a cell at most 9.00e-6
 //   period   2^32 cells per axis, or the tile's
 //   cost     hn_perlin_d's, and the same again without the hashes; for each corner a multiplication more
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 22

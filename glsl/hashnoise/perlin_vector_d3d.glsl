@@ -18,8 +18,8 @@
 //   example  hn_derivatives3x3 n = hn_perlin_vector_d(vec3(uv * 8.0, 0.5), 7u);
 //   returns  value, and in dx, dy and dz its derivatives along x, y and z. A derivative is per cell, in [-3.61, 3.61],
 //            once continuously differentiable (HN_FIXED: in steps of 2^-19)
-//   error    hn_perlin_vector's, and of a derivative at most 1.98e-5 against the exact value, in any rounding
-//            mode (docs/measured/accuracy.md). HN_FIXED 2.28e-4. From a cell at most 1.88e-5
+//   error    hn_perlin_vector's, and of a derivative at most 1.17e-5 against the exact value, in any rounding
+//            mode (docs/measured/accuracy.md). HN_FIXED 2.28e-4. From a cell at most 1.04e-5
 //   period   2^32 cells per axis, or the tile's
 //   cost     hn_perlin_d's, and twice the same again without the hashes; for each corner two multiplications more
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 22

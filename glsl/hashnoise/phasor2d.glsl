@@ -56,7 +56,7 @@ HN_FN hn_vec2 hn_phasor(hn_vec2 p, hn_vec2 wave, hn_float phase, hn_uint seed) {
 //   returns  a value and its quadrature, the value a quarter of a turn of the phase earlier, each in [-1, 1] (proven
 //            bound 0.99933), mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
 //   error    at most 4.69e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            4.30e-4. From a cell at most 3.49e-5
+//            4.30e-4. From a cell at most 3.38e-5
 //   period   2^31 cells per axis, or the tile's
 //   cost     hn_phasor without a bandwidth, and for each of 3 points 11 multiplications of integers and 4 of floats
 //   source   as of hn_phasor without a bandwidth; docs/reference/contract.md, section 23

@@ -29,8 +29,8 @@ HN_FN hn_vec2 hn_i_phasor(hn_i_wave_points3 p, hn_i_num3 a, hn_i_num3 b, hn_i_nu
 //   example  vec2 n = hn_phasor(vec3(uv * 8.0, 0.5), vec3(4.0, 0.0, 0.0), 0.25, 7u);
 //   returns  a value and its quadrature, the value a quarter of a turn of the phase earlier, each in [-1, 1] (proven
 //            bound 0.99932), mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
-//   error    at most 4.91e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            4.97e-4. From a cell at most 3.11e-5
+//   error    at most 4.08e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            4.97e-4. From a cell at most 2.86e-5
 //   period   2^32 cells per axis, or the tile's
 //   cost     4 hashes (none with HN_HASH_LATTICE), 8 sines of 6 multiplications each, and 24 multiplications; 3 more to
 //            spread the coordinates, and 2 more for a seed that is not constant
@@ -52,8 +52,8 @@ HN_FN hn_vec2 hn_phasor(hn_vec3 p, hn_vec3 wave, hn_float phase, hn_uint seed) {
 //   example  vec2 n = hn_phasor(vec3(uv * 8.0, 0.5), vec3(4.0, 0.0, 0.0), 1.0, 0.25, 7u);
 //   returns  a value and its quadrature, the value a quarter of a turn of the phase earlier, each in [-1, 1] (proven
 //            bound 0.99932), mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
-//   error    at most 5.84e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            6.41e-4. From a cell at most 4.04e-5
+//   error    at most 3.72e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            6.41e-4. From a cell at most 3.00e-5
 //   period   2^32 cells per axis, or the tile's
 //   cost     hn_phasor without a bandwidth, and for each of 4 points a square root, 17 multiplications of integers and
 //   7 of

@@ -87,8 +87,8 @@ HN_FN hn_derivatives2x2 hn_phasor_d(hn_vec2 p, hn_vec2 wave, hn_float phase, hn_
 //   returns  value, and in dx and dy the derivatives of both along x and y, per cell, at a constant wave, bandwidth
 //            and phase: in [-100.6, 100.6] for the largest waves, once continuously differentiable (HN_FIXED: in
 //            steps of 2^-16)
-//   error    hn_phasor's, and of a derivative at most 4.92e-3 against the exact value, in any rounding mode
-//            (docs/measured/accuracy.md). HN_FIXED 4.67e-2. From a cell at most 3.71e-3
+//   error    hn_phasor's, and of a derivative at most 4.82e-3 against the exact value, in any rounding mode
+//            (docs/measured/accuracy.md). HN_FIXED 4.67e-2. From a cell at most 3.48e-3
 //   period   2^31 cells per axis, or the tile's
 //   cost     the hashes and sines of hn_phasor with a bandwidth, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and wave; docs/reference/contract.md, section 23

@@ -65,8 +65,8 @@ HN_FN hn_i_num2 hn_i_scaled_fall3(hn_i_num2 n) {
 //   returns  value, and in dx, dy and dz the derivatives of both along x, y and z, per cell, at a constant wave and
 //            phase: in [-100.5, 100.5] for the largest waves, once continuously differentiable (HN_FIXED: in steps of
 //            2^-16)
-//   error    hn_phasor's, and of a derivative at most 5.20e-3 against the exact value, in any rounding mode
-//            (docs/measured/accuracy.md). HN_FIXED 5.23e-2. From a cell at most 3.35e-3
+//   error    hn_phasor's, and of a derivative at most 3.94e-3 against the exact value, in any rounding mode
+//            (docs/measured/accuracy.md). HN_FIXED 5.23e-2. From a cell at most 2.90e-3
 //   period   2^32 cells per axis, or the tile's
 //   cost     the hashes and sines of hn_phasor, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and wave; docs/reference/contract.md, section 23
@@ -102,8 +102,8 @@ HN_FN hn_derivatives2x3 hn_phasor_d(hn_vec3 p, hn_vec3 wave, hn_float phase, hn_
 //   bandwidth
 //            and phase: in [-100.6, 100.6] for the largest waves, once continuously differentiable (HN_FIXED: in
 //            steps of 2^-16)
-//   error    hn_phasor's, and of a derivative at most 6.18e-3 against the exact value, in any rounding mode
-//            (docs/measured/accuracy.md). HN_FIXED 6.83e-2. From a cell at most 4.34e-3
+//   error    hn_phasor's, and of a derivative at most 3.74e-3 against the exact value, in any rounding mode
+//            (docs/measured/accuracy.md). HN_FIXED 6.80e-2. From a cell at most 3.30e-3
 //   period   2^32 cells per axis, or the tile's
 //   cost     the hashes and sines of hn_phasor with a bandwidth, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and wave; docs/reference/contract.md, section 23

@@ -33,8 +33,8 @@ HN_FN hn_i_num hn_i_simplex(hn_place2 place, hn_uint seed) {
 //   example  float n = hn_simplex(uv * 8.0, 7u);
 //   returns  [-1, 1] (proven bound 0.97117), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
 //            in steps of 2^-21)
-//   error    at most 4.01e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            1.63e-4. From a cell at most 3.37e-6
+//   error    at most 3.16e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            1.63e-4. From a cell at most 2.64e-6
 //   period   2^31 cells per axis, or the tile's
 //   cost     3 hashes (none with HN_HASH_LATTICE) and 3 multiplications; 2 more to spread the coordinates, and 2 more
 //            for a seed that is not constant

@@ -33,7 +33,7 @@ HN_FN hn_i_num hn_i_simplex(hn_i_neighbourhood3 cells, hn_i_num3 f, hn_uint seed
 //   example  float n = hn_simplex(vec3(uv * 8.0, 0.5), 7u);
 //   returns  [-1, 1] (proven bound 0.99956), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
 //            in steps of 2^-21)
-//   error    at most 5.18e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//   error    at most 4.48e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            1.20e-4. From a cell at most 4.47e-6
 //   period   2^32 cells per axis, or the tile's
 //   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 3 more to spread the coordinates, and 2 more

@@ -31,8 +31,8 @@ HN_FN hn_i_num hn_i_simplex(hn_i_neighbourhood4 cells, hn_i_num4 f, hn_uint seed
 //   example  float n = hn_simplex(vec4(uv * 8.0, 0.5, 0.25), 7u);
 //   returns  [-1, 1] (proven bound 0.99915), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
 //            in steps of 2^-21)
-//   error    at most 6.24e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            1.22e-4. From a cell at most 5.52e-6
+//   error    at most 4.78e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            1.22e-4. From a cell at most 4.78e-6
 //   period   2^32 cells per axis, or the tile's
 //   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 4 more to spread the coordinates, and 2 more
 //            for a seed that is not constant

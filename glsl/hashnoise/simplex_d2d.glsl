@@ -42,8 +42,8 @@ HN_FN hn_vec3 hn_i_simplex_d(hn_place2 place, hn_uint seed) {
 //   example  vec3 n = hn_simplex_d(uv * 8.0, 7u);
 //   returns  the value and its derivatives along x and y. A derivative is per cell, in [-8.46, 8.46], once continuously
 //            differentiable (HN_FIXED: in steps of 2^-18)
-//   error    hn_simplex's, and of a derivative at most 5.15e-5 against the exact value, in any rounding mode
-//            (docs/measured/accuracy.md). HN_FIXED 2.49e-3. From a cell at most 4.45e-5
+//   error    hn_simplex's, and of a derivative at most 3.34e-5 against the exact value, in any rounding mode
+//            (docs/measured/accuracy.md). HN_FIXED 2.49e-3. From a cell at most 2.60e-5
 //   period   2^31 cells per axis, or the tile's
 //   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and ramp; docs/reference/contract.md, section 13

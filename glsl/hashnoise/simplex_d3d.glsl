@@ -38,8 +38,8 @@ HN_FN hn_vec4 hn_i_simplex_d(hn_i_neighbourhood3 cells, hn_i_num3 f, hn_uint see
 //   example  vec4 n = hn_simplex_d(vec3(uv * 8.0, 0.5), 7u);
 //   returns  the value and its derivatives along x, y and z. A derivative is per cell, in [-4.81, 4.81], once
 //            continuously differentiable (HN_FIXED: in steps of 2^-19)
-//   error    hn_simplex's, and of a derivative at most 4.25e-5 against the exact value, in any rounding mode
-//            (docs/measured/accuracy.md). HN_FIXED 9.84e-4. From a cell at most 3.90e-5
+//   error    hn_simplex's, and of a derivative at most 2.78e-5 against the exact value, in any rounding mode
+//            (docs/measured/accuracy.md). HN_FIXED 9.84e-4. From a cell at most 2.78e-5
 //   period   2^32 cells per axis, or the tile's
 //   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and ramp; docs/reference/contract.md, section 13

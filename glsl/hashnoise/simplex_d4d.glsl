@@ -45,8 +45,8 @@ HN_FN hn_derivatives4 hn_i_simplex_d(hn_i_neighbourhood4 cells, hn_i_num4 f, hn_
 //   example  hn_derivatives4 n = hn_simplex_d(vec4(uv * 8.0, 0.5, 0.25), 7u);
 //   returns  value and, in gradient, its derivatives along x, y, z and w. A derivative is per cell, in
 //            [-6.06, 6.06], once continuously differentiable (HN_FIXED: in steps of 2^-19)
-//   error    hn_simplex's, and of a derivative at most 6.11e-5 against the exact value, in any rounding mode
-//            (docs/measured/accuracy.md). HN_FIXED 1.36e-3. From a cell at most 5.48e-5
+//   error    hn_simplex's, and of a derivative at most 3.72e-5 against the exact value, in any rounding mode
+//            (docs/measured/accuracy.md). HN_FIXED 1.36e-3. From a cell at most 3.72e-5
 //   period   2^32 cells per axis, or the tile's
 //   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and ramp; docs/reference/contract.md, section 13

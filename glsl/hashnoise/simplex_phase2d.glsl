@@ -33,8 +33,8 @@ HN_FN hn_vec3 hn_i_simplex_phase_d(hn_place2 place, hn_i_num2 rotation, hn_uint 
 //   example  float n = hn_simplex(uv * 8.0, 0.25, 7u);
 //   returns  [-1, 1] (proven bound 0.99952), mean 0, 0 at lattice points, twice continuously differentiable, and smooth
 //            in the phase. With a phase of 0 it is hn_simplex, within the error.
-//   error    at most 7.19e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            2.91e-4
+//   error    at most 4.34e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            2.38e-4
 //   period   2^31 cells per axis, or the tile's
 //   cost     the hashes of hn_simplex, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/reference/contract.md, section 14
@@ -46,7 +46,7 @@ HN_FN hn_float hn_simplex(hn_vec2 p, hn_float phase, hn_uint seed) { return hn_s
 // The noise with the derivatives along x and y, as of hn_simplex_d. The value is as above.
 //   example  vec3 n = hn_simplex_d(uv * 8.0, 0.25, 7u);
 //   returns  the value and its derivatives, per cell, in [-8.64, 8.64]
-//   error    of a derivative at most 8.53e-5. HN_FIXED 4.02e-3
+//   error    of a derivative at most 3.70e-5. HN_FIXED 3.08e-3
 //   cost     as above, and about twice the rest
 //   (parameters as above)
 HN_FN hn_vec3 hn_simplex_d(hn_place2 place, hn_float phase, hn_uint seed) {

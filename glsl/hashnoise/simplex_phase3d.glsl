@@ -40,8 +40,8 @@ HN_FN hn_vec4 hn_i_simplex_phase_d(hn_i_neighbourhood3 cells, hn_i_num3 f, hn_i_
 //   example  float n = hn_simplex(vec3(uv * 8.0, 0.5), 0.25, 7u);
 //   returns  [-1, 1] (proven bound 0.99954), mean 0, 0 at lattice points, twice continuously differentiable, and smooth
 //            in the phase. With a phase of 0 it is hn_simplex times 4902/4918, within the error.
-//   error    at most 1.20e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            3.02e-4
+//   error    at most 6.60e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            2.48e-4
 //   period   2^32 cells per axis, or the tile's
 //   cost     the hashes of hn_simplex, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/reference/contract.md, section 14
@@ -53,7 +53,7 @@ HN_FN hn_float hn_simplex(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_s
 // The noise with the derivatives along x, y and z, as of hn_simplex_d. The value is as above.
 //   example  vec4 n = hn_simplex_d(vec3(uv * 8.0, 0.5), 0.25, 7u);
 //   returns  the value and its derivatives, per cell, in [-5.6, 5.6]
-//   error    of a derivative at most 9.42e-5. HN_FIXED 2.30e-3
+//   error    of a derivative at most 4.06e-5. HN_FIXED 1.28e-3
 //   cost     as above, and about twice the rest
 //   (parameters as above)
 HN_FN hn_vec4 hn_simplex_d(hn_place3 place, hn_float phase, hn_uint seed) {

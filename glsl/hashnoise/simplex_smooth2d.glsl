@@ -74,8 +74,8 @@ HN_FN hn_i_num hn_i_simplex_smooth(hn_place2 place, hn_uint seed) {
 //   example  float n = hn_simplex_smooth(uv * 8.0, 7u);
 //   returns  [-1, 1] (proven bound 0.99967), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
 //            in steps of 2^-21)
-//   error    at most 3.03e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            8.95e-5. From a cell at most 2.46e-6
+//   error    at most 1.71e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            8.95e-5. From a cell at most 1.52e-6
 //   period   2^31 cells per axis, or the tile's
 //   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 3 more to spread the coordinates, and 2 more
 //            for a seed that is not constant

@@ -74,8 +74,8 @@ HN_FN hn_i_num hn_i_simplex_smooth(hn_i_neighbourhood3 cells, hn_i_num3 f, hn_ui
 //   example  float n = hn_simplex_smooth(vec3(uv * 8.0, 0.5), 7u);
 //   returns  [-1, 1] (proven bound 0.99942), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
 //            in steps of 2^-21)
-//   error    at most 5.88e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            3.88e-4. From a cell at most 5.27e-6
+//   error    at most 2.56e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            3.88e-4. From a cell at most 2.52e-6
 //   period   2^32 cells per axis, or the tile's
 //   cost     8 hashes (none with HN_HASH_LATTICE) and 8 multiplications; 3 more to spread the coordinates, and 2 more
 //            for a seed that is not constant

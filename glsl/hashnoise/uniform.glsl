@@ -173,7 +173,7 @@ HN_FN hn_float hn_i_uniform(hn_i_tail tail) {
 //   example  float u = hn_uniform(hn_perlin(uv * 8.0, 7u), hn_distribution(HN_DISTRIBUTION_PERLIN2));
 //   returns  [0, 1], 1/2 at 0; it never falls where the value rises (with HN_FIXED; roundings of floats may take it
 //            down by 1e-6), and is twice continuously differentiable but for 0, where its slope has a crease
-//   error    at most 1.50e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//   error    at most 1.20e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            5.46e-5. docs/guide/uniform.md has how near to uniform the results are
 //   cost     about 40 operations, with a division; in HN_FIXED 3 divisions and 20 multiplications
 //   source   docs/reference/contract.md, section 21
@@ -187,7 +187,7 @@ HN_FN hn_float hn_uniform(hn_float value, hn_vec4 distribution) {
 //   distribution  as above
 //   example  vec2 u = hn_uniform_d(hn_perlin(uv * 8.0, 7u), hn_distribution(HN_DISTRIBUTION_PERLIN2));
 //   returns  the uniform value, and its derivative by the value: how many values there are near it. Not negative
-//   error    of the value as above; of the derivative at most 2.15e-5 / reach. HN_FIXED 4.18e-4 / reach
+//   error    of the value as above; of the derivative at most 1.09e-5 / reach. HN_FIXED 4.18e-4 / reach
 //   cost     hn_uniform's, and a division more
 //   source   docs/reference/contract.md, section 21
 HN_FN hn_vec2 hn_uniform_d(hn_float value, hn_vec4 distribution) {
@@ -215,7 +215,7 @@ HN_FN hn_i_num hn_i_of_sum(hn_i_num x, hn_int bell, hn_int way, hn_i_num d, hn_i
 //   gain     ratio of amplitudes, as of hn_fbm, usually 0.5, in [0, 1]
 //   example  vec4 distribution = hn_distribution_fbm(hn_distribution(HN_DISTRIBUTION_PERLIN2), 5.0, 0.5);
 //   returns  the distribution of hn_fbm, or of another mean of octaves of the noise (hn_add)
-//   error    of the coefficients at most 3.65e-5. HN_FIXED 1.93e-4. The reach: docs/measured/accuracy.md
+//   error    of the coefficients at most 2.54e-5. HN_FIXED 8.40e-5. The reach: docs/measured/accuracy.md
 //   cost     about 10 operations for each octave and 60 more. It does not depend on the position: compute it on the
 //            CPU, or let the compiler, where detail and gain are constants
 //   source   docs/reference/contract.md, section 21

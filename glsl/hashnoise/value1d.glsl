@@ -22,8 +22,8 @@ HN_FN hn_i_num hn_i_value_noise(hn_i_cell_corners1 corners, hn_i_num f, hn_uint 
 //   example  float n = hn_value(uv.x * 8.0, 7u);
 //   returns  [-1, 1], mean 0, at lattice points any multiple of 2^-22, twice continuously differentiable (HN_FIXED: in
 //            steps of 2^-21)
-//   error    at most 2.14e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            3.58e-5. From a cell at most 1.91e-6
+//   error    at most 1.96e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            3.58e-5. From a cell at most 1.82e-6
 //   period   2^32 cells, or the tile's
 //   cost     2 hashes (none with HN_HASH_LATTICE) and 2 multiplications; 1 more to spread the coordinate, and 2 more
 //            for a seed that is not constant

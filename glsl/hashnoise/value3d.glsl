@@ -17,8 +17,8 @@
 //   example  float n = hn_value(vec3(uv * 8.0, 0.5), 7u);
 //   returns  [-1, 1], mean 0, at lattice points any multiple of 2^-22, twice continuously differentiable (HN_FIXED: in
 //            steps of 2^-21)
-//   error    at most 6.10e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            5.57e-5. From a cell at most 5.77e-6
+//   error    at most 4.26e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            5.57e-5. From a cell at most 4.26e-6
 //   period   2^32 cells per axis, or the tile's
 //   cost     8 hashes (none with HN_HASH_LATTICE) and 8 multiplications; 3 more to spread the coordinates, and 2 more
 //            for a seed that is not constant

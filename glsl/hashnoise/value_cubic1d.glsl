@@ -26,8 +26,8 @@ HN_FN hn_i_num hn_i_value_cubic(hn_place1 place, hn_uint seed) {
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   example  float n = hn_value_cubic(uv.x * 8.0, 7u);
 //   returns  [-1, 1], mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
-//   error    at most 5.56e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            3.98e-5. From a cell at most 5.47e-6
+//   error    at most 4.48e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            3.98e-5. From a cell at most 4.46e-6
 //   period   2^32 cells, or the tile's
 //   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 1 more to spread the coordinate, and 2 more
 //            for a seed that is not constant

@@ -27,8 +27,8 @@ HN_FN hn_i_num hn_i_value_cubic(hn_place2 place, hn_uint seed) {
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   example  float n = hn_value_cubic(uv * 8.0, 7u);
 //   returns  [-1, 1], mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
-//   error    at most 1.11e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            6.39e-5. From a cell at most 1.10e-5
+//   error    at most 7.78e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            6.39e-5. From a cell at most 7.66e-6
 //   period   2^32 cells per axis, or the tile's
 //   cost     16 hashes (none with HN_HASH_LATTICE) and 16 multiplications; 2 more to spread the coordinates, and 2 more
 //            for a seed that is not constant

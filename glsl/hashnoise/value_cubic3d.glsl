@@ -36,8 +36,8 @@ HN_FN hn_i_num hn_i_value_cubic(hn_place3 place, hn_uint seed) {
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   example  float n = hn_value_cubic(vec3(uv * 8.0, 0.5), 7u);
 //   returns  [-1, 1], mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
-//   error    at most 1.66e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            8.61e-5. From a cell at most 1.64e-5
+//   error    at most 1.07e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            7.92e-5. From a cell at most 9.92e-6
 //   period   2^32 cells per axis, or the tile's
 //   cost     64 hashes (none with HN_HASH_LATTICE) and 64 multiplications; 3 more to spread the coordinates, and 2 more
 //            for a seed that is not constant

@@ -24,8 +24,8 @@ HN_FN hn_vec3 hn_i_value_d(hn_uvec4 h, hn_i_num2 f) {
 //   example  vec3 n = hn_value_d(uv * 8.0, 7u);
 //   returns  the value and its derivatives along x and y. A derivative is per cell, in [-3.76, 3.76], once continuously
 //            differentiable (HN_FIXED: in steps of 2^-19)
-//   error    hn_value's, and of a derivative at most 1.12e-5 against the exact value, in any rounding mode
-//            (docs/measured/accuracy.md). HN_FIXED 2.86e-4. From a cell at most 1.04e-5
+//   error    hn_value's, and of a derivative at most 8.68e-6 against the exact value, in any rounding mode
+//            (docs/measured/accuracy.md). HN_FIXED 2.86e-4. From a cell at most 8.56e-6
 //   period   2^32 cells per axis, or the tile's
 //   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 10

@@ -30,8 +30,8 @@ HN_FN hn_vec4 hn_i_value_d(hn_uvec4 a, hn_uvec4 b, hn_i_num3 f) {
 //   example  vec4 n = hn_value_d(vec3(uv * 8.0, 0.5), 7u);
 //   returns  the value and its derivatives along x, y and z. A derivative is per cell, in [-3.76, 3.76], once
 //            continuously differentiable (HN_FIXED: in steps of 2^-19)
-//   error    hn_value's, and of a derivative at most 1.87e-5 against the exact value, in any rounding mode
-//            (docs/measured/accuracy.md). HN_FIXED 3.18e-4. From a cell at most 1.76e-5
+//   error    hn_value's, and of a derivative at most 1.27e-5 against the exact value, in any rounding mode
+//            (docs/measured/accuracy.md). HN_FIXED 3.18e-4. From a cell at most 1.27e-5
 //   period   2^32 cells per axis, or the tile's
 //   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 10

@@ -40,8 +40,8 @@ HN_FN hn_derivatives4 hn_i_value_d(hn_i_cell_corners4 corners, hn_i_num4 f, hn_u
 //   example  hn_derivatives4 n = hn_value_d(vec4(uv * 8.0, 0.5, 0.25), 7u);
 //   returns  value and, in gradient, its derivatives along x, y, z and w. A derivative is per cell, in
 //            [-3.76, 3.76], once continuously differentiable (HN_FIXED: in steps of 2^-19)
-//   error    hn_value's, and of a derivative at most 2.71e-5 against the exact value, in any rounding mode
-//            (docs/measured/accuracy.md). HN_FIXED 3.65e-4. From a cell at most 2.59e-5
+//   error    hn_value's, and of a derivative at most 1.61e-5 against the exact value, in any rounding mode
+//            (docs/measured/accuracy.md). HN_FIXED 3.65e-4. From a cell at most 1.61e-5
 //   period   2^32 cells per axis, or the tile's
 //   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 10

@@ -16,8 +16,8 @@
 //   example  vec2 n = hn_value_vector(uv * 8.0, 7u);
 //   returns  along x hn_value, and along y another such noise, each in [-1, 1], mean 0, twice continuously
 //            differentiable (HN_FIXED: in steps of 2^-21)
-//   error    of each at most 4.11e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md).
-//            HN_FIXED 4.42e-5. From a cell at most 3.82e-6
+//   error    of each at most 3.24e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md).
+//            HN_FIXED 4.42e-5. From a cell at most 3.14e-6
 //   period   2^32 cells per axis, or the tile's
 //   cost     hn_value's, and for each corner a multiplication more
 //   source   Perlin, "Improving noise", 2002, for the interpolant; docs/reference/contract.md, section 22

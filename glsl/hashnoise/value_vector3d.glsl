@@ -16,8 +16,8 @@
 //   example  vec3 n = hn_value_vector(vec3(uv * 8.0, 0.5), 7u);
 //   returns  along x hn_value, and along y and z other such noises, each in [-1, 1], mean 0, twice continuously
 //            differentiable (HN_FIXED: in steps of 2^-21)
-//   error    of each at most 6.10e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md).
-//            HN_FIXED 5.57e-5. From a cell at most 5.77e-6
+//   error    of each at most 4.26e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md).
+//            HN_FIXED 5.57e-5. From a cell at most 4.26e-6
 //   period   2^32 cells per axis, or the tile's
 //   cost     hn_value's, and for each corner two multiplications more
 //   source   Perlin, "Improving noise", 2002, for the interpolant; docs/reference/contract.md, section 22

@@ -15,8 +15,8 @@
 //   example  hn_derivatives2x2 n = hn_value_vector_d(uv * 8.0, 7u);
 //   returns  value, and in dx and dy its derivatives along x and y. A derivative is per cell, in [-3.76, 3.76], once
 //            continuously differentiable (HN_FIXED: in steps of 2^-19)
-//   error    hn_value_vector's, and of a derivative at most 1.12e-5 against the exact value, in any rounding mode
-//            (docs/measured/accuracy.md). HN_FIXED 2.86e-4. From a cell at most 1.04e-5
+//   error    hn_value_vector's, and of a derivative at most 8.68e-6 against the exact value, in any rounding mode
+//            (docs/measured/accuracy.md). HN_FIXED 2.86e-4. From a cell at most 8.56e-6
 //   period   2^32 cells per axis, or the tile's
 //   cost     hn_value_d's, and the same again without the hashes; for each corner a multiplication more
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 22

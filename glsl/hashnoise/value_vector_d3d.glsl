@@ -15,8 +15,8 @@
 //   example  hn_derivatives3x3 n = hn_value_vector_d(vec3(uv * 8.0, 0.5), 7u);
 //   returns  value, and in dx, dy and dz its derivatives along x, y and z. A derivative is per cell, in [-3.76, 3.76],
 //            once continuously differentiable (HN_FIXED: in steps of 2^-19)
-//   error    hn_value_vector's, and of a derivative at most 1.87e-5 against the exact value, in any rounding mode
-//            (docs/measured/accuracy.md). HN_FIXED 3.18e-4. From a cell at most 1.76e-5
+//   error    hn_value_vector's, and of a derivative at most 1.27e-5 against the exact value, in any rounding mode
+//            (docs/measured/accuracy.md). HN_FIXED 3.18e-4. From a cell at most 1.27e-5
 //   period   2^32 cells per axis, or the tile's
 //   cost     hn_value_d's, and twice the same again without the hashes; for each corner two multiplications more
 //   source   the product rule on the interpolation; docs/reference/contract.md, section 22
