@@ -106,7 +106,7 @@ struct Arguments {
   Float phase, jitter, bandwidth;
   Fraction<D> wave;
   Int metric, octaves;
-  Float lacunarity, gain, strength, limit;
+  Float lacunarity, gain, strength;
   bool tiled = false;
 
   HN_I_INLINE explicit Arguments(const Options& o)
@@ -120,8 +120,7 @@ struct Arguments {
         octaves(o.octaves),
         lacunarity(o.lacunarity),
         gain(o.gain),
-        strength(o.strength),
-        limit(o.limit) {
+        strength(o.strength) {
     for (int axis = 0; axis < D; ++axis) tiled = tiled || o.period[axis] > 0;
   }
 };

@@ -25,25 +25,25 @@ HN_I_INLINE void with_step(int id, const Function& function) {
   }
 }
 
-// Prepares such a sum for its total. These work on a copy, since what is passed to them stays in memory.
+// Prepares such a sum for its total. These take a copy, since what is passed to them stays in memory.
 HN_GRID_NOINLINE void start_limits(hn_i_octave_sum& sum, const Options& options) {
-  if (options.sum == grid::kFootprint) {
-    sum.footprint = hn_i_footprint(Float(options.limit));
-  } else {
+  if (options.sum == grid::kDetail) {
     sum.part = hn_i_last_part(Float(options.limit), Int(options.octaves));
+  } else {
+    sum.footprint = hn_i_footprint(Float(options.limit));
   }
 }
-// Sets as the part how much an octave of a weight counts, and returns whether anything is left of the next one.
-HN_GRID_NOINLINE bool limit(hn_i_octave_sum& sum, hn_i_num weight, const Options& options, int number) {
-  hn_i_num part = HN_I_WEIGHT_ONE;
-  if (options.sum == grid::kFootprint) {
-    part = hn_i_resolved_part(sum.footprint);
-    sum.footprint = hn_i_next_footprint(sum.footprint, Float(options.lacunarity));
-  } else if (number >= options.octaves) {
-    part = options.octaves == 0 ? hn_i_num(HN_I_NO_WEIGHT) : hn_i_last_part(Float(options.limit), Int(options.octaves));
+// The weight of a part of an octave. Where nothing is left of the next one, the sum is at its end.
+HN_GRID_NOINLINE hn_i_num limited(hn_i_octave_sum& sum, hn_i_num weight, const Options& options, int number) {
+  if (options.sum == grid::kDetail) {
+    return number < options.octaves    ? weight
+           : number == options.octaves ? hn_i_weight_times(weight, sum.part)
+                                       : hn_i_num(HN_I_NO_WEIGHT);
   }
-  sum.part = hn_i_weight_times(weight, part);
-  return hn_i_to_bool(hn_i_resolved_part(sum.footprint) != HN_I_NO_WEIGHT);
+  const hn_i_num part = hn_i_resolved_part(sum.footprint);
+  sum.footprint = hn_i_next_footprint(sum.footprint, Float(options.lacunarity));
+  if (hn_i_to_bool(hn_i_resolved_part(sum.footprint) == HN_I_NO_WEIGHT)) sum.at = sum.octaves;
+  return hn_i_weight_times(weight, part);
 }
 
 // The result of a sum, from the mean.
@@ -323,8 +323,8 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
     for (int number = 1;; ++number) {
       bool more = number < options.octaves && number < 32;
       if (is_limited) {
-        more = limit(of_block, o.sum.weight, options, number) && more;
-        o.sum.part = of_block.part;
+        o.sum.part = limited(of_block, o.sum.weight, options, number);
+        more = more && of_block.at[0] < options.octaves;
       }
       each_axis<kMoving, D>([&](auto axis) HN_I_INLINED { spots.template keep<axis>(0, across, true); });
       if constexpr (kIsTiled) {
