@@ -124,8 +124,8 @@ void at_positions(const Batch& batch, const Options& options, Octave) {
   for (int i = 0; i < b.count; i += kCount) store(b, i, Noise::template at<D>(place_at_position<D>(b, i), given));
 }
 
-// Along a row: what depends on the other axes is computed once. That is little of cellular noise in space, whose code
-// in a tile takes long to compile.
+// Along a row: what depends on the other axes is computed once. Cellular noise in space has little of it, and in a tile
+// its code takes long to compile.
 template <int D, typename Noise, NoiseId id, bool kTiled>
 void along_row(const Batch& batch, const Options& options, Octave) {
   const Batch b = batch;
