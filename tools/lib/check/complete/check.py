@@ -152,7 +152,7 @@ def noises_without_entries(tree: Tree) -> Iterator[str]:
             yield lacks(function, f"write in {ORACLE} its exact and its fixed value, from docs/reference/contract.md")
         if (noise, function.axes) not in bounds:
             yield lacks(function, f"{BOUNDS.relative_to(ROOT)} has no {noise} in {function.axes}D: "
-                        "run tools/make bounds, which proves them by its text")
+                        "run tools/make bounds, which has its range proven in tools/lib/proof/bounds/noises")
         if not re.search(rf"`{function.calls}`[^.]* (?:takes positions of|have the forms of)", contract):
             yield lacks(function, f"state in docs/reference/contract.md that `{function.calls}` takes positions of "
                         f"{function.axes} dimensions, and what its value is")

@@ -14,7 +14,7 @@ from pathlib import Path
 from unittest import mock
 
 from base.testing import Case
-from base.tree import BOUNDS, CONFORMANCE, GLSL, GOLDEN, ROOT
+from base.tree import BOUNDS, GLSL, GOLDEN, ROOT
 from catalog.model import CATALOG
 from catalog.tables import glsl
 from check.complete.check import ROWS, SETTINGS, problems
@@ -158,7 +158,7 @@ DELETIONS = (
 class Deletions(Case):
     def setUp(self) -> None:
         self.tree, docs = self.folder / "tree", ROOT / "docs"
-        for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", CATALOG, BOUNDS, CONFORMANCE / "sums",
+        for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", CATALOG, BOUNDS,
                      *(docs / "reference" / f"{page}.md" for page in ("contract", "knobs", "noises")),
                      *(docs / "guide" / f"{page}.md" for page in ("random", "same-bits", "uniform")),
                      *(ROOT / "tools" / "lib" / "proof" / of for of in ("oracle", "bounds"))):

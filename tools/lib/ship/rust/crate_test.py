@@ -58,10 +58,10 @@ class Places(unittest.TestCase):
 
 class Comments(unittest.TestCase):
     def test_they_have_the_crates_names_and_one_arithmetic(self) -> None:
-        for arithmetic, error in some((("fast", "at most 3.53e-6 against the exact value, in any metric and rounding mode. "
-                                   "From a cell at most 3.18e-6; of the offset at most 3.88e-7."),
+        for arithmetic, error in some((("fast", "at most 2.08e-6 against the exact value, in any metric and rounding mode. "
+                                   "From a cell at most 2.08e-6; of the offset at most 2.98e-7."),
                                   ("fixed", "at most 6.81e-5 against the exact value, in any metric; of the offset at "
-                                   "most 2.39e-6.")), 1):
+                                   "most 2.38e-6.")), 1):
             shown = files.written(files.Made(arithmetic, "cellular"))
             self.assertEqual(shown.count("pub fn"), shown.count("#[inline]\n#[must_use]\npub fn"))
             self.assertEqual(len(re.findall("(?m)^fn", shown)), shown.count("#[inline]\nfn"))
