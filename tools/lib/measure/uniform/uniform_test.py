@@ -1,5 +1,5 @@
-"""Tests of tools/measure uniform: the constants, and that wrong ones show. proof.bounds.uniform proves how near the
-library is to the model, and golden files hold it to that."""
+"""Tests of tools/measure uniform: the constants, and that wrong ones show. tools/make errors measures how near
+the library is to the model, and golden files hold it to that."""
 
 from __future__ import annotations
 

@@ -10,11 +10,11 @@ from unittest import mock
 import numpy as np
 
 from base.thorough import in_thorough_runs
-from proof.bounds import kernels, rotations
+from proof.bounds import kernels
 from proof.bounds.bounds_test import gradients
 from proof.bounds.boxes import Boxes
 from proof.bounds.gradients import LENGTH, OCTAHEDRAL, ROTATED
-from proof.bounds.kernels import ROTATING, SIMPLEX, SMOOTH, Offsets, Quantity
+from proof.bounds.kernels import ROTATING, SIMPLEX, SMOOTH, Offsets
 from proof.bounds.noises import curl, simplex
 from proof.bounds.table import bounds_of
 from proof.errors import record
@@ -44,7 +44,7 @@ class Exact(unittest.TestCase):
         """By the library's gradients; a bound a little smaller would be refuted."""
         for kernel in (*SIMPLEX.values(), *SMOOTH.values()):
             for gradient, quantity in itertools.product((OCTAHEDRAL, ROTATED) if kernel.dims < 4 else (OCTAHEDRAL,), (
-                    kernels.VALUE, Quantity(((0.0,) * (kernel.dims - 1) + (1.0,),)), Quantity(((1.0,) * kernel.dims,)))):
+                    None, (0.0,) * (kernel.dims - 1) + (1.0,))):
                 bound = kernels.largest(kernel, quantity, gradient, kernel.dims - 1)
                 seen = searched(lambda place: kernels.attained(kernel, quantity, gradient.support, place),
                                 kernel.dims)
@@ -54,7 +54,7 @@ class Exact(unittest.TestCase):
         """Beside the errors that 1.1.0 proved of HN_FIXED. On the plane simplex noise has the scale of that whose gradients
         rotate. In 4D the scale could be 4301 of 1024 and is 4298."""
         for noise, kernel, rotating in NOISES:
-            derived = simplex.PHASE.derive(kernel.dims, None) if rotating else simplex.derived_value(kernel)
+            derived = simplex.value_of(kernel, ROTATED if rotating else OCTAHEDRAL)
             largest = derived.range + record.proven(noise, kernel.dims, "none", arithmetic=record.FIXED)
             self.assertLess(largest, 1, noise)
             if noise != "simplex" or kernel.dims > 2:
@@ -67,8 +67,7 @@ class Exact(unittest.TestCase):
         rng, step = np.random.default_rng(4), 1e-4
         for kernel in (*SIMPLEX.values(), *SMOOTH.values()):
             boxes = Boxes(5, rng.integers(0, 16, (kernel.dims, 200)))
-            u = (1.0,) * kernel.dims
-            for quantity in (kernels.VALUE, Quantity((u,))):
+            for quantity in (None, (0.0,) * (kernel.dims - 1) + (1.0,)):
                 for point in kernel.points:
                     g = rng.choice(gradients(kernel.dims), 200, axis=1)
                     middle = (boxes.lo + boxes.hi) / 2 - np.array(point)[:, None]
@@ -122,23 +121,10 @@ class Curl(unittest.TestCase):
             found = np.maximum(found, (a[i] * b[j] - a[j] * b[i]).max(axis=1))
         return found
 
-    def reached_sum(self, place):
-        """The largest of two components of both gradients."""
-        found = 0.0
-        for i, j in curl.AXES:
-            u = np.zeros((3, 1, 2))
-            u[i], u[j] = 1.0, (1.0, -1.0)
-            lengths = sum(abs(self.farthest(move, place, u)[[i, j]]).sum(axis=0).max(axis=1)
-                          for move in ((0.0,) * 3, curl.MOVE))
-            found = np.maximum(found, lengths)
-        return found
-
     def test_bounds_are_nearly_attained(self):
         # The product of the largest derivatives along two directions is of gradients in other directions than these.
         limit = bounds_of(self.NAME, 3, "octahedral").limit
         self.assertTrue(0.995 * limit < searched(self.reached, 3, 20, 20) < limit)
-        largest = curl.largest_sum(self.GRADIENT)
-        self.assertTrue(0.998 * largest < searched(self.reached_sum, 3, 20, 20) < largest)
 
     def test_without_the_move_it_would_be_more(self):
         with mock.patch.object(curl, "MOVE", (0.0,) * 3):
@@ -241,11 +227,3 @@ class Rotations(unittest.TestCase):
         for dims, turns in ((2, 1 / 4), (3, 1 / 6)):
             self.assertEqual(*({tuple(abs(column).round(9)) for column in some.T}
                                for some in (gradients(dims), rotated(dims, turns))))
-
-    def test_shares_of_two_sums(self):
-        angle = np.linspace(0, 2 * math.pi, 721)
-        for dims in (2, 3):
-            b = rotations.LARGEST_SHARE[dims] * np.sin(angle)
-            a = np.cos(angle) - (b / 2 if dims == 3 else 0)
-            self.assertAlmostEqual((abs(a) + abs(b)).max(), rotations.IN_SUM[dims])
-            self.assertAlmostEqual(max(abs(a).max(), abs(b).max()), rotations.LARGEST_SHARE[dims])

@@ -1,9 +1,7 @@
-"""Tests of the proofs for the exact noise and its derivatives: how large they can be, and how fast they can
-change."""
+"""Tests of the proofs for the exact noise and its derivatives: how large they can be."""
 
 import functools
 import itertools
-import math
 import unittest
 
 import numpy as np
@@ -12,8 +10,7 @@ from base.thorough import in_thorough_runs
 from proof.bounds import noises, suprema
 from proof.bounds.boxes import Boxes, cell, corners, fade_derivative, largest_derivative, supremum
 from proof.bounds.gradients import LENGTH, OCTAHEDRAL, ROTATED, SINE, octahedral_support
-from proof.bounds.integers import UNIT
-from proof.bounds.noises import perlin, value_cubic
+from proof.bounds.noises import perlin
 from proof.bounds.noises.perlin import SCALE
 from proof.bounds.table import bounds_of
 from proof.oracle import gradients as oracle
@@ -21,7 +18,7 @@ from proof.oracle.noises import perlin as oracle_perlin
 
 CASES = noises.find("perlin").cases
 DIMS = (1, 2, 3, 4)
-QUANTITIES = (suprema.VALUE, suprema.SLOPE, suprema.LIPSCHITZ, suprema.SLOPE_LIPSCHITZ)
+QUANTITIES = (suprema.VALUE, suprema.SLOPE)
 
 
 def proven(kind, dims):
@@ -65,7 +62,7 @@ class Supports(unittest.TestCase):
 class Search(unittest.TestCase):
     def test_derivatives_of_the_fade_in_boxes(self):
         rng = np.random.default_rng(19)
-        for order in (1, 2, 3, 4):
+        for order in (1, 2, 3):
             lo = rng.random(500)
             hi = np.minimum(lo + rng.random(500) ** 3, 1)
             inside = [abs(fade_derivative(order, lo + (hi - lo) * part)) for part in np.linspace(0, 1, 50)]
@@ -87,12 +84,11 @@ class Search(unittest.TestCase):
     @in_thorough_runs
     def test_bounds_are_attained(self):
         """Nearly, by a search, for each quantity; so a bound a little smaller would be refuted."""
-        cases = [*CASES, *((dims, None) for dims in DIMS), (2, ROTATED), (3, ROTATED)]
+        cases = [*CASES, (2, ROTATED), (3, ROTATED)]
         for (dims, kind), quantity in itertools.product(cases, QUANTITIES):
             seen, _ = searched(lambda points: suprema.steepest(quantity, kind, points), dims)
             bound = suprema.largest(quantity, dims, kind)
-            tight = 0.9999 if kind and quantity is not suprema.SLOPE_LIPSCHITZ else 0.998
-            self.assertTrue(tight * bound < seen <= bound, (dims, kind, quantity, seen, bound))
+            self.assertTrue(0.9999 * bound < seen <= bound, (dims, kind, quantity, seen, bound))
 
     def test_curvature_bounds_differences(self):
         """The second differences of random choices of gradients."""
@@ -128,7 +124,7 @@ class Range(unittest.TestCase):
         """Rounding leaves room for 32 octaves. With the sine gradient it takes values beyond the range."""
         for dims in DIMS:
             room = 1 - perlin.range_bound(dims, OCTAHEDRAL) - proven(OCTAHEDRAL, dims).fixed_error
-            self.assertGreater(room, 32 * 2 * UNIT)
+            self.assertGreater(room, 32 * 2 * 2.0**-21)
             self.assertEqual(proven(OCTAHEDRAL, dims).fixed_limit, 1)
         for dims in (2, 3):
             self.assertTrue(dims / 2 < proven(SINE, dims).fixed_limit < dims / 2 + 3e-5)
@@ -153,19 +149,3 @@ class Range(unittest.TestCase):
     def test_scales_are_the_contracts(self):
         self.assertEqual((SCALE[OCTAHEDRAL], SCALE[OCTAHEDRAL] | SCALE[ROTATED]),
                          (oracle_perlin.OCTAHEDRAL_SCALES, oracle_perlin.ROTATING_SCALES))
-
-
-class Lipschitz(unittest.TestCase):
-    def test_of_cubic_noise(self):
-        for dims in (1, 2, 3):
-            seen, _ = searched(value_cubic.steepest, dims, 1000)
-            self.assertTrue(0.999 * value_cubic.lipschitz_bound(dims) < seen <= value_cubic.lipschitz_bound(dims))
-        f, step = np.linspace(0.01, 0.99, 99), 1e-6
-        for high, low, slope in zip(value_cubic.weights(f + step), value_cubic.weights(f - step),
-                                    value_cubic.weight_slopes(f)):
-            self.assertLess(abs((high - low) / (2 * step) - slope).max(), 1e-9)
-
-    def test_values_that_are_known(self):
-        for quantity, dims, known in ((suprema.LIPSCHITZ, 1, 15 / 4), (suprema.SLOPE, 3, 15 / 4),
-                                      (suprema.SLOPE_LIPSCHITZ, 1, 20 / math.sqrt(3))):
-            self.assertAlmostEqual(suprema.largest(quantity, dims, None), known, delta=1e-4)

@@ -23,20 +23,19 @@ def fade(t):
 
 
 def fade_derivative(order, t):
-    """The derivative of an order from 0 (the fade itself) to 4."""
+    """The derivative of an order from 0 (the fade itself) to 3."""
     if order == 0:
         return fade(t)
     if order == 1:
         return 30 * (t * (1 - t)) ** 2
-    return {2: 60 * t * (1 - t) * (1 - 2 * t), 3: 60 - 360 * t * (1 - t), 4: 720 * t - 360}[order]
+    return {2: 60 * t * (1 - t) * (1 - 2 * t), 3: 60 - 360 * t * (1 - t)}[order]
 
 
 def largest_derivative(order, lo, hi):
-    """A bound of |s^(order)|, for order 1 to 4, on [lo, hi]: it is off a straight line by at most its own second
+    """A bound of |s^(order)|, for order 1 to 3, on [lo, hi]: it is off a straight line by at most its own second
     derivative times (hi - lo)^2 / 8."""
-    curvature = FADE_MAX[order + 2] if order < 4 else 0.0
     ends = np.maximum(abs(fade_derivative(order, lo)), abs(fade_derivative(order, hi)))
-    return np.minimum(ends + curvature / 8 * (hi - lo) ** 2, FADE_MAX[order])
+    return np.minimum(ends + FADE_MAX[order + 2] / 8 * (hi - lo) ** 2, FADE_MAX[order])
 
 
 def corners(dims):
@@ -152,13 +151,4 @@ def smooth(value: Callable[[np.ndarray], np.ndarray], curvature: Callable[[Boxes
     def bound(boxes: Boxes) -> tuple[np.ndarray, np.ndarray]:
         attained = boxes.at_vertices(value).max(axis=0)
         return attained + curvature(boxes) / 8 * boxes.side ** 2, attained
-    return bound
-
-
-def of_ends(error: Callable[[np.ndarray, np.ndarray], np.ndarray]) -> Bound:
-    """The bound of an error that is given for boxes by their lower and upper ends. Its value for the point in the middle
-    is no bound, but no box around it can have less."""
-    def bound(boxes: Boxes) -> tuple[np.ndarray, np.ndarray]:
-        middle = (boxes.lo + boxes.hi) / 2
-        return error(boxes.lo, boxes.hi), error(middle, middle)
     return bound

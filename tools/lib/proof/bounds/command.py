@@ -1,4 +1,4 @@
-"""Proves the ranges and the slopes of noises, and writes what quotes them and the errors that tools/make errors found.
+"""Proves the ranges of noises and of their derivatives, and writes what quotes them and the errors that tools/make errors found.
 
     tools/make bounds            writes bounds.inc, which the suite includes, and the tables of docs/measured/accuracy.md
     tools/make bounds --check    compares these, and every bound that a comment or a page quotes, with the right one
@@ -24,7 +24,7 @@ import catalog.model
 from base.tree import ROOT
 from base.usage import Parser
 from catalog.tables.functions import read_functions
-from proof.bounds import claims, identity, noises, sums
+from proof.bounds import claims, identity, noises
 from proof.bounds.documents import (
     ACCURACY,
     Everything,
@@ -36,12 +36,12 @@ from proof.bounds.documents import (
     wrong_comments,
 )
 from proof.bounds.features import METRICS
-from proof.bounds.gradients import OCTAHEDRAL
-from proof.bounds.integers import overshoot
+from proof.bounds.kept import kept
 from proof.bounds.noises import ProvenBounds
-from proof.bounds.table import HEAD, PATH, published, row, row_of, scientific
+from proof.bounds.table import HEAD, PATH, row, row_of, scientific
 from proof.errors import record
 from proof.errors.record import CELL, DERIVATIVE, FIXED, FLOATS, POSITION, VALUE
+from proof.errors.record import Key as Recorded
 
 
 def keys() -> list[Key]:
@@ -54,9 +54,7 @@ def family(key: Key) -> str:
 
 
 def derived_of(key: Key) -> ProvenBounds:
-    noise = noises.find(key[0])
-    largest = max(noise.largest_intermediates(*key[1:]).values(), default=0.0)
-    return with_errors(key, replace(noise.derive(*key[1:]), fixed_intermediate=largest))
+    return with_errors(key, noises.find(key[0]).derive(*key[1:]))
 
 
 def with_errors(key: Key, bounds: ProvenBounds) -> ProvenBounds:
@@ -65,21 +63,18 @@ def with_errors(key: Key, bounds: ProvenBounds) -> ProvenBounds:
 
 
 def with_errors_of(key: Key, result: str, bounds: ProvenBounds) -> ProvenBounds:
-    """With the published errors. A published limit stays, as the errors from which it followed were larger."""
-    name, dims, gradient = key
-    cell, position, fixed = (record.published(name, dims, gradient.name if gradient else "none", result, *of)
-                             for of in ((CELL, FLOATS), (POSITION, FLOATS), (CELL, FIXED)))
-    row = published(name, dims, (gradient or OCTAHEDRAL).name, "SLOPE_BOUNDS" if result == DERIVATIVE else "NOISE_BOUNDS")
-    limits = (row.limit, row.fixed_limit) if row else (bounds.range + position, bounds.range + fixed)
-    if min(limits) < bounds.range:
-        raise LookupError(f"{PATH}: {key[0]} has a limit that is less than its range, {bounds.range:.6g}")
-    return replace(bounds, cell_error=cell, error=position, fixed_error=fixed, largest=below(limits[0]),
-                   fixed_largest=below(limits[1]))
+    """With the published errors, and what is kept."""
+    of = key[0], key[1], key[2].name if key[2] else "none", result
+    cell, position, fixed = (record.entry_of(Recorded(*of, "", place, arithmetic))
+                             for place, arithmetic in ((CELL, FLOATS), (POSITION, FLOATS), (CELL, FIXED)))
+    limits = kept(*of).limits(key[0], bounds.range, bounds.promise, (position.proven_or_published, fixed.proven_or_published))
+    return replace(bounds, lipschitz=below(kept(*of).lipschitz), cell_error=cell.published, error=position.published,
+                   fixed_error=fixed.published, largest=below(limits[0]), fixed_largest=below(limits[1]))
 
 
-def below(limit: float) -> float:
+def below(number: float) -> float:
     """So that rounding up returns the decimal that this was."""
-    return math.nextafter(limit, 0.0)
+    return math.nextafter(number, 0.0) if math.isfinite(number) else number
 
 
 def derive_family(name: str) -> list[ProvenBounds]:
@@ -120,13 +115,14 @@ def without_proof() -> list[str]:
     for sum_ in of_all.sums:
         if sum_.name not in OF_THEIR_OWN:
             found += [f"catalog/sums.toml: {wrong}" for wrong in claims.wrong_sum(sum_)]
-    recorded = {key.name for key in record.read()}
+    recorded = {(key.name, key.arithmetic) for key in record.read()}
     for name, dims in {(function.bound, function.axes) for function in read_functions()}:
         if name in noises.names():
             if all(dims != of_case for of_case, _ in noises.find(name).cases):
                 found.append(f"tools/lib/proof/bounds/noises has no proof of {name} in {dims}D")
-        elif name not in ("exact", *sums.CATALOG, *recorded):
-            found.append(f"tools/lib/proof/bounds/noises has no proof of {name}")
+        elif name not in ("exact", "perlin_worley"):
+            found += [f"{record.PATH.name} has no error of {name}, {arithmetic}: run tools/make errors"
+                      for arithmetic in (FLOATS, FIXED) if (name, arithmetic) not in recorded]
     return sorted(set(found))
 
 
@@ -142,10 +138,7 @@ def differences(derived: Everything, root: Path = ROOT) -> list[str]:
 
 
 def everything_for_a_reader(derived: Everything) -> dict[str, dict[str, object]]:
-    numbers = {name_of(key): asdict(of_noise) | {
-        f"fixed_{name}_over_2^31": value / 2**31 for name, value in noises.find(key[0]).largest_intermediates(*key[1:]).items()}
-        for key, of_noise in derived.items()}
-    return numbers | {"the fixed fade": {"overshoot": overshoot()}}
+    return {name_of(key): asdict(of_noise) for key, of_noise in derived.items()}
 
 
 def print_table(numbers: dict[str, dict[str, object]]) -> None:

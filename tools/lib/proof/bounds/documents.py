@@ -123,11 +123,6 @@ def with_tables(text: str, derived: Everything) -> str:
 # --- Prose ------------------------------------------------------------------------------------------------------------
 
 
-def overflow(derived: Everything) -> float:
-    """How much of 2^31 the largest of the intermediates that are not checked as evaluated takes."""
-    return float(rounded_up(max(of_noise.fixed_intermediate for of_noise in derived.values()) / 2**31, 2))
-
-
 def jacobians_overflow() -> float:
     """The largest of sums with slopes and of warps, in the domain of their bounds."""
     return float(rounded_up(max(jacobians.largest_intermediates(3).values()) / 2**31, 3))
@@ -147,7 +142,7 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
     limits = [f"{derived[NOISE_OF_SUMS, dims, SINE].bounds('', dims, SINE).rounded().limit:g} in {dims}D"
               for dims in (2, 3)]
     stated += [(ACCURACY, text) for text in (
-        f"in floats at most {limits[0]}, {limits[1]}", f"in 3D: {overflow(derived):g} * 2^31",
+        f"in floats at most {limits[0]}, {limits[1]}",
         f"{jacobians_overflow():g} * 2^31 in a sum of slopes")]
     return stated + [quote for name in noises.names() for quote in noises.find(name).quotes()]
 

@@ -28,7 +28,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from proof.bounds.boxes import SAFE, Boxes, cell, supremum
+from proof.bounds.boxes import Boxes, cell, supremum
 
 Cell = tuple[int, ...]
 HALF = Fraction(1, 2)
@@ -79,12 +79,6 @@ def not_proven(block: Iterable[Cell], dims: int, count: int,
     """The cells outside of the block that are not proven to have none of the nearest points, so many of them."""
     block = frozenset(block)
     return [o for o in outside(block, dims) if sum(nearer(c, o) for c in block) < count]
-
-
-def not_beyond(block: Iterable[Cell], dims: int) -> list[Cell]:
-    """The cells outside of the block that may have a point nearer than 1, by the largest component."""
-    return [o for o in outside(block, dims)
-            if not any(all(abs(o_i - x[i]) - HALF >= 1 for x in simplex(dims)) for i, o_i in enumerate(o))]
 
 
 # --- Distances --------------------------------------------------------------------------------------------------------
@@ -149,19 +143,6 @@ def largest_weights(dims: int) -> float:
         middle = (boxes.lo + boxes.hi) / 2
         return of_places(middle, boxes.side / 2 * dims**0.5), of_places(middle)
     return supremum(bound, cell(dims, half=True), LEVELS, 5e-4, exchange=0)
-
-
-@functools.cache
-def most_within(dims: int) -> int:
-    """So many points can be within 1 of a place, at most."""
-    cells = sorted(neighbours(dims))
-
-    def bound(boxes: Boxes) -> tuple[np.ndarray, np.ndarray]:
-        middle = (boxes.lo + boxes.hi) / 2
-        within = [nearest(c, middle) for c in cells]
-        upper = sum((near < 1 + boxes.side / 2 * dims**0.5).astype(float) for near in within)
-        return upper, sum((near < 1).astype(float) for near in within)
-    return int(supremum(bound, cell(dims, half=True), 9, 1e-6, exchange=0) / SAFE + 0.5)
 
 
 # --- Borders ----------------------------------------------------------------------------------------------------------

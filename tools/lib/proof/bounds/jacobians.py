@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 
 import catalog.model
-from proof.bounds.integers import FADE_ONE, SLOPE_UNIT, UNIT
 from proof.bounds.sums import LARGEST_STRENGTH, ROTATIONS, SHIFTS
 from proof.bounds.table import Bounds, slope_bounds_of
 
+FADE_ONE = 2**18  # the unit of weights
+UNIT, SLOPE_UNIT = 2.0**-21, 2.0**-19  # of a value, and of a derivative
 LARGEST_GROWTH, LARGEST_SHIFT = 64.0, 256.0  # for which the bounds are promised
 LARGEST_RISE = 4000.0  # the same of the growths' sum times the longest gradient
 SLOPE_LIMIT = 128.0  # of a component, beyond which it is cut off

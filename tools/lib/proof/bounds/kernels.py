@@ -2,26 +2,22 @@
 be.
 
 The noise is S * sum w(t) (g.d) over the lattice points, t = max(0, r - m |d|^2), with d the offset from the point in
-steps. Along a vector u its derivative is made of g.v, with
+steps. Along an axis u its derivative is made of g.v, with
 
-    VALUE                w d                                             the noise itself
-    along u              w u - 2 m w' (d.u) d                            u an axis, a unit vector or (+-1, .., +-1)
-    along u and then s   -2 m w' ((d.s) u + (d.u) s + (u.s) d) + 4 m^2 w'' (d.s) (d.u) d
+    VALUE      w d                          the noise itself
+    along u    w u - 2 m w' (d.u) d
 
-Each is linear in each gradient, so its supremum over the gradients is the sum of h(v), h the support function. The L1
-norm of the gradient is the largest derivative along (+-1, .., +-1). As the noise is twice and its derivative once
-continuously differentiable, these bound how much both change for each change of the largest coordinate.
+Each is linear in each gradient, so its supremum over the gradients is the sum of h(v), h the support function.
 
 Each sum is bounded by branch and bound over places in [0, 1/2]^n, in steps. This is enough: the lattice has a point at
 0 and at every whole step along an axis, so a reflection brings any place to [0, 1/2]^n if the lattice is centred. The
 rows of triangles are a step apart, and every second is shifted by half a step; half a turn about (1/4, 1/2) maps them
 to each other. Reflections and half turns change only the signs of components, and h does not depend on these.
-Derivatives are taken for all signs of s, and on the plane along each axis. In a centred lattice axes may be exchanged.
+Derivatives are taken on the plane along each axis. In a centred lattice axes may be exchanged.
 
 In a box g.v is bounded by its values at the vertices and its second derivatives along the axes, as in boxes.py. These
 are sums of products, and a Jet has bounds of the factors. w' is once continuously differentiable and its second
-derivative is bounded, which is enough. The third line is bounded by the value in the middle and the first derivatives,
-so it is less tight.
+derivative is bounded, which is enough.
 """
 
 from __future__ import annotations
@@ -83,38 +79,22 @@ SMOOTH = {2: Kernel(2, 1.0, 1, 3081, CUBE, triangles=True), 3: Kernel(3, 0.75, 1
 
 # --- Summands ---------------------------------------------------------------------------------------------------------
 
-@dataclass(frozen=True)
-class Quantity:
-    """Its derivative along no, one or two vectors."""
-    along: tuple[tuple[float, ...], ...] = ()
-
-
-VALUE = Quantity()
+Axis = tuple[float, ...] | None  # of a derivative; None of the noise itself
 
 
 def dot(d: np.ndarray, u: tuple[float, ...]) -> np.ndarray:
     return sum(x * y for x, y in zip(d, u))
 
 
-def vector(kernel: Kernel, quantity: Quantity, d: np.ndarray) -> np.ndarray:
+def vector(kernel: Kernel, u: Axis, d: np.ndarray) -> np.ndarray:
     """v at offsets: axes by places."""
-    m, t = kernel.fall, kernel.nearness(d)
-    w, dw, ddw = (kernel.weight.derivative(order, t) for order in range(3))
-    if not quantity.along:
-        return w * d
-    u = quantity.along[0]
-    column, of_u = np.array(u)[:, None], dot(d, u)
-    if len(quantity.along) == 1:
-        return w * column - 2 * m * dw * of_u * d
-    s = quantity.along[1]
-    of_s = dot(d, s)
-    return (-2 * m * dw * (of_s * column + of_u * np.array(s)[:, None] + np.dot(u, s) * d)
-            + 4 * m * m * ddw * of_s * of_u * d)
+    w, dw = (kernel.weight.derivative(order, kernel.nearness(d)) for order in range(2))
+    return w * d if u is None else w * np.array(u)[:, None] - 2 * kernel.fall * dw * dot(d, u) * d
 
 
-def attained(kernel: Kernel, quantity: Quantity, support, place: np.ndarray) -> np.ndarray:
+def attained(kernel: Kernel, u: Axis, support, place: np.ndarray) -> np.ndarray:
     """The sum at places: axes by places. The gradients may be different at each place."""
-    return sum(support(vector(kernel, quantity, d)) for d in kernel.offsets(place))
+    return sum(support(vector(kernel, u, d)) for d in kernel.offsets(place))
 
 
 # --- Second derivatives -----------------------------------------------------------------------------------------------
@@ -174,50 +154,29 @@ def weight_jet(offsets: Offsets, axis: int, order: int = 0) -> Jet:
     return Jet(sizes[0], 2 * m * d * sizes[1], (2 * m * d) ** 2 * sizes[2] + 2 * m * sizes[1])
 
 
-def jet(kernel: Kernel, quantity: Quantity, gradient: Gradient, offsets: Offsets, axis: int) -> Jet:
+def jet(kernel: Kernel, u: Axis, gradient: Gradient, offsets: Offsets, axis: int) -> Jet:
     """The jet of g.v along an axis, for any gradient."""
-    m, unit = kernel.fall, tuple(float(i == axis) for i in range(kernel.dims))
-    ramp = Jet(gradient.support(offsets.size), gradient.along(unit))
-    if not quantity.along:
+    ramp = Jet(gradient.support(offsets.size), gradient.along(tuple(float(i == axis) for i in range(kernel.dims))))
+    if u is None:
         return weight_jet(offsets, axis) * ramp
-
-    def of(u: tuple[float, ...]) -> Jet:
-        return Jet(offsets.along(u), abs(u[axis]))
-    u, slope = quantity.along[0], weight_jet(offsets, axis, 1)
-    of_u = Jet(gradient.along(u))
-    if len(quantity.along) == 1:
-        return weight_jet(offsets, axis) * of_u + (slope * of(u) * ramp).times(2 * m)
-    s = quantity.along[1]
-    lines = of(s) * of_u + of(u) * Jet(gradient.along(s)) + ramp.times(abs(np.dot(u, s)))
-    return ((slope * lines).times(2 * m)
-            + (weight_jet(offsets, axis, 2) * of(s) * of(u) * ramp).times(4 * m * m))
+    along = Jet(offsets.along(u), abs(u[axis]))
+    return (weight_jet(offsets, axis) * Jet(gradient.along(u))
+            + (weight_jet(offsets, axis, 1) * along * ramp).times(2 * kernel.fall))
 
 
 # --- Suprema ----------------------------------------------------------------------------------------------------------
 
 LEVELS = {2: 14, 3: 9, 4: 8}
 TOLERANCE = {2: 1e-5, 3: 1e-5, 4: 1e-5}  # relative: how tight a bound is
-LOOSE = {2: 0.01, 3: 0.1, 4: 0.2}  # of second derivatives
 
 
 OfPlaces = Callable[[np.ndarray], np.ndarray]
 OfBoxes = Callable[[Offsets, int], np.ndarray]  # of one point in each box, along an axis
 
 
-def summed(kernel: Kernel, boxes: Boxes, of_point: OfBoxes) -> np.ndarray:
-    return sum(sum(of_point(offsets, axis) for axis in range(kernel.dims))
-               for offsets in (Offsets.of(kernel, boxes, point) for point in kernel.points))
-
-
 def by_vertices(kernel: Kernel, value: OfPlaces, second: OfBoxes) -> Bound:
-    return smooth(value, lambda boxes: summed(kernel, boxes, second))
-
-
-def by_middle(kernel: Kernel, value: OfPlaces, first: OfBoxes) -> Bound:
-    def bound(boxes: Boxes) -> tuple[np.ndarray, np.ndarray]:
-        attained = value(boxes.lo + boxes.side / 2)
-        return attained + summed(kernel, boxes, first) / 2 * boxes.side, attained
-    return bound
+    return smooth(value, lambda boxes: sum(sum(second(offsets, axis) for axis in range(kernel.dims))
+                                           for offsets in (Offsets.of(kernel, boxes, point) for point in kernel.points)))
 
 
 def exchange_of(kernel: Kernel, same_axes_from: int) -> int:
@@ -226,16 +185,11 @@ def exchange_of(kernel: Kernel, same_axes_from: int) -> int:
 
 
 @functools.cache
-def largest(kernel: Kernel, quantity: Quantity, gradient: Gradient, same_axes_from: int = 0) -> float:
+def largest(kernel: Kernel, u: Axis, gradient: Gradient, same_axes_from: int = 0) -> float:
     """A proven upper bound of the sum, not scaled, in steps. From an axis on, axes may be exchanged."""
-    value = functools.partial(attained, kernel, quantity, gradient.support)
-    if len(quantity.along) == 2:
-        bound = by_middle(kernel, value, lambda offsets, axis: jet(kernel, quantity, gradient, offsets, axis).first)
-        tolerance = LOOSE
-    else:
-        bound = by_vertices(kernel, value, lambda offsets, axis: jet(kernel, quantity, gradient, offsets, axis).second)
-        tolerance = TOLERANCE
-    return supremum(bound, cell(kernel.dims, half=True), LEVELS[kernel.dims], tolerance[kernel.dims],
+    bound = by_vertices(kernel, functools.partial(attained, kernel, u, gradient.support),
+                        lambda offsets, axis: jet(kernel, u, gradient, offsets, axis).second)
+    return supremum(bound, cell(kernel.dims, half=True), LEVELS[kernel.dims], TOLERANCE[kernel.dims],
                     exchange_of(kernel, same_axes_from))
 
 
@@ -245,35 +199,11 @@ def axes(kernel: Kernel) -> list[tuple[float, ...]]:
     return [tuple(float(axis == i) for i in range(kernel.dims)) for axis in range(count)]
 
 
-def signs(kernel: Kernel, first: int = 0) -> Iterator[tuple[tuple[float, ...], int]]:
-    """(+-1, .., +-1) with +1 before the axis `first`, but for the sign of all and, from `first` on, an exchange of
-    axes; with the axis from which on axes may then be exchanged."""
-    free = kernel.dims - first
-    for minus in range(free + 1 if first else free // 2 + 1):
-        yield (1.0,) * first + (-1.0,) * minus + (1.0,) * (free - minus), first + minus
-
-
 def range_of(kernel: Kernel, gradient: Gradient) -> float:
     """The range of the sum, not scaled."""
-    return largest(kernel, VALUE, gradient)
+    return largest(kernel, None, gradient)
 
 
 def slope_of(kernel: Kernel, gradient: Gradient) -> float:
     """The largest derivative, per step."""
-    return max(largest(kernel, Quantity((axis,)), gradient, 1) for axis in axes(kernel))
-
-
-def lipschitz_of(kernel: Kernel, gradient: Gradient) -> float:
-    return max(largest(kernel, Quantity((sign,)), gradient, same) for sign, same in signs(kernel))
-
-
-def axes_and_signs(kernel: Kernel) -> list[tuple[tuple[float, ...], tuple[float, ...], int]]:
-    """The axes that differ, with the signs beside them, and the axis from which on axes may be exchanged."""
-    if kernel.triangles:
-        return [(axis, sign, 2) for axis in axes(kernel) for sign in ((1.0, 1.0), (1.0, -1.0))]
-    return [(axes(kernel)[0], sign, same) for sign, same in signs(kernel, 1)]
-
-
-def slope_lipschitz_of(kernel: Kernel, gradient: Gradient) -> float:
-    """This is the least tight, and the least important."""
-    return max(largest(kernel, Quantity((axis, sign)), gradient, same) for axis, sign, same in axes_and_signs(kernel))
+    return max(largest(kernel, axis, gradient, 1) for axis in axes(kernel))

@@ -12,7 +12,6 @@ import numpy as np
 from base.tree import GLSL, ROOT
 from catalog.tables import glsl
 from proof.bounds import jacobians
-from proof.bounds.integers import SLOPE_UNIT
 from proof.bounds.rounded import FIXED, NEAREST, Body, Text, along_axes
 from proof.bounds.table import bounds_of, read, slope_bounds_of
 from proof.oracle import jacobians as oracle
@@ -49,7 +48,7 @@ class Cut(unittest.TestCase):
     def test_it_is_the_same_everywhere(self):
         for path, pattern in CUTS.items():
             self.assertEqual(re.findall(pattern, path.read_text()), [(f"{jacobians.SLOPE_LIMIT:g}",) * 2], path)
-        self.assertEqual(oracle.LARGEST_SLOPE * SLOPE_UNIT, jacobians.SLOPE_LIMIT)
+        self.assertEqual(oracle.LARGEST_SLOPE * jacobians.SLOPE_UNIT, jacobians.SLOPE_LIMIT)
 
     def test_no_noise_reaches_it(self):
         self.assertEqual(steeper(jacobians.SLOPE_LIMIT), set())

@@ -31,10 +31,9 @@ import math
 
 import numpy as np
 
-from proof.bounds import distances, features
+from proof.bounds import features
 from proof.bounds.boxes import SAFE, Boxes, cell, supremum
 from proof.bounds.features import Cell
-from proof.bounds.sine import fixed_sines
 
 JITTER = {2: 28 / 32, 3: 25 / 32}  # k of the contract
 LONGEST = {2: math.hypot(511, 1) / 512, 3: math.hypot(510, 2) / 512}  # of the directions
@@ -91,14 +90,3 @@ def rows(dims: int, cosine, sine, product):
         return [[cosine, sine], [-sine, cosine]]
     both = product(sine, cosine)
     return [[cosine, sine, 0 * sine], [-both, product(cosine, cosine), sine], [product(sine, sine), -both, cosine]]
-
-
-def largest_intermediates(dims: int) -> dict[str, float]:
-    """An offset is rotated forwards if it is the nearest. A square belongs to an offset to a cell at a corner of the
-    block. In space the half of a sine is multiplied with another one's."""
-    length = 1.5 * math.sqrt(dims) + RADIUS[dims] + 2.0**-10
-    largest = int(fixed_sines().max())
-    products = {"product of two sines": (largest // 2 + 1) ** 2 + 2.0**15} if dims == 3 else {}
-    return {"offset of a point": 512 * distances.LARGEST_COMPONENT[dims] * JITTER[dims] * 2.0**20,
-            "rotated offset": ((largest_distance(dims, 1) + 2.0**-10) * 2**12 + 1) * largest * 4,
-            **products, **distances.square_intermediates(length**2)}

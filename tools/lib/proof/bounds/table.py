@@ -114,17 +114,11 @@ def read(path: Path = PATH, macro: str = "NOISE_BOUNDS") -> list[Bounds]:
 
 
 @cache
-def published(noise: str, dimensions: int, gradient: str, macro: str = "NOISE_BOUNDS") -> Bounds | None:
+def bounds_of(noise: str, dimensions: int, gradient: str, macro: str = "NOISE_BOUNDS") -> Bounds:
     """The row of a noise with a kind of gradient, or of a noise that has none."""
     for bounds in read(macro=macro):
         if (bounds.noise, bounds.dimensions) == (noise, dimensions) and bounds.gradient in (gradient, "none"):
             return bounds
-    return None
-
-
-def bounds_of(noise: str, dimensions: int, gradient: str, macro: str = "NOISE_BOUNDS") -> Bounds:
-    if found := published(noise, dimensions, gradient, macro):
-        return found
     raise LookupError(f"{PATH} has no bounds of {noise} in {dimensions}D with the gradient {gradient}: write "
                       "a proof in tools/lib/proof/bounds/noises, then run tools/make bounds")
 

@@ -59,6 +59,10 @@ class Entry:
         measured = FACTOR * self.most if self.is_steady else math.inf
         return math.nextafter(min(measured, self.proven), 0.0)  # so that rounding up returns the decimals of the record
 
+    @property
+    def proven_or_published(self) -> float:
+        return self.proven if math.isfinite(self.proven) else self.published
+
 
 COLUMNS = (*(field.name for field in fields(Key)), "proven", "found", "short")
 

@@ -160,7 +160,7 @@ SETTINGS = (
     Setting("fbm", (3,), "further out", {"octaves": "word:8:8"}, BOTH, far=1024),
     Setting("fbm", (2,), "4.5 octaves", {"detail": number(4.5)}, form="_detail"),
     Setting("fbm", (2,), "a footprint of 1/16", {"footprint": number(1 / 16)}, form="_footprint"),
-    *(Setting(name, (2,)) for name in ("turbulence", "clouds", "billow", "ridged")),
+    *(Setting(name, (2,)) for name in ("turbulence", "clouds", "billow", "ridged", "hybrid")),
     Setting("ping_pong", (2,), "strength 2", {"strength": number(2)}),
     Setting("weighted", (2,), "strength 1", {"strength": number(1)}),
     Setting("fbm_d", (2, 3), places=BOTH, gradients=("octahedral",)),

@@ -1,4 +1,4 @@
-"""The ranges and the slopes of each noise. Each module has the proofs of noises that are alike, in PROOFS by their
+"""The ranges of each noise and of its derivatives. Each module has the proofs of noises that are alike, in PROOFS by their
 names."""
 
 from __future__ import annotations
@@ -15,18 +15,17 @@ from proof.bounds.table import Bounds, shortest
 
 @dataclass(frozen=True)
 class ProvenBounds:
-    """The bounds of a noise in a number of dimensions, with a kind of gradient, as they come out. Errors are measured
-    (errors/record.py), and so are None here until command.py adds them."""
+    """The bounds of a noise in a number of dimensions, with a kind of gradient, as they come out. command.py adds the rest,
+    which is None here: errors are measured (errors/record.py), and kept.csv has what 1.1.0 derived."""
     promise: float  # of the contract: the range of |noise|
     range: float  # of the exact noise
-    lipschitz: float
+    lipschitz: float | None = None
     cell_error: float | None = None
     error: float | None = None
     largest: float | None = None  # computed in floats
     fixed_error: float | None = None
     fixed_largest: float | None = None
     slope: ProvenBounds | None = None  # the same of each of its derivatives, if it returns them; they have no promise
-    fixed_intermediate: float = 0.0  # the largest number on the way to it
 
     def bounds(self, noise: str, dimensions: int, gradient: Gradient | None) -> Bounds:
         """Its row of the table. A limit is the contract's promise, unless rounding takes a value beyond."""
@@ -46,8 +45,6 @@ class Proof:
     """The proofs of a noise: functions of a number of dimensions, and of a kind of gradient."""
     cases: tuple[tuple[int, Gradient | None], ...]  # in which it exists: both, None if it has no gradient
     derive: Callable[[int, Gradient | None], ProvenBounds]
-    # Of fixed arithmetic: by name, bounds of the magnitudes that must stay below 2^31.
-    largest_intermediates: Callable[[int, Gradient | None], dict[str, float]] = lambda dims, gradient: {}
     # Of a number of dimensions: the ends of ranges in the order in which the comments state them, and the least value.
     ends: Callable[[int], list[float]] | None = None
     least: Callable[[int], float] | None = None

@@ -1,27 +1,20 @@
-"""Proofs for cellular noise, from docs/reference/contract.md, section 16. features.py, distances.py, moving.py and
-borders.py of the folder above have them; here they are put together.
+"""The ranges of cellular noise, from docs/reference/contract.md, section 16. features.py, moving.py and borders.py of the
+folder above have the geometry; here it is put together.
 
 HN_CELLULAR and HN_CELLULAR_THREE. One bound holds for all metrics: the largest, which is the hybrid metric's.
-
-HN_CELLULAR_PHASE. How fast distances change with the phase is not bounded here.
 
 HN_CELLULAR_D. The value is the first of hn_cellular, in the Euclidean metric. A derivative is a component of (position
 - point) / distance: at most 1.
 
 HN_CELLULAR_SMOOTH. The sum of weights is largest where two points are at the place, in the middle of a wall, and others
 as near as they can be. It is nowhere 4, so it fits 32 bits in units of 2^-30.
-
-HN_CELL_BORDER. It changes by no more than the place moves: inside of a cell it is the distance to the nearest of some
-lines or planes, and at the border it is 0 on both sides.
 """
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 
-from proof.bounds import distances, features, moving
-from proof.bounds.gradients import Gradient
+from proof.bounds import features, moving
 from proof.bounds.noises import Proof, ProvenBounds, listed
 from proof.bounds.table import shortest
 
@@ -30,16 +23,14 @@ CASES = ((2, None), (3, None))
 LARGEST_SMOOTH = 7 / 8  # where no point is within 1
 
 
-def bounds(largest: float, lipschitz: float) -> ProvenBounds:
-    return ProvenBounds(largest, largest, lipschitz)
+def within(largest: float) -> ProvenBounds:
+    return ProvenBounds(largest, largest)
 
 
 # --- Distances --------------------------------------------------------------------------------------------------------
 
 def derive_distances(dims: int, count: int) -> ProvenBounds:
-    """Bounds of so many distances."""
-    most = {metric: features.largest_distance(dims, count, metric) for metric in features.METRICS}
-    return bounds(max(most.values()), max(distances.metric_slope(metric, dims, largest) for metric, largest in most.items()))
+    return within(max(features.largest_distance(dims, count, metric) for metric in features.METRICS))
 
 
 def quotes() -> list[tuple[str, str]]:
@@ -52,15 +43,10 @@ def of_distances(first: int, count: int) -> Proof:
     def ends(dims: int) -> list[float]:
         return [features.largest_distance(dims, number) for number in range(first, count + 1)]
 
-    return Proof(CASES, lambda dims, _: derive_distances(dims, count),
-                 lambda dims, _: distances.largest_intermediates(dims), ends, quotes=quotes)
+    return Proof(CASES, lambda dims, _: derive_distances(dims, count), ends, quotes=quotes)
 
 
 # --- Points that move -------------------------------------------------------------------------------------------------
-
-def derive_phase(dims: int, _: Gradient | None) -> ProvenBounds:
-    return bounds(moving.largest_distance(dims, 2), math.sqrt(dims))
-
 
 def ends_of_phase(dims: int) -> list[float]:
     return [moving.largest_distance(dims, count) for count in (1, 2)]
@@ -71,21 +57,10 @@ def quotes_of_phase() -> list[tuple[str, str]]:
     return [(ACCURACY, f"With a phase the two distances stay below {plane} in 2D, and below {space} in 3D")]
 
 
-# --- Derivatives ------------------------------------------------------------------------------------------------------
-
-def derive_d(dims: int, _: Gradient | None) -> ProvenBounds:
-    value = bounds(features.largest_distance(dims, 1), math.sqrt(dims))
-    return replace(value, slope=ProvenBounds(0.0, 1.0, 2 * math.sqrt(dims)))
-
-
 # --- The smooth one ---------------------------------------------------------------------------------------------------
 
 def least_smooth(dims: int) -> float:
     return 1 - (features.largest_weights(dims) + 1 / 4096) ** 0.25
-
-
-def derive_smooth(dims: int, _: Gradient | None) -> ProvenBounds:
-    return bounds(LARGEST_SMOOTH, features.most_within(dims) ** 0.25 * math.sqrt(dims))
 
 
 def quotes_of_smooth() -> list[tuple[str, str]]:
@@ -94,10 +69,6 @@ def quotes_of_smooth() -> list[tuple[str, str]]:
 
 
 # --- Borders ----------------------------------------------------------------------------------------------------------
-
-def derive_border(dims: int, _: Gradient | None) -> ProvenBounds:
-    return bounds(features.largest_border(dims), math.sqrt(dims))
-
 
 def quotes_of_border() -> list[tuple[str, str]]:
     largest = [shortest(features.largest_border(dims), 3) for dims in (2, 3)]
@@ -109,15 +80,11 @@ def quotes_of_border() -> list[tuple[str, str]]:
 PROOFS = {
     "cellular": of_distances(1, 2),
     "cellular_three": of_distances(3, 3),
-    "cellular_phase": Proof(CASES, derive_phase, lambda dims, _: moving.largest_intermediates(dims),
-                            ends_of_phase, quotes=quotes_of_phase),
-    "cellular_d": Proof(CASES, derive_d, lambda dims, _: (
-        distances.largest_intermediates(dims) | distances.largest_direction_intermediates(dims))),
-    "cellular_smooth": Proof(
-        CASES, derive_smooth,
-        lambda dims, _: distances.largest_intermediates(dims) | distances.largest_smooth_intermediates(dims),
-        lambda dims: [-least_smooth(dims)], least_smooth, quotes=quotes_of_smooth),
-    "cell_border": Proof(
-        CASES, derive_border,
-        lambda dims, _: distances.largest_intermediates(dims) | distances.largest_border_intermediates(dims),
-        least=lambda _: 0.0, quotes=quotes_of_border)}
+    "cellular_phase": Proof(CASES, lambda dims, _: within(moving.largest_distance(dims, 2)), ends_of_phase,
+                            quotes=quotes_of_phase),
+    "cellular_d": Proof(CASES, lambda dims, _: replace(within(features.largest_distance(dims, 1)),
+                                                       slope=ProvenBounds(0.0, 1.0))),
+    "cellular_smooth": Proof(CASES, lambda *_: within(LARGEST_SMOOTH), lambda dims: [-least_smooth(dims)], least_smooth,
+                             quotes=quotes_of_smooth),
+    "cell_border": Proof(CASES, lambda dims, _: within(features.largest_border(dims)), least=lambda _: 0.0,
+                         quotes=quotes_of_border)}

@@ -1,4 +1,4 @@
-"""Proofs for hn_curl, from docs/reference/contract.md, section 15.
+"""The range of hn_curl, from docs/reference/contract.md, section 15.
 
 On the plane its components are derivatives of hn_simplex_d, or their negatives. In space the component along x is
 a_y b_z - a_z b_y of two gradients a and b of hn_simplex_d, b at the place that is moved by m = (1/2, 0, 1/4). Let u be
@@ -24,10 +24,6 @@ derivatives, as in boxes.py. Derivatives by the place are as in kernels.py. A bo
 of them. Both factors are sinusoids of the angle, so their product is one of twice the angle, and a constant. Its second
 derivative is at most twice the product of their amplitudes, which are derivatives along some directions.
 
-Let S be the largest |a_y| + |a_z| + |b_y| + |b_z|, or with two other axes. It is the sum of H and H_m along
-(0, +-1, +-1), so it is bounded likewise, over places alone. A move of the
-place that changes each derivative by at most e moves a component by at most S e + 2 e^2.
-
 With a phase the gradients are ROTATED (gradients.py), and each noise has a phase of its own. All of the above holds,
 as rotated gradients have the same symmetries. (These are bounds for all pairs of phases.)
 """
@@ -37,16 +33,14 @@ from __future__ import annotations
 import functools
 import itertools
 import math
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from proof.bounds.boxes import Boxes, cell, supremum
 from proof.bounds.gradients import LENGTH, OCTAHEDRAL, ROTATED, Gradient
-from proof.bounds.kernels import ROTATING, SIMPLEX, Jet, Kernel, Offsets, Quantity, jet, vector, weight_jet
+from proof.bounds.kernels import ROTATING, SIMPLEX, Jet, Kernel, Offsets, weight_jet
 from proof.bounds.noises import Proof, ProvenBounds, simplex
-from proof.errors import record
 
 TOLERANCE, LEVEL = 1e-3, 10
 PARTS = 64  # of a quarter, between directions
@@ -127,61 +121,11 @@ def largest_product(gradient: Gradient = OCTAHEDRAL) -> float:
     return (kernel.scale / 1024) ** 2 * supremum(bound, cell(3, half=True), LEVEL, TOLERANCE)
 
 
-# --- The largest sum --------------------------------------------------------------------------------------------------
-
-@functools.cache
-def largest_sum(gradient: Gradient = OCTAHEDRAL) -> float:
-    """S, per cell."""
-    kernel = KERNELS[gradient][3]
-    planes = [[Quantity((tuple({axes[0]: 1.0, axes[1]: sign}.get(axis, 0.0) for axis in range(3)),))
-               for sign in (1.0, -1.0)] for axes in AXES]
-
-    def largest(of_points: Callable[[np.ndarray, Quantity], np.ndarray]):
-        """For each noise the larger one of the lines of a plane."""
-        return np.maximum(*(sum(np.maximum(*(sum(of_points(point, line) for point in points) for line in lines))
-                                for points in both(kernel)) for lines in planes))
-
-    def bound(boxes: Boxes):
-        def second(point: np.ndarray, line: Quantity):
-            offsets = Offsets.of(kernel, boxes, tuple(point))
-            return sum(jet(kernel, line, gradient, offsets, axis).second for axis in range(kernel.dims))
-        reached = boxes.at_vertices(lambda place: largest(
-            lambda point, line: gradient.support(vector(kernel, line, place - point[:, None])))).max(axis=0)
-        return reached + largest(second) / 8 * boxes.side**2, reached
-    return kernel.scale / 1024 * supremum(bound, cell(3, half=True), LEVEL, TOLERANCE)
-
-
 # --- Bounds -----------------------------------------------------------------------------------------------------------
 
-@dataclass(frozen=True)
-class Curl:
-    """Without a phase, or with one."""
-    phase: str  # which ends the names of noises
-    gradient: Gradient
-    slope: Callable[[int], ProvenBounds]  # of the derivatives, by the number of dimensions
-    words: Callable[[int, Gradient | None], dict[str, float]]  # on the way to these
-
-    def derive(self, dims: int, _: Gradient | None) -> ProvenBounds:
-        slope = self.slope(dims)
-        if dims == 2:
-            return slope
-        return ProvenBounds(0.0, largest_product(self.gradient), largest_sum(self.gradient) * slope.lipschitz)
-
-    def largest_intermediates(self, dims: int, _: Gradient | None) -> dict[str, float]:
-        of_derivatives = self.words(dims, None)
-        if dims == 2:
-            return of_derivatives
-        off = record.proven(f"simplex_d{self.phase}", 3, "none", record.DERIVATIVE, arithmetic=record.FIXED)
-        derivative = (self.slope(3).range + off) * 2**19
-        product = (derivative / 2**9 + 1) ** 2 + 2 * (derivative / 2**9 + 1) * 511 / 2**9 + 2
-        return of_derivatives | {"product": product, "difference of products": 2 * product + 8}
-
-    @property
-    def proof(self) -> Proof:
-        return Proof(((2, None), (3, None)), self.derive, self.largest_intermediates)
+def proof(of_dims: dict[int, Kernel], gradient: Gradient) -> Proof:
+    return Proof(((2, None), (3, None)), lambda dims, _: simplex.slope_of(of_dims[dims], gradient) if dims == 2
+                 else ProvenBounds(0.0, largest_product(gradient)))
 
 
-STILL = Curl("", OCTAHEDRAL, lambda dims: simplex.derived_slope(SIMPLEX[dims]), simplex.largest_slope_intermediates)
-PHASE = Curl("_phase", ROTATED, lambda dims: simplex.PHASE_D.derive(dims, None).slope,
-             simplex.PHASE_D.largest_intermediates)
-PROOFS = {"curl": STILL.proof, "curl_phase": PHASE.proof}
+PROOFS = {"curl": proof(SIMPLEX, OCTAHEDRAL), "curl_phase": proof(ROTATING, ROTATED)}
