@@ -56,6 +56,16 @@ class Cut(unittest.TestCase):
                                                for dims in DIMS})
         self.assertGreaterEqual(steeper(16.0), {("phasor_d", dims) for dims in DIMS})
 
+    def test_nothing_wraps(self):
+        """Where the errors are promised; with a gradient that is longer, or that is cut off later, something does."""
+        for dims in DIMS:
+            self.assertLess(max(jacobians.largest_intermediates(dims).values()), 2**31)
+            self.assertLess(max(jacobians.largest_words(dims).values()), 2**32)
+        with mock.patch.object(jacobians, "LARGEST_RISE", 4100.0):
+            self.assertGreater(jacobians.largest_intermediates(3)["sum of slopes"], 2**31)
+        with mock.patch.object(jacobians, "FALL_LIMIT", 16.0):
+            self.assertGreater(jacobians.largest_words(3)["squares"], 2**32)
+
     def test_all_noises_with_derivatives_are_looked_at(self):
         functions = {f"{function.name}" for function in glsl.declarations() if function.name.endswith("_d")}
         known = {f"hn_{of.noise.removesuffix('_phase').removesuffix('_bandwidth')}" for of in read(macro="SLOPE_BOUNDS")}

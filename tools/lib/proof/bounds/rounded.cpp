@@ -22,7 +22,6 @@
 
 // The operands of roots and the divisors of an evaluation in doubles, for who clears it: where one is 0 the text is
 // singular.
-// otherwise.
 std::vector<double> singular;
 
 namespace hashnoise {
