@@ -24,33 +24,18 @@
 // small error becomes a large one, and random places come near too rarely. From the worst places a climb: over the
 // roundings of each operation (a flip in each lane; all that gain are taken, or the best part of them), and over places
 // beside it.
-#include "search.hpp"
-
-#include <algorithm>
-#include <bit>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <map>
-#include <string>
-#include <string_view>
+
+#include "places.hpp"
 
 namespace {
 
 using hn::roundings::kLanes;
 constexpr std::uint32_t kPool = 1u << 16u;
 constexpr int kExact = 4;  // a mode of rounded.cpp
-using Place = std::array<std::uint32_t, kInputs>;
 
-enum class Kind { any, word, number, fraction, position, beside };
 enum class By { one, output, input, inverse };
-struct Input {
-  Kind kind = Kind::any;
-  double lo = 0.0, hi = 0.0;
-  bool is_float() const { return kind != Kind::any && kind != Kind::word; }
-  bool moves() const { return kind == Kind::any || (kind != Kind::beside && lo < hi); }
-};
 struct Output {
   std::size_t group = 0;
   double jump = HUGE_VAL;
@@ -58,32 +43,13 @@ struct Output {
   std::size_t of = 0;  // its number
 };
 
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::uint32_t word() {
-    state_ = state_ * 6364136223846793005u + 1442695040888963407u;
-    const std::uint64_t x = (state_ ^ state_ >> 33u) * 0xff51afd7ed558ccdu;
-    return static_cast<std::uint32_t>(x >> 32u);
-  }
-  std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(std::uint64_t{word()} * n >> 32u); }
-  double unit() { return word() * 0x1p-32; }
-  double in(double lo, double hi) { return lo + (hi - lo) * unit(); }
-
- private:
-  std::uint64_t state_;
-};
-
-std::uint32_t bits_of(double x) { return std::bit_cast<std::uint32_t>(static_cast<float>(x)); }
-double number_of(std::uint32_t word) { return static_cast<double>(std::bit_cast<float>(word)); }
-
 class Search {
  public:
   Search(int function, std::uint64_t seed, long effort, std::vector<Input> inputs, std::vector<Output> outputs)
       : function_(function),
         random_(seed),
         effort_(effort),
-        inputs_(std::move(inputs)),
+        places_(std::move(inputs), random_),
         outputs_(std::move(outputs)),
         pool_(kLanes * (kPool + kOperations)),
         base_(kLanes * kOperations),
@@ -93,9 +59,8 @@ class Search {
   }
 
   void run() {
-    const long places = effort_ / 2;
-    for (long i = 0; i < places; ++i) {
-      const Place place = random_place();
+    for (long i = 0; i < effort_ / 2; ++i) {
+      const Place place = places_.drawn();
       try_ways_of_pool(place, random_.below(kPool));
       watch(place);
     }
@@ -110,7 +75,7 @@ class Search {
   void print() const {
     for (const Group& group : groups_) {
       std::printf("%.9g %.9g %.9g %.9g", group.error, group.random, group.least, group.greatest);
-      for (std::size_t i = 0; i < inputs_.size(); ++i) std::printf(" %u", group.place[i]);
+      for (std::size_t i = 0; i < places_.size(); ++i) std::printf(" %u", group.place[i]);
       std::printf("\n");
     }
     std::printf("%u %zu\n", operations_, nearest_.size());
@@ -136,82 +101,13 @@ class Search {
     Place place{};
   };
 
-  // --- Places ---
-
-  std::uint32_t random_word(const Input& input) {
-    switch (input.kind) {
-      case Kind::any:
-        return random_.word();
-      case Kind::word:
-        return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::floor(random_.in(input.lo, input.hi + 1.0))));
-      case Kind::number: {
-        const std::uint32_t at = random_.below(8);
-        return bits_of(at == 0 ? input.lo : at == 1 ? input.hi : random_.in(input.lo, input.hi));
-      }
-      case Kind::fraction:
-        switch (random_.below(8)) {
-          case 0:
-            return bits_of(std::ldexp(random_.unit(), -static_cast<int>(random_.below(24))));
-          case 1:
-            return bits_of(std::min(1.0 - std::ldexp(random_.unit(), -static_cast<int>(random_.below(24))), input.hi));
-          case 2:
-            return bits_of(0.5 + std::ldexp(random_.unit() - 0.5, -static_cast<int>(random_.below(20))));
-          default:
-            return bits_of(std::min(random_.unit(), input.hi));
-        }
-      case Kind::beside:
-        return 0;  // complete() makes it
-      case Kind::position:
-        break;
-    }
-    const double size = std::ldexp(input.hi, -static_cast<int>(random_.below(2) * random_.below(12)));
-    return bits_of(std::clamp(random_.in(-size, size), input.lo, input.hi));
-  }
-  Place random_place() {
-    Place place{};
-    for (std::size_t i = 0; i < inputs_.size(); ++i) place[i] = random_word(inputs_[i]);
-    return complete(place);
-  }
-  Place complete(Place place) const {
-    for (std::size_t i = 0; i < inputs_.size(); ++i) {
-      if (inputs_[i].kind != Kind::beside) continue;
-      const double other = number_of(place[static_cast<std::size_t>(inputs_[i].lo)]), length = inputs_[i].hi;
-      place[i] = bits_of(std::sqrt(std::max(length * length - other * other, 0.0)));
-    }
-    return place;
-  }
-  // A place beside it, or with other words.
-  Place moved(const Place& from, bool words) {
-    Place place = from;
-    for (bool has_moved = false; !has_moved;) {
-      bool any = false;
-      for (std::size_t i = 0; i < inputs_.size(); ++i) {
-        const Input& input = inputs_[i];
-        if (!input.moves() || input.is_float() == words) continue;
-        any = true;
-        if (random_.below(2) != 0 && has_moved) continue;
-        has_moved = true;
-        if (words) {
-          place[i] = random_word(input);
-        } else {
-          const double old = number_of(from[i]);
-          const double by =
-              std::max(0.05, std::fabs(old)) * std::ldexp(random_.unit() - 0.5, -static_cast<int>(random_.below(24)));
-          place[i] = bits_of(std::clamp(old + by, input.lo, input.hi));
-        }
-      }
-      if (!any) break;
-    }
-    return complete(place);
-  }
-
   // --- Runs ---
 
   void exactly(const Place& place, std::array<double, kOutputs>& exact) {
     std::array<double, kInputs> numbers{};
     Place words = place;
-    for (std::uint32_t i = 0; i < inputs_.size(); ++i) {
-      if (inputs_[i].is_float()) numbers[i] = number_of(place[i]), words[i] = i;
+    for (std::uint32_t i = 0; i < places_.size(); ++i) {
+      if (places_[i].is_float()) numbers[i] = number_of(place[i]), words[i] = i;
     }
     std::array<std::uint32_t, kOutputs> unused{};
     singular.clear();
@@ -305,22 +201,22 @@ class Search {
       };
       for (long step = 0; step < steps; ++step) {
         if (step > steps / 2 && step % kSteps == 0) {
-          near = {HUGE_VAL, random_place()};
+          near = {HUGE_VAL, places_.drawn()};
           operand_at(near.place);
         }
         const Near from = near;
-        const Place beside = moved(from.place, false);
+        const Place beside = places_.moved(from.place, false);
         const double there = operand_at(beside);
         const double part = from.operand / (from.operand - there);
         if (!std::isfinite(there) || !std::isfinite(part)) continue;
         Place aim = from.place;
-        for (std::size_t axis = 0; axis < inputs_.size(); ++axis) {
-          const Input& input = inputs_[axis];
+        for (std::size_t axis = 0; axis < places_.size(); ++axis) {
+          const Input& input = places_[axis];
           if (!input.is_float() || !input.moves()) continue;
           const double x = number_of(from.place[axis]);
           aim[axis] = bits_of(std::clamp(x + part * (number_of(beside[axis]) - x), input.lo, input.hi));
         }
-        operand_at(complete(aim));
+        operand_at(places_.complete(aim));
       }
     }
   }
@@ -328,13 +224,14 @@ class Search {
   // Between two random places, to where the exact values jump most: there a rounding may lead to the other side.
   void cross() {
     for (long pair = 0; pair < effort_ / 32; ++pair) {
-      Place from = random_place(), to = random_place();
-      for (std::size_t i = 0; i < inputs_.size(); ++i) {
-        if (!inputs_[i].is_float()) to[i] = from[i];
+      Place from = places_.drawn(), to = places_.drawn();
+      for (std::size_t i = 0; i < places_.size(); ++i) {
+        if (!places_[i].is_float()) to[i] = from[i];
       }
       const std::size_t output = random_.below(static_cast<std::uint32_t>(outputs_.size()));
       double at_from = exact_at(from, output), at_to = exact_at(to, output);
-      for (Place middle = between(from, to); middle != from && middle != to; middle = between(from, to)) {
+      for (Place middle = places_.between(from, to); middle != from && middle != to;
+           middle = places_.between(from, to)) {
         const double at_middle = exact_at(middle, output);
         if (std::fabs(at_middle - at_from) < std::fabs(at_to - at_middle)) {
           from = middle, at_from = at_middle;
@@ -345,13 +242,6 @@ class Search {
       try_ways_of_pool(from, random_.below(kPool));
       try_ways_of_pool(to, random_.below(kPool));
     }
-  }
-  Place between(const Place& from, const Place& to) const {
-    Place middle = from;
-    for (std::size_t i = 0; i < inputs_.size(); ++i) {
-      if (inputs_[i].is_float()) middle[i] = bits_of((number_of(from[i]) + number_of(to[i])) / 2.0);
-    }
-    return middle;
   }
   double exact_at(const Place& place, std::size_t output) {
     exactly(place, exact_);
@@ -393,7 +283,7 @@ class Search {
   // 16 places beside it, with its ways.
   bool climb_over_places(Start& start, bool words, long& runs) {
     std::array<Place, kLanes> places;
-    for (Place& place : places) place = moved(start.place, words);
+    for (Place& place : places) place = places_.moved(start.place, words);
     for (std::size_t i = 0; i < kInputs; ++i) {
       for (std::size_t lane = 0; lane < kLanes; ++lane) words_[i][lane] = places[lane][i];
     }
@@ -463,7 +353,7 @@ class Search {
   int function_;
   Random random_;
   long effort_;
-  std::vector<Input> inputs_;
+  Places places_;
   std::vector<Output> outputs_;
   std::vector<std::uint32_t> pool_, base_, tried_;  // ways
   std::vector<Group> groups_;
@@ -474,27 +364,6 @@ class Search {
   Words words_{};
   Results results_{};
 };
-
-std::vector<std::string> parts_of(const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == ':') {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
-
-Input input_of(const std::string& text) {
-  const std::map<std::string_view, Kind> kinds = {{"any", Kind::any},           {"word", Kind::word},
-                                                  {"float", Kind::number},      {"fraction", Kind::fraction},
-                                                  {"position", Kind::position}, {"beside", Kind::beside}};
-  const std::vector<std::string> parts = parts_of(text);
-  if (parts.size() == 1) return {kinds.at(parts[0])};
-  return {kinds.at(parts[0]), std::stod(parts.at(1)), std::stod(parts.at(2))};
-}
 
 Output output_of(const std::string& text) {
   const std::vector<std::string> parts = parts_of(text);
