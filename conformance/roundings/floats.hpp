@@ -22,11 +22,11 @@ struct Lanes<float> {
     const Bits bits = Bits{} + __builtin_bit_cast(std::uint32_t, static_cast<float>(s));
     v = __builtin_bit_cast(Vector, bits);
   }
-  HN_I_INLINE explicit(!kConverts<std::int32_t, float>) Lanes(Lanes<std::int32_t> n) {
+  HN_I_INLINE explicit Lanes(Lanes<std::int32_t> n) {
     const Bits up = way(Bits(n.v)) & kSign;
     v = flipped(detail::converted<Vector>(flipped(detail::converted<Doubles>(n.v), up)), up);
   }
-  HN_I_INLINE explicit(!kConverts<std::uint32_t, float>) Lanes(Lanes<std::uint32_t> n) {
+  HN_I_INLINE explicit Lanes(Lanes<std::uint32_t> n) {
     const Bits up = way(n.v) & kSign;
     // In two halves: -0x1p31 + 0x1p31 is -0 where the processor rounds down, and 0 has to be 0.
     const Doubles half = detail::converted<Doubles>(detail::IntVector(n.v >> 1u));

@@ -227,15 +227,6 @@ struct Mask {
   HN_I_INLINE friend Mask operator&&(Mask a, Mask b) { return {a.v & b.v}; }
 };
 
-// Whether T becomes S by itself, as in GLSL. Only tools/lib/proof/errors wants that.
-#ifdef HN_I_CONVERSIONS_OF_GLSL
-template <typename T, typename S>
-constexpr bool kConverts = std::same_as<S, float> || (std::same_as<S, std::uint32_t> && std::same_as<T, std::int32_t>);
-#else
-template <typename T, typename S>
-constexpr bool kConverts = false;
-#endif
-
 // kCount numbers. A number is the same in all lanes, if it is of the type of a lane; others have to be converted.
 template <typename S>
 struct Lanes {
@@ -250,7 +241,7 @@ struct Lanes {
       : v(number(static_cast<S>(s)) - Vector{}) {}
   // A number that does not fit is undefined, as it is in C++.
   template <typename T>
-  HN_I_INLINE explicit(!kConverts<T, S>) Lanes(Lanes<T> other) : v(detail::converted<Vector>(other.v)) {}
+  HN_I_INLINE explicit Lanes(Lanes<T> other) : v(detail::converted<Vector>(other.v)) {}
   HN_I_INLINE explicit Lanes(Mask mask) : v(detail::converted<Vector>(-mask.v)) {}
 
   HN_I_INLINE S operator[](int i) const { return v[i]; }

@@ -63,12 +63,6 @@ struct Rounding {
 };
 inline Rounding rounding;
 
-#ifdef ERRORS_OWN  // a text of a user's (proof/errors): GLSL makes floats of integers
-constexpr bool kConverts = true;
-#else
-constexpr bool kConverts = false;
-#endif
-
 // A float, and where it is a product the exact one, which a sum may take in its place.
 struct Rounded {
   double value = 0.0;
@@ -79,7 +73,7 @@ struct Rounded {
   Rounded(Literal x) : Rounded(of(static_cast<double>(x.exact))) {}
   template <typename Integer>
   requires std::is_integral_v<Integer>
-  explicit(!kConverts) Rounded(Integer n) : value(rounding.round(static_cast<double>(n))), exact(value) {}
+  explicit Rounded(Integer n) : value(rounding.round(static_cast<double>(n))), exact(value) {}
   static Rounded of(double x) {
     Rounded rounded;
     rounded.value = rounded.exact = rounding.round(x);

@@ -10,7 +10,7 @@
 results.py has what is searched, and search.cpp how.
 
 Exit status: 0 all is as recorded, or measured; 1 something is not, or a function has a step that GLSL states no error of;
-2 bad usage, or a file that cannot be read; 4 numpy is missing, and could not be installed.
+2 bad usage, or a file that cannot be read; 4 numpy, or a program that reads your file, is missing.
 """
 
 from __future__ import annotations

@@ -9,9 +9,6 @@
 
 #include "leader.hpp"
 #include "roundings/ways.hpp"
-#ifdef ERRORS_OWN
-#define HN_I_CONVERSIONS_OF_GLSL
-#endif
 #define HN_I_OWN_FLOATS "roundings/floats.hpp"
 #include <hashnoise/lanes.hpp>
 

@@ -1,14 +1,17 @@
 """Searches for the errors of the functions in a GLSL file of a user's, for `tools/make errors FILE.glsl`.
 
 Each of its functions with a position or a place, which no other function of it calls, is measured: the text over lanes of
-floats that round otherwise, beside the same text in doubles."""
+floats that round otherwise, beside the same text in doubles. glslang reads the text, and spirv.py writes it as C++."""
 
 from __future__ import annotations
 
 import os
 import re
+import shutil
 import struct
+import subprocess
 import sys
+import tempfile
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -17,47 +20,37 @@ from pathlib import Path
 from base.twin import NotBuilt
 from catalog.tables.functions import WORDS, Column
 from proof.bounds.rounded import Body
-from proof.errors.cpp import Refused
-from proof.errors.file import Item, Reader
-from proof.errors.glsl import Bad, read
-from proof.errors.names import SCALARS, TYPES, VECTORS
 from proof.errors.program import Found, Program, Stopped
+from proof.errors.source import Bad, Function, Source, read
+from proof.errors.spirv import Module, Refused, Writer
 
 CELLS = ("-64", "64")  # in which positions are, unless others are given
-SIZE = {TYPES[name]: size for name, size in (SCALARS | VECTORS).items()}
-KINDS = {TYPES[name]: name for name in SCALARS}
-OUTPUTS = {"Float": ("",), "vec2": tuple("xy"), "vec3": tuple("xyz"), "vec4": tuple("xyzw")}
+SCALARS = ("float", "int", "uint", "bool")
+SIZE = dict.fromkeys(SCALARS, 1) | {f"{kind}vec{size}": size for kind in ("", "i", "u") for size in (2, 3, 4)}
+OUTPUTS = {"float": ("",), "vec2": tuple("xy"), "vec3": tuple("xyz"), "vec4": tuple("xyzw")}
 LEAST, MOST, TOTAL = 4_000, 1_000_000, 60_000_000  # runs for a function; operations of all
 TRIAL = 400  # runs
+NEEDED = {"g++": "g++", "glslangValidator": "glslang-tools", "spirv-dis": "spirv-tools"}
 
 
 # --- The functions that are measured ----------------------------------------------------------------------------------
 
 
-def dims_of(item: Item) -> int:
+def dims_of(function: Function) -> int:
     """The axes of a position or a place; 0 of a function that has none."""
-    type_ = item.parameters[0].type if item.parameters and not item.parameters[0].way else ""
-    found = re.fullmatch(r"vec([234])|(Float)|hn_place([1-4])", type_)
+    type_ = function.parameters[0].type if function.parameters and not function.parameters[0].way else ""
+    found = re.fullmatch(r"vec([234])|(float)|hn_place([1-4])", type_)
     return int(found[1] or found[3] or 1) if found else 0
 
 
-def has_place(item: Item) -> bool:
-    return item.parameters[0].type.startswith("hn_place")
-
-
-def could_be_measured(item: Item) -> bool:
-    return item.is_function and item.type in OUTPUTS and (dims_of(item) > 0 or bool(item.refused and not item.parameters))
-
-
-def chosen(items: Sequence[Item], wanted: Sequence[str]) -> list[Item]:
+def chosen(functions: Sequence[Function], wanted: Sequence[str]) -> list[Function]:
     """The wanted functions, or those that no other calls; one that returns nothing, as main, calls none here."""
-    functions = [item for item in items if item.is_function]
-    if missing := {*wanted} - {item.name for item in functions}:
+    if missing := {*wanted} - {one.name for one in functions}:
         raise Bad(f"--function {', '.join(sorted(missing))}: the file has no such function")
-    called = {name for item in functions if item.type != "void" for name in item.calls if name != item.name}
-    found = [item for item in functions if could_be_measured(item)
-             and (item.name in wanted or not wanted and item.name not in called)]
-    if missing := {*wanted} - {item.name for item in found}:
+    called = {name for one in functions if one.type != "void" for name in one.calls if name != one.name}
+    found = [one for one in functions if one.type in OUTPUTS and dims_of(one) > 0
+             and (one.name in wanted or not wanted and one.name not in called)]
+    if missing := {*wanted} - {one.name for one in found}:
         raise Bad(f"--function {', '.join(sorted(missing))}: it takes no position and no place, or returns no floats")
     return found
 
@@ -68,7 +61,6 @@ def chosen(items: Sequence[Item], wanted: Sequence[str]) -> list[Item]:
 @dataclass(frozen=True)
 class Measured:
     """A function with the numbers that the search draws for its arguments."""
-    item: Item
     body: Body
     inputs: tuple[str, ...]  # of search.cpp
     kinds: tuple[tuple[str, str], ...]  # for each word the argument and its type
@@ -77,38 +69,40 @@ class Measured:
 class Arguments:
     """The arguments of a function, as code and as the search draws them."""
 
-    def __init__(self, item: Item, within: Mapping[str, str]):
-        self.item, self.within = item, within
+    def __init__(self, function: Function, within: Mapping[str, str]):
+        self.function, self.within = function, within
         self.words = iter(WORDS)
         self.inputs: list[str] = []
         self.kinds: list[tuple[str, str]] = []
 
-    def measured(self) -> Measured:
+    def measured(self, name: str) -> Measured:
+        """By its name in C++."""
         made = []
-        for number, parameter in enumerate(self.item.parameters):
+        for number, parameter in enumerate(self.function.parameters):
             if parameter.way:
-                raise Bad(f"{self.item.token.place}: {parameter.name} is an {parameter.way} parameter of a function that is measured")
-            if number == 0 and has_place(self.item):
+                raise Bad(f"{self.function.place}: {parameter.name} is an {parameter.way} parameter of a function that is measured")
+            if number == 0 and parameter.type.startswith("hn_place"):
                 made.append(self.place(parameter.name))
             elif parameter.type in SIZE:
                 made.append(self.vector(parameter.type, parameter.name, number == 0))
             else:
-                type_ = re.sub(r"\bu_", "", parameter.type)
-                raise Bad(f"{self.item.token.place}: the search draws no {type_}, as {parameter.name}")
-        member = [f"n.{axis}" if axis else "n" for axis in OUTPUTS[self.item.type]]
-        results = [f"bits_of({one})" for one in member] + ["0u"] * (4 - len(member))
-        code = f"auto n = File().u_{self.item.name}({', '.join(made)}); return uvec4({', '.join(results)});"
-        columns = tuple(Column(f"{name}_{i}", "f32" if kind == "float" else "u32") for i, (name, kind) in enumerate(self.kinds))
-        outputs = tuple(Column(axis or "value", "f64") for axis in OUTPUTS[self.item.type])
-        return Measured(self.item, Body(columns, outputs, code), (*self.inputs, "jumps"), tuple(self.kinds))
+                raise Bad(f"{self.function.place}: the search draws no {parameter.type}, as {parameter.name}")
+        axes = OUTPUTS[self.function.type]
+        results = [f"bits_of({f'n.{axis}' if axis else 'n'})" for axis in axes] + ["0u"] * (4 - len(axes))
+        given = "".join(f"auto given{number} = {one}; " for number, one in enumerate(made))
+        listed = ", ".join(f"given{number}" for number in range(len(made)))
+        code = f"{given}auto n = File().{name}({listed}); return uvec4({', '.join(results)});"
+        columns = tuple(Column(f"{of}_{i}", "f32" if kind == "float" else "u32") for i, (of, kind) in enumerate(self.kinds))
+        return Measured(Body(columns, tuple(Column(axis or "value", "f64") for axis in axes), code),
+                        (*self.inputs, "jumps"), tuple(self.kinds))
 
     def word(self, name: str, kind: str, input_: str) -> str:
         self.inputs.append(input_)
         self.kinds.append((name, kind))
         word = next(self.words, "")
         if not word:
-            raise Bad(f"{self.item.token.place}: its arguments have more than 16 numbers")
-        return {"float": f"float_of({word})", "int": f"int({word})", "uint": word, "bool": f"own_bool({word})"}[kind]
+            raise Bad(f"{self.function.place}: its arguments have more than 16 numbers")
+        return {"float": f"float_of({word})", "int": f"int({word})", "uint": word, "bool": f"NotEqual({word}, Uint(0u))"}[kind]
 
     def ends(self, name: str, *usual: str) -> tuple[str, str] | tuple[()]:
         given = self.within.get(name)
@@ -118,7 +112,7 @@ class Arguments:
         return lo, hi or lo
 
     def vector(self, type_: str, name: str, is_position: bool) -> str:
-        kind = KINDS.get(type_) or {"v": "float", "i": "int", "u": "uint"}[type_[0]]
+        kind = type_ if type_ in SCALARS else {"v": "float", "i": "int", "u": "uint"}[type_[0]]
         usual = {"float": CELLS if is_position else ("0", "1"), "bool": ("0", "1")}.get(kind, ())
         ends = self.ends(name, *usual)
         if kind == "float":
@@ -127,10 +121,10 @@ class Arguments:
         else:
             drawn = f"word:{':'.join(ends)}" if ends else "any"
         parts = [self.word(name, kind, drawn) for _ in range(SIZE[type_])]
-        return parts[0] if type_ in KINDS else f"{type_}({', '.join(parts)})"
+        return parts[0] if type_ in SCALARS else f"{type_}({', '.join(parts)})"
 
     def place(self, name: str) -> str:
-        size = dims_of(self.item)
+        size = dims_of(self.function)
         lo, hi = (int(float(end)) for end in self.ends(name, *CELLS))
         cells = [self.word(name, "int", f"word:{lo}:{max(hi - 1, lo)}") for _ in range(size)]
         fractions = [self.word(name, "float", "fraction:0:0.99999994") for _ in range(size)]
@@ -139,8 +133,8 @@ class Arguments:
         return f"hn_place(ivec{size}({', '.join(cells)}), vec{size}({', '.join(fractions)}))"
 
 
-def check(within: Mapping[str, str], items: Sequence[Item]) -> None:
-    names = {parameter.name for item in items for parameter in item.parameters}
+def check(within: Mapping[str, str], functions: Sequence[Function]) -> None:
+    names = {parameter.name for one in functions for parameter in one.parameters}
     for name, ends in within.items():
         lo, _, hi = ends.partition(":")
         try:
@@ -148,92 +142,86 @@ def check(within: Mapping[str, str], items: Sequence[Item]) -> None:
                 raise Bad(f"--within {name}={ends}: the first number is greater than the second")
         except ValueError:
             raise Bad(f"--within {name}={ends}: write NAME=LO:HI") from None
-        if name not in names and not any(item.refused for item in items):
+        if name not in names and not any(one.refused for one in functions):
             raise Bad(f"--within {name}: no function that is measured has such an argument")
 
 
 # --- The program ------------------------------------------------------------------------------------------------------
 
-
-def text_of(items: Sequence[Item]) -> str:
-    """As C++. The number of an item is in the name of its file, by which a compiler's error finds it."""
-    overloaded = {item.name for item in items if item.is_function and item.refused}
-    lines = []
-    for number, item in enumerate(items):
-        if not item.refused:
-            lines.append(f'#line {item.token.line} "own:{number}:{item.token.path}"\n{item.code}\n')
-        elif item.name in overloaded and item.type and item.parameters:
-            listed = ", ".join(f"{one.type}{'&' * bool(one.way)}" for one in item.parameters)
-            lines.append(f'#line {item.token.line} "own:{number}:{item.token.path}"\n'
-                         f"{item.type} u_{item.name}({listed}) = delete;\n")
-    return "".join(lines)
+OF_THE_FILE = "main_of_the_file"
+LINES = f"#version 460\n#extension GL_GOOGLE_cpp_style_line_directive : require\n#define main {OF_THE_FILE}\n"
+MAIN = "\n#undef main\nvoid main() {}\n"  # in which glslang sets variables of the file
+# A function of a fragment shader may take derivatives and pictures, which spirv.py refuses by their names.
+GLSLANG = ("glslangValidator", "-V", "-R", "--aml", "--amb", "-g", "--keep-uncalled", "-S", "frag", "-o", "text.spv", "text.frag")
 
 
-def refuse_callers(items: Sequence[Item]) -> None:
-    """Refuses functions that use a refused name. For those with overloads the compiler knows who calls which."""
-    functions = [item.name for item in items if item.is_function]
-    for _ in items:
-        reasons = {name: item for item in items if item.refused for name in item.names if functions.count(name) < 2}
-        new = [(item, reasons[name]) for item in items if not item.refused for name in sorted(item.words) if name in reasons]
-        for item, of in new:
-            item.refused = item.refused or of.refused
-        if not new:
-            return
-
-
-def errors_of(output: str) -> dict[int, str]:
-    """By their items: the first error of each, in the words of GLSL. The place is in the line of the error, or in one
-    beside it: "required from", "in expansion of"."""
-    found: dict[int, str] = {}
-    before, said = None, ""
-    for line in output.splitlines():
-        place = re.match(r"own:(\d+):(.*?:\d+):\d+: ", line)
-        error = re.search(r": (?:fatal )?error: (.*)", line)
-        if error:
-            said = in_glsl(error[1])
-            place = place or before
-        if place and said:
-            found.setdefault(int(place[1]), f"{place[2]}: {said}")
-            said = ""
-        before = None if error else place or before
-    return found
-
-
-def in_glsl(said: str) -> str:
-    said = re.sub(r"hashnoise::|\{anonymous\}::|v\d+_\d+::|\b(?:own|rounded)::|\{aka .*?\}\}?|&(?=[,)])|\bFile::", "", said)
-    said = re.sub(r"\b(?:u|own)_(?=\w)", "", said)
-    for cpp, glsl in (("Lanes<float>", "float"), ("Lanes<int>", "int"), ("Lanes<unsigned int>", "uint"), ("Float", "float"),
-                      ("Int", "int"), ("Uint", "uint"), ("Rounded", "float")):
-        said = re.sub(rf"\b{cpp}(?!\w)", glsl, said)
-    said = re.sub(r"Vector(\d)<float>", r"vec\1", said)
-    return re.sub(r" +", " ", said).replace(" ’", "’").split(";")[0]
-
-
-def compiled(items: Sequence[Item], macros: Sequence[str], wanted: Sequence[Item],
-             within: Mapping[str, str]) -> tuple[Program | None, dict[int, Measured]]:
-    """Without the functions that a compiler refuses, and those that call one; by the numbers of the items."""
-    for number, item in enumerate(items):
-        item.number = number
+def module_of(source: Source, functions: Sequence[Function]) -> Module:
+    """Without the functions that glslang refuses, whose reasons are set."""
     while True:
-        refuse_callers(items)
-        measured = {}
-        for item in wanted:
-            try:
-                if not item.refused:
-                    measured[item.number] = Arguments(item, within).measured()
-            except Bad as error:
-                item.refused = str(error)
-        if not measured:
-            return None, {}
-        bodies = {str(number): one.body for number, one in measured.items()}
+        with tempfile.TemporaryDirectory() as folder:
+            text = source.without(one for one in functions if one.refused)
+            Path(folder, "text.frag").write_text(f"{LINES}{text}{MAIN}", encoding="utf-8")
+            done = subprocess.run(GLSLANG, cwd=folder, capture_output=True, text=True, check=False)
+            if done.returncode == 0:
+                return Module(subprocess.run(["spirv-dis", "--raw-id", "text.spv"], cwd=folder, capture_output=True, text=True,
+                                             check=True).stdout)
+        error = re.search(r"^ERROR: (.*:\d+): (?:'(.*?)' : )?(.*)", done.stdout, re.MULTILINE)
+        if not error:
+            raise Bad(f"glslangValidator: {done.stdout}{done.stderr}")
+        place, name = error[1], error[2]
+        reason = re.sub(r"' *(?:(?:const|temp|global|highp) +)*(\w+)'", r"'\1'", error[3]).strip()
+        of = next((one for one in functions if not one.refused and source.has(one, place)), None)
+        if not of:
+            raise Bad(f"{place}: {name or ''}{': ' * bool(name)}{reason}")
+        callee = next((one for one in functions if one.refused and one.name == name), None)
+        of.refused = callee.refused if callee else f"{place}: {name or ''}{': ' * bool(name)}{reason}"
+
+
+def written(module: Module, functions: Sequence[Function]) -> tuple[str, dict[str, str]]:
+    """The text in C++, and the names there of the functions' places. Functions that cannot be written, and their callers,
+    are refused."""
+    of_file = {one.id: one for one in module.functions if not one.is_of_library}
+    heads = {}
+    for name in {one.name for one in functions}:
+        heads |= dict(zip((one.id for one in of_file.values() if one.name == (OF_THE_FILE if name == "main" else name)),
+                          (one for one in functions if one.name == name and not one.refused)))
+    texts, reasons = {}, {}
+    for id, one in of_file.items():
+        if id in heads:
+            heads[id].calls = {module.names[called].split("(")[0] for called in one.calls}
         try:
-            return Program(bodies, "ERRORS_OWN", *macros, text=text_of(items)), measured
-        except NotBuilt as error:
-            found = errors_of(str(error))
-            if not found:
-                raise Bad(str(error)) from None
-            for number, reason in found.items():
-                items[number].refused = items[number].refused or reason
+            texts[id] = Writer(module, one).text()
+        except Refused as error:
+            reasons[id] = str(error)
+    while new := {id: reasons[called] for id, one in of_file.items() if id not in reasons for called in one.calls if called in reasons}:
+        reasons |= new
+    for id, reason in reasons.items():
+        if id not in heads:
+            raise Bad(reason)  # of the variables of the file
+        heads[id].refused = reason
+    return module.written("".join(text for id, text in texts.items() if id not in reasons)), {
+        head.place: f"f{id[1:]}" for id, head in heads.items()}
+
+
+def compiled(source: Source, functions: Sequence[Function], wanted: Sequence[str], within: Mapping[str, str], macros: Sequence[str]
+             ) -> tuple[list[Function], Program | None, dict[str, Measured]]:
+    """The functions that are measured, by their places."""
+    text, names = written(module_of(source, functions), functions)
+    found, measured = chosen(functions, wanted), {}
+    if found:
+        check(within, found)
+    for one in found:
+        try:
+            if not one.refused:
+                measured[one.place] = Arguments(one, within).measured(names[one.place])
+        except Bad as error:
+            one.refused = str(error)
+    if not measured:
+        return found, None, {}
+    try:
+        return found, Program({place: one.body for place, one in measured.items()}, "ERRORS_OWN", *macros, text=text), measured
+    except NotBuilt as error:
+        raise Bad(str(error)) from None
 
 
 # --- For a reader -----------------------------------------------------------------------------------------------------
@@ -274,42 +262,39 @@ def outputs_of(measured: Measured) -> list[str]:
 
 @dataclass(frozen=True)
 class Result:
-    """The errors of a function's outputs, with the count of random places, or why it is refused."""
-    item: Item
-    refused: str = ""
+    """The errors of a function's outputs, with the count of random places."""
+    function: Function
     measured: Measured | None = None
     places: int = 0
     found: tuple[Found, ...] = ()
     program: Program | None = None
 
 
-def searched(program: Program, measured: Measured, count: int) -> Result:
-    id = str(measured.item.number)
+def searched(program: Program, function: Function, measured: Measured, count: int) -> Result:
     try:
-        effort = effort_of(program, id, measured, count)
-        found = program.search(id, measured.inputs, outputs_of(measured), effort)
+        effort = effort_of(program, function.place, measured, count)
+        found = program.search(function.place, measured.inputs, outputs_of(measured), effort)
     except Stopped as reason:
-        return Result(measured.item, f"{measured.item.token.place}: {reason}")
-    return Result(measured.item, "", measured, effort // 2, tuple(found), program)
+        function.refused = f"{function.place}: {reason}"
+        return Result(function)
+    return Result(function, measured, effort // 2, tuple(found), program)
 
 
 def results(path: Path, wanted: Sequence[str], within: Mapping[str, str], *more: str) -> list[Result]:
     """In the order of the file; with more macros."""
     source = read(path)
-    items = Reader(source.tokens).read()
-    functions = chosen(items, wanted)
-    if not functions:
+    functions = list(source.functions())
+    found, program, measured = compiled(source, functions, wanted, within, [*source.macros, *more])
+    if not found:
         raise Bad(f"{path}: no function takes a position or a place, and returns floats")
-    check(within, functions)
-    program, measured = compiled(items, [*source.macros, *more], functions, within)
 
-    def one(item: Item) -> Result:
-        if program is None or item.number not in measured:
-            return Result(item, item.refused)
-        return searched(program, measured[item.number], len(measured))
+    def one(function: Function) -> Result:
+        if program is None or function.place not in measured:
+            return Result(function)
+        return searched(program, function, measured[function.place], len(measured))
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        return list(pool.map(one, functions))
+        return list(pool.map(one, found))
 
 
 def shown(error: float) -> str:
@@ -317,9 +302,9 @@ def shown(error: float) -> str:
 
 
 def print_result(result: Result) -> None:
-    print(f"{result.item.token.place}: {result.item.head}")
+    print(f"{result.function.place}: {result.function.head}")
     if not result.measured:
-        print(f"  refused: {result.refused}")
+        print(f"  refused: {result.function.refused}")
         return
     for column, one in zip(result.measured.body.outputs, result.found):
         at = f" at {place_of(result.measured, one.words)}" if one.error else ""
@@ -329,12 +314,15 @@ def print_result(result: Result) -> None:
 
 def report(path: Path, wanted: Sequence[str], within: Mapping[str, str]) -> int:
     """The exit status."""
+    if missing := [package for program, package in NEEDED.items() if not shutil.which(program)]:
+        print(f"tools/make errors FILE.glsl needs Debian's packages {', '.join(missing)}", file=sys.stderr)
+        return 4
     try:
         found = results(path, wanted, within)
-    except (Bad, Refused) as error:  # the second of a bracket that does not close
+    except Bad as error:
         print(error, file=sys.stderr)
         return 2
     for result in found:
         print_result(result)
     print("Errors are beside the same text in doubles. A search finds no bound: an error may be larger elsewhere.")
-    return int(any(result.refused for result in found))
+    return int(any(result.function.refused for result in found))

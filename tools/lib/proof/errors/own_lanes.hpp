@@ -3,7 +3,7 @@
 inline Float operator""_f(long double x) { return Float(static_cast<float>(x)); }
 
 inline bool decided(Mask mask) { return static_cast<bool>(mask); }
-inline bool decided(bool answer) { return answer; }
+inline std::int32_t whole(std::int32_t n) { return n; }
 inline std::int32_t whole(Int n) { return hn::roundings::leader.chosen(n.v); }
 inline std::int32_t whole(Uint n) { return whole(Int(n)); }
 inline void tie(const Float&) {}  // only the text in doubles keeps where it may jump
@@ -14,26 +14,17 @@ inline Int to_int(const Float& x) { return ::hashnoise::detail::convert<Int>(x);
 inline Int to_int(Uint n) { return Int(n); }
 inline Uint to_uint(const Float& x) { return Uint(x); }
 inline Uint to_uint(Int n) { return Uint(n); }
-inline Int bits_as_int(const Float& x) { return Int(floatBitsToUint(x)); }
 inline Uint bits_as_uint(const Float& x) { return floatBitsToUint(x); }
 inline Float of_bits(Uint bits) { return uintBitsToFloat(bits); }
 
 inline Int operator~(Int n) { return Int(~n.v); }
 inline Uint operator~(Uint n) { return Uint(~n.v); }
-inline Int operator<<(Int n, Uint count) { return n << Int(count); }
-inline Int operator>>(Int n, Uint count) { return n >> Int(count); }
 // GLSL leaves quotients by 0 open. They must not stop the program.
-inline Int quotient(Int a, Int b, bool rest) {
+template <typename Integer>
+Integer quotient(Integer a, const Integer& b, bool rest) {
   for (int i = 0; i < kCount; ++i) {
-    const std::int64_t x = a.v[i], y = b.v[i] == 0 ? 1 : b.v[i];
-    a.v[i] = static_cast<std::int32_t>(rest ? x % y : x / y);
+    const std::int64_t x = a.v[i], y = b.v[i] == 0 ? 1 : std::int64_t{b.v[i]};
+    a.v[i] = static_cast<std::remove_cvref_t<decltype(a[0])>>(rest ? x % y : x / y);
   }
   return a;
 }
-inline Int operator/(Int a, Int b) { return quotient(a, b, false); }
-inline Int operator%(Int a, Int b) { return quotient(a, b, true); }
-template <typename T>
-const T& divisor(const T& x) {
-  return x;
-}
-inline Uint divisor(Uint n) { return max(n, Uint(1u)); }
