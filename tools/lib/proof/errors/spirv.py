@@ -213,17 +213,12 @@ class Writer:
         if root.op == "OpVariable" and root.operands[0] == "Uniform" and indices:  # a member of the block of all of them
             struct = self.module.of[root.type].operands[1]
             self.refuse(f"{self.module.members[struct, self.module.of[indices[0]].operands[0]]} is a uniform of a shader")
-        text, type_ = self.value(base), self.module.of[root.type].operands[1]
-        for index in indices:
-            of = self.module.of[type_]
-            if of.op == "OpTypeStruct":
-                number = self.module.of[index].operands[0]
-                text, type_ = f"{text}.{self.module.member(type_, number)}", of.operands[int(number)]
-            else:
-                text, type_ = f"at({text}, {self.value(index)})", of.operands[0]
-        return text
+        numbers = [self.module.of[index].operands[0] if self.module.of[index].op == "OpConstant" else self.value(index)
+                   for index in indices]
+        return self.part(self.value(base), self.module.of[root.type].operands[1], numbers)
 
     def part(self, text: str, type_: str, numbers: Sequence[str]) -> str:
+        """A part of a value or a variable of that type, in C++; of a struct the numbers are known."""
         for number in numbers:
             of = self.module.of[type_]
             if of.op == "OpTypeStruct":
