@@ -1,4 +1,4 @@
-"""Fills of grids and lists by hashnoise::grid and by FastNoise2: what tools/measure cpu and neon have in common."""
+"""Fills of grids and lists by hashnoise::grid and by FastNoise2: for tools/measure cpu."""
 
 from __future__ import annotations
 

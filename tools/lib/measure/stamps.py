@@ -21,14 +21,13 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from base.tree import GLSL, ROOT, glsl_files, included_from, version
+from base.tree import GLSL, ROOT, included_from, version
 from base.usage import Parser
 from catalog.tables.configurations import read_configurations
 from catalog.tables.functions import read_functions
 from catalog.tables.glsl import files_of
 from catalog.tables.markdown import table
 from measure import record
-from measure.compile.texts import SUBJECTS, WAYS
 from translate.parsing.preprocessor import Line, Macro, Preprocessor
 from translate.parsing.tokens import Unknown
 from translate.settings import settings_of
@@ -163,20 +162,6 @@ def of_subject(row: Row, library: Path) -> str:
     return reached(library, configurations()[configuration], (file,), call)
 
 
-def of_shader(row: Row, library: Path) -> str:
-    """With the whole library, a file and what it includes, or a function alone, before its call."""
-    way, _, arithmetic = row["way"].partition("+")
-    subject, = (one for one in SUBJECTS if one.noise == row["noise"])
-    configuration = "lattice" + f"+{arithmetic}" * bool(arithmetic)
-    if way == "pick":
-        return reached(library, configuration, (subject.file,), subject.call)
-    if way not in WAYS:
-        return NONE
-    files = {"whole": glsl_files(library), "file": included(library, subject.file)}[way]
-    known = definitions(library, configuration).texts.values()
-    return digest(one.text for some in known for one in some if one.file in files)
-
-
 def of_paper(row: Row, library: Path) -> str:
     """Its algorithms with the noise of the library, as they are there and as the paper intends them."""
     hash_ = re.sub(r"Perlin/|, ours|\W|_", "", row.get("algorithm") or row["noise"]).lower()
@@ -205,10 +190,6 @@ def of_hash(row: Row, library: Path) -> str:
     return of_calls("hn_gradient hn_value_vector", library, name, row["dimensions"]) if name in configurations() else NONE
 
 
-def of_integers(row: Row, library: Path) -> str:
-    return of_calls(f"{row['function']} {row.get('noise', '')}", library, "lattice+fixed")
-
-
 def of_package(row: Row, library: Path) -> str:
     return of_grid(row, library) if row["package"] == "hashnoise" else NONE
 
@@ -229,14 +210,13 @@ class Kind(NamedTuple):
 KINDS = {"bench.csv": Kind("clock", of_subject), "peers.csv": Kind("peers", of_subject),
          "costs.csv": Kind("gpu", of_subject), "operations.csv": Kind("gpu", None), "chips.csv": Kind("gpu", None),
          "stripes.csv": Kind("gpu", None),
-         "compile.csv": Kind("compile", of_shader), "uniform.csv": Kind("uniform", of_distribution),
+         "uniform.csv": Kind("uniform", of_distribution),
          **{f"{name}.csv": Kind("paper", of_paper) for name in ("table", "statistics", "period", "bandwidth")},
          "judged.csv": Kind("noise", of_names), "hashes.csv": Kind("hashes", of_names),
          "quality.csv": Kind("hashes", of_hash), "directions.csv": Kind("hashes", of_names),
-         "likeness.csv": Kind("likeness", None), "python.csv": Kind("python", of_package),
-         "rust.csv": Kind("rust", of_crate),
-         "languages.csv": Kind("languages", of_integers), "translators.csv": Kind("translators", None),
-         **{f"{name}.csv": Kind("cpu", of_grid) for name in ("gcc", "clang")}, "neon.csv": Kind("neon", of_grid)}
+         "python.csv": Kind("python", of_package), "rust.csv": Kind("rust", of_crate),
+         "translators.csv": Kind("translators", None),
+         **{f"{name}.csv": Kind("cpu", of_grid) for name in ("gcc", "clang")}}
 
 
 # --- Records ----------------------------------------------------------------------------------------------------------

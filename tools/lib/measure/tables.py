@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from catalog.tables.markdown import table
-from measure import cpu, fills, neon, record, stamps
-from measure.compile import command as of_compilers
+from measure import cpu, fills, record, stamps
 from measure.gpu import pages as of_gpus
 from measure.hashes import tables as hashes
 from measure.noise import record as of_noises
@@ -139,7 +138,6 @@ def tables() -> Iterator[tuple[str, str, str]]:
          "gpu/costs.csv"),
         (UNIFORM, "uniform", of_uniform.page_table(of_uniform.read()), "uniform.csv"),
         (MEASURING, "noises", form_table(rows), "llvmpipe/bench.csv"),
-        (MEASURING, "compile times", of_compilers.page_table(of_compilers.record()), "llvmpipe/compile.csv"),
         (MEASURING, "packages for Python", package_table(package_costs("python")),
          "cpu/python.csv"),
         *((MEASURING, f"crates on {target}",
@@ -147,7 +145,6 @@ def tables() -> Iterator[tuple[str, str, str]]:
            "cpu/rust.csv") for target in TARGETS),
         *((MEASURING, f"grids by {title}", cpu.page_table(record.read(fills.RESULTS / name).rows), f"cpu/{name}")
           for title, name in (("GCC", "gcc.csv"), ("Clang", "clang.csv"))),
-        (MEASURING, "NEON", neon.page_table(record.read(fills.RESULTS / "neon.csv").rows), "cpu/neon.csv"),
         (HASHES, "hashes", hashes.pasted_table(hashes.record("hashes.csv")), "hashes.csv"),
         *((QUALITY, name, make(hashes.record(of)), of) for name, make, of in (
             ("hashes of the library", hashes.hash_table, "quality.csv"),

@@ -1,10 +1,7 @@
 # The tests of measuring that are no modules' alone.
 
-# They time and count a noise, with the library that is here, and with that which grid.neon has compiled, or one that is
-# compiled then.
-module_test(bench.grid measure.grid_test Cpu ${PROJECT_BINARY_DIR} PROPERTIES RUN_SERIAL ON)
-module_test(neon.whole measure.grid_test Neon ${PROJECT_BINARY_DIR}/src/grid/tests/neon THOROUGH
-            PROPERTIES DEPENDS grid.neon RUN_SERIAL ON TIMEOUT 1500)
+# They time a noise with the library that is here, or one that is compiled then.
+module_test(bench.grid measure.grid_test ${PROJECT_BINARY_DIR} PROPERTIES RUN_SERIAL ON)
 # Each test of the randomness rejects what it should (tools.measure.hashes), and the default hash passes them all.
 # (Every hash by command: golden files pin their bits, so that what was judged is what is there.)
 add_test(NAME hashes.gate CONFIGURATIONS Thorough COMMAND ${tools}/measure hashes --quick --hash LATTICE)

@@ -45,7 +45,7 @@ COMMANDS = {"bake": ("bake/bin/python", "-I -m hashnoise bake --help"), "conform
 COMMANDS = {name: of for name, of in COMMANDS.items() if (TOOLS / name.split()[0]).exists() and
             not (name == "measure paper" and is_deleted("paper"))}
 # By tools/lib/base/scientific-python.
-SCIENTIFIC = {f"measure {name}": f"measure/{name}" for name in ("hashes", "likeness", "noise", "uniform")
+SCIENTIFIC = {f"measure {name}": f"measure/{name}" for name in ("hashes", "noise", "uniform")
               if not is_deleted("measuring")}
 TEXTS = ("conformance/cli/options.cpp",
          *["packages/python/hashnoise/_bake.py"] * (not is_deleted("baker")),
