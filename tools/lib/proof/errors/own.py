@@ -149,7 +149,8 @@ def check(within: Mapping[str, str], functions: Sequence[Function]) -> None:
 # --- The program ------------------------------------------------------------------------------------------------------
 
 OF_THE_FILE = "main_of_the_file"
-LINES = f"#version 460\n#extension GL_GOOGLE_cpp_style_line_directive : require\n#define main {OF_THE_FILE}\n"
+LINES = (f"#version 460\n#extension GL_GOOGLE_cpp_style_line_directive : require\n#define main {OF_THE_FILE}\n"
+         "#define varying in\n#define attribute in\n")  # as GLSL ES 1.00 has them
 MAIN = "\n#undef main\nvoid main() {}\n"  # in which glslang sets variables of the file
 # A function of a fragment shader may take derivatives and pictures, which spirv.py refuses by their names.
 GLSLANG = ("glslangValidator", "-V", "-R", "--aml", "--amb", "-g", "--keep-uncalled", "-S", "frag", "-o", "text.spv", "text.frag")
@@ -165,6 +166,10 @@ def module_of(source: Source, functions: Sequence[Function]) -> Module:
             if done.returncode == 0:
                 return Module(subprocess.run(["spirv-dis", "--raw-id", "text.spv"], cwd=folder, capture_output=True, text=True,
                                              check=True).stdout)
+        if recursive := [one for name in re.findall(r" calling (\w+)\(", done.stdout) for one in functions if one.name == name]:
+            for one in recursive:
+                one.refused = f"{one.place}: {one.name} calls itself"
+            continue
         error = re.search(r"^ERROR: (.*:\d+): (?:'(.*?)' : )?(.*)", done.stdout, re.MULTILINE)
         if not error:
             raise Bad(f"glslangValidator: {done.stdout}{done.stderr}")

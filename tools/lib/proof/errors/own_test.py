@@ -13,7 +13,7 @@ from pathlib import Path
 
 from proof.errors import own
 
-HEAD = """// A file of somebody else.
+HEAD = """\ufeff// A file of somebody else.
 #version 460
 #extension GL_ARB_something : enable
 #include "noise2d.glsl"
@@ -155,7 +155,8 @@ REFUSED = (
     ("float drawn(vec2 p, mat2 m) { return p.x; }", "the search draws no mat2, as m"),
     ("float sets(vec2 p, out float m) { m = 1.0; return p.x; }", "m is an out parameter"),
     ("vec2 last(vec2 p) { return p; }", ""),
-    ("out vec4 color; void main() { color = vec4(ok(gl_FragCoord.xy)); }", ""),
+    ("float again(vec2 p) { return p.x > 0.0 ? again(p - 1.0) : 0.0; }", "again calls itself"),
+    ("varying vec2 uv; out vec4 color; void main() { color = vec4(ok(gl_FragCoord.xy)); }", ""),
     ("float none(vec2 p) { return float(p.xy == p.yx) + 1.0 + vec2(1.0); }", "return: cannot convert return value"),
 )
 CALLER = "\nfloat bad(vec2 p) { return sin(p.x); } float bad(float x) { return x; }\nfloat caller(vec2 p) { return bad(p); }\n"

@@ -133,9 +133,11 @@ class Copies:
     def copy(self, path: Path) -> Path:
         to = self.made[path.resolve()] = self.folder / f"{len(self.made)}.glsl"
         try:
-            text = path.read_text(encoding="utf-8")
-        except (OSError, UnicodeDecodeError) as error:
-            raise Bad(f"{path}: {error.strerror if isinstance(error, OSError) else error}") from None
+            text = path.read_text(encoding="utf-8-sig")
+        except OSError as error:
+            raise Bad(f"{path}: {error.strerror}") from None
+        except UnicodeDecodeError:
+            raise Bad(f"{path}: the text is not UTF-8") from None
         text = INCLUDE.sub(lambda match: f'{match[1]}"{self.included(path, match[2])}"', LEFT_OUT.sub("", text))
         to.write_text(f'#line 1 "{path}"\n{text}', encoding="utf-8")
         return to
