@@ -191,19 +191,20 @@ def written(module: Module, functions: Sequence[Function]) -> tuple[str, dict[st
         heads |= dict(zip((one.id for one in of_file.values() if one.name == (OF_THE_FILE if name == "main" else name)),
                           (one for one in functions if one.name == name and not one.refused)))
     texts, reasons = {}, {}
-    for id, one in of_file.items():
+    for id, one in sorted(of_file.items(), key=lambda item: item[1].name != "main"):
         if id in heads:
             heads[id].calls = {module.names[called].split("(")[0] for called in one.calls}
         try:
             texts[id] = Writer(module, one).text()
         except Refused as error:
-            reasons[id] = str(error)
+            if one.name == "main":
+                module.refused = str(error)
+            else:
+                reasons[id] = str(error)
     while new := {id: reasons[called] for id, one in of_file.items() if id not in reasons for called in one.calls if called in reasons}:
         reasons |= new
-    for id, reason in reasons.items():
-        if id not in heads:
-            raise Bad(reason)  # of the variables of the file
-        heads[id].refused = reason
+    for id in reasons.keys() & heads.keys():
+        heads[id].refused = reasons[id]
     return module.written("".join(text for id, text in texts.items() if id not in reasons)), {
         head.place: f"f{id[1:]}" for id, head in heads.items()}
 

@@ -1,6 +1,7 @@
 // The lanes beneath own.hpp (lanes.cpp includes it in their namespace).
 
-inline Float operator""_f(long double x) { return Float(static_cast<float>(x)); }
+// To the nearest: while the lanes run the processor rounds down.
+consteval float operator""_f(long double x) { return static_cast<float>(x); }
 
 inline bool decided(Mask mask) { return static_cast<bool>(mask); }
 inline std::int32_t whole(std::int32_t n) { return n; }

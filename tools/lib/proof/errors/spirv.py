@@ -57,10 +57,7 @@ class Function:
 
 
 class Refused(Exception):
-    """A step that the search does not take: the reason, and the place as FILE:LINE."""
-
-    def __init__(self, place: str, reason: str):
-        super().__init__(f"{place}: {reason}")
+    """A step that the search does not take: FILE:LINE, and the reason."""
 
 
 class Module:
@@ -72,6 +69,7 @@ class Module:
         self.members: dict[tuple[str, str], str] = {}
         self.coarse: set[str] = set()
         self.globals: list[Instruction] = []
+        self.refused = ""  # why the variables of the file have no values
         self.functions: list[Function] = []
         inside: Function | None = None
         line: Instruction | None = None  # where the next function begins
@@ -157,8 +155,10 @@ class Module:
     def written(self, functions: str) -> str:
         """own.inc of own.hpp: main sets the variables of the file."""
         main = next(one.id for one in self.functions if one.name == "main")
-        variables = "".join(f"{self.type_of(one.type)} v{one.result[1:]}{{}};\n" for one in self.globals if one.operands[0] == "Private")
-        return f"{''.join(self.structs())}{variables}File() {{ rounds = 0; f{main[1:]}(); }}\n{functions}"
+        variables = "".join(f"{self.type_of(one.type)} v{one.result[1:]}{{}};\n" for one in self.globals
+                            if one.operands[0] == "Private" and not self.refused)
+        sets = "" if self.refused else f"f{main[1:]}();"
+        return f"{''.join(self.structs())}{variables}File() {{ rounds = 0; {sets} }}\n{functions}"
 
 
 def shortest(number: str) -> str:
@@ -196,7 +196,7 @@ class Writer:
         return self.module.of[type_].op == "OpTypePointer"
 
     def refuse(self, reason: str) -> None:
-        raise Refused(self.place, reason)
+        raise Refused(f"{self.place}: {reason}")
 
     def value(self, id: str) -> str:
         """Also of a pointer: what it points to."""
@@ -205,6 +205,8 @@ class Writer:
             return id
         if one.op == "OpVariable" and one.operands[0] in STORAGE:
             self.refuse(f"{self.module.names.get(id) or 'a variable'} is {STORAGE[one.operands[0]]} of a shader")
+        if self.module.refused and one in self.module.globals:
+            raise Refused(self.module.refused)
         return self.pointers.get(id) or self.module.value(id)
 
     def chain(self, one: Instruction) -> str:
