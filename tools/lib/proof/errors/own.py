@@ -183,7 +183,7 @@ def module_of(source: Source, functions: Sequence[Function]) -> Module:
 
 
 def written(module: Module, functions: Sequence[Function]) -> tuple[str, dict[str, str]]:
-    """The text in C++, and the names there of the functions' places. Functions that cannot be written, and their callers,
+    """The text in C++, and the names there of the functions. Functions that cannot be written, and their callers,
     are refused."""
     of_file = {one.id: one for one in module.functions if not one.is_of_library}
     heads = {}
@@ -206,12 +206,12 @@ def written(module: Module, functions: Sequence[Function]) -> tuple[str, dict[st
     for id in reasons.keys() & heads.keys():
         heads[id].refused = reasons[id]
     return module.written("".join(text for id, text in texts.items() if id not in reasons)), {
-        head.place: f"f{id[1:]}" for id, head in heads.items()}
+        head.id: f"f{id[1:]}" for id, head in heads.items()}
 
 
 def compiled(source: Source, functions: Sequence[Function], wanted: Sequence[str], within: Mapping[str, str], macros: Sequence[str]
              ) -> tuple[list[Function], Program | None, dict[str, Measured]]:
-    """The functions that are measured, by their places."""
+    """The functions that are measured, with their arguments by their ids."""
     text, names = written(module_of(source, functions), functions)
     found, measured = chosen(functions, wanted), {}
     if found:
@@ -219,13 +219,13 @@ def compiled(source: Source, functions: Sequence[Function], wanted: Sequence[str
     for one in found:
         try:
             if not one.refused:
-                measured[one.place] = Arguments(one, within).measured(names[one.place])
+                measured[one.id] = Arguments(one, within).measured(names[one.id])
         except Bad as error:
             one.refused = str(error)
     if not measured:
         return found, None, {}
     try:
-        return found, Program({place: one.body for place, one in measured.items()}, "ERRORS_OWN", *macros, text=text), measured
+        return found, Program({id: one.body for id, one in measured.items()}, "ERRORS_OWN", *macros, text=text), measured
     except NotBuilt as error:
         raise Bad(str(error)) from None
 
@@ -278,8 +278,8 @@ class Result:
 
 def searched(program: Program, function: Function, measured: Measured, count: int) -> Result:
     try:
-        effort = effort_of(program, function.place, measured, count)
-        found = program.search(function.place, measured.inputs, outputs_of(measured), effort)
+        effort = effort_of(program, function.id, measured, count)
+        found = program.search(function.id, measured.inputs, outputs_of(measured), effort)
     except Stopped as reason:
         function.refused = f"{function.place}: {reason}"
         return Result(function)
@@ -295,9 +295,9 @@ def results(path: Path, wanted: Sequence[str], within: Mapping[str, str], *more:
         raise Bad(f"{path}: no function takes a position or a place, and returns floats")
 
     def one(function: Function) -> Result:
-        if program is None or function.place not in measured:
+        if program is None or function.id not in measured:
             return Result(function)
-        return searched(program, function, measured[function.place], len(measured))
+        return searched(program, function, measured[function.id], len(measured))
 
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         return list(pool.map(one, found))

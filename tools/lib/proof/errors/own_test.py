@@ -215,6 +215,11 @@ class Taken(unittest.TestCase):
                 self.assertEqual((one.least, one.most), (value, value))
                 self.assertLessEqual(one.error, 3e-7 * value if re.search("HALF|smooth|radians|degrees", body) else 0)
 
+    def test_functions_on_one_line(self):
+        shown = printed("#define F(name, k) float name(vec2 p) { return p.x * k; }\nF(one, 1.0) F(two, 2.0)", within={"p": "-1:1"})[1]
+        self.assertRegex(shown, r"one\(vec2 p\)\n  value   error 0; values in \[-1, 1\]")
+        self.assertRegex(shown, r"two\(vec2 p\)\n  value   error 0; values in \[-2, 2\]")
+
     def test_the_errors_are_found(self):
         for text, (least, most, low, high) in CLAIMS.items():
             with self.subTest(text):
@@ -228,7 +233,7 @@ class Taken(unittest.TestCase):
         self.assertRegex(place, r"^q=\(-?[\d.e-]+, -?[\d.e-]+\)$")
         numbers = re.findall(r"-?[\d.]+(?:e-?\d+)?", place)
         again, = result.program.search(
-            result.function.place, [f"float:{x}:{x}" for x in numbers], ["0:inf:one"], 200)
+            result.function.id, [f"float:{x}:{x}" for x in numbers], ["0:inf:one"], 200)
         self.assertEqual(again.error, 1)
 
 

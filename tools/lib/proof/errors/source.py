@@ -44,6 +44,11 @@ class Function:
     refused: str = ""  # FILE:LINE: why
     calls: set[str] = field(default_factory=set)  # names
 
+    @property
+    def id(self) -> str:
+        """Macros may write several on one line."""
+        return str(self.span[0])
+
 
 @dataclass
 class Source:
