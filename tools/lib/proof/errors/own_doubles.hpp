@@ -8,6 +8,7 @@ inline bool decided(bool answer) { return answer; }
 inline std::int32_t whole(std::int64_t n) {
   return static_cast<std::int32_t>(std::clamp<std::int64_t>(n, INT32_MIN, INT32_MAX));
 }
+inline std::int64_t selector(std::int64_t n) { return n; }
 // The text jumps where this is 0, or where that is whole: the search walks there.
 inline void tie(Rounded x) { singular.push_back(x.value); }
 inline void tie_of_whole(Rounded x) { singular.push_back(x.value - std::nearbyint(x.value)); }

@@ -7,6 +7,8 @@ inline bool decided(Mask mask) { return static_cast<bool>(mask); }
 inline std::int32_t whole(std::int32_t n) { return n; }
 inline std::int32_t whole(Int n) { return hn::roundings::leader.chosen(n.v); }
 inline std::int32_t whole(Uint n) { return whole(Int(n)); }
+inline std::int64_t selector(Int n) { return whole(n); }
+inline std::int64_t selector(Uint n) { return static_cast<std::uint32_t>(whole(n)); }
 inline void tie(const Float&) {}  // only the text in doubles keeps where it may jump
 inline void tie_of_whole(const Float&) {}
 

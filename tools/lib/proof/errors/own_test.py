@@ -80,6 +80,7 @@ VALUES = {
     "uvec2 u = uvec2(1u, 2u); u ^= u << 4u; u.x += u.y % 5u; ivec3 i = ivec3(7, -8, 9) % 4; i.xz = (i.xz | 8) >> ivec2(1, 2);"
     " ivec2 z = ivec2(4, 6) / ivec2(2, 0); return float(u.x) + float(u.y) * 100.0 + float(i.x) * 1e4 + float(i.z) * 1e5"
     " + float((~z).x) * 1e6;": 21 + 3400 + 50000 + 200000 - 3e6,
+    "uint u = uint(p) - 2u; switch (u) { case 0xffffffffu: return 1.0; default: return 2.0; }": 1,
     "return SQUARE(p + 2.0) + step(0.5, p);": 10,
     "return p < 0.0 ? 1.0 : p < 2.0 ? 2.0 : 3.0;": 2,
     "vec3 v = vec3(1.0, 2.0, 3.0); for (int i = 0; i < 3; i++) v[i] *= 2.0; return v[0] + v[1] * 10. + v[2] * 100.0;": 642,

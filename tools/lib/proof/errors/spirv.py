@@ -273,7 +273,7 @@ class Writer:
                 return f"if ({values[0]}) {{ {self.go(operands[1])}; }} {self.go(operands[2])}"
             case "OpSwitch":
                 cases = "".join(f"case {of}: {self.go(label)}; " for of, label in zip(operands[2::2], operands[3::2]))
-                return f"switch (whole({values[0]})) {{ {cases}default: {self.go(operands[1])}; }}"
+                return f"switch (selector({values[0]})) {{ {cases}default: {self.go(operands[1])}; }}"
             case "OpReturn":
                 return "return"
             case "OpReturnValue":
