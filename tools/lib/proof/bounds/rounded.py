@@ -83,7 +83,7 @@ def with_literals(text: str) -> str:
 
 
 # Decimals of the text, and the numbers that they stand for: 2 pi, 2 / sqrt(3), and the coefficients of the sine, which
-# are the nearest floats (sine.py).
+# are the nearest floats (docs/reference/contract.md, section 8).
 TRUE_NUMBERS = {"6.2831853f": "6.28318530717958647693f", "1.15470054f": "1.15470053837925152902f"} | {
     f"{x}f": f"{Decimal(float(np.float32(x)))}f" for x in ("1.57079090", "0.64589171", "0.07943160", "0.00433127")}
 
