@@ -17,7 +17,7 @@ namespace hn {
 namespace {
 
 // The subject of a program.
-enum class Facet { row, noise, bound, family, axes, form, setting, hash, gradient, arithmetic, version, stage };
+enum class Facet { row, noise, bound, family, axes, form, start, setting, hash, gradient, arithmetic, version, stage };
 constexpr std::size_t kFacets = static_cast<std::size_t>(Facet::stage) + 1;
 
 // The arguments beside the coordinates and the seed: a cell and a fraction, periods, a phase and so on. A function of
@@ -41,6 +41,12 @@ std::string_view part_of(const Function& function) {
   return "";
 }
 
+// A fractal has code of its own for the place of its first octave.
+std::string start_of(const Function& function) {
+  return function.is_octave_sum() ? fmt::format("octaves of {} axes from {}", function.axes, form_of(function))
+                                  : form_of(function);
+}
+
 std::string noise_word_of(const Function& function) {
   return fmt::format("{}{} of {} axes", part_of(function), function.bound, function.axes);
 }
@@ -61,6 +67,8 @@ std::string word_of(Facet facet, const PlannedProgram& program) {
       return fmt::format("{} axes", function.axes);
     case Facet::form:
       return form_of(function);
+    case Facet::start:
+      return start_of(function);
     case Facet::setting:
       return std::string(configuration.name);
     case Facet::hash:
@@ -93,6 +101,7 @@ constexpr std::array kShown = {
     FacetRule{Facet::noise, Facet::arithmetic, Reach::opengl},
     FacetRule{Facet::noise, Facet::gradient, Reach::opengl},
     FacetRule{Facet::form, Facet::arithmetic, Reach::everywhere},
+    FacetRule{Facet::start, Facet::arithmetic, Reach::opengl},
     FacetRule{Facet::form, Facet::axes, Reach::opengl},
     FacetRule{Facet::form, Facet::bound, Reach::opengl},
     FacetRule{Facet::setting, Facet::family, Reach::opengl},
